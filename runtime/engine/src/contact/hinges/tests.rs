@@ -42,34 +42,6 @@ struct Chain {
     g: f64,
 }
 
-/// After the time Δ with an acceleration a + (b − a) t/Δ the rate has changed by (a + b) Δ/2, the place by (2a + b) Δ²/6 beside what
-/// the rate makes of it.
-#[test]
-fn a_moment_of_changing_acceleration() {
-    let model = Model::of(&Chain { m: 1.0, l: 1.0, mu: 0.1, r: 0.1, p: 0.0, q: 0.0, g: 9.81 });
-    let scales = scales_of(&model).unwrap();
-    let context = RunContext { model, scales, switches: Vec::new() };
-    let unit = |at: usize, size: f64| core::array::from_fn::<f64, 5, _>(|i| if i == at { size } else { 0.0 });
-    let mut state = [0.0; 10];
-    (state[6], state[9]) = (2.0, -3.0);
-    let moved =
-        |from: [f64; 5], to: [f64; 5]| Place::new(&context, Numbers::from_slice(&state)).moved(&from, &to);
-    let moment = moved(unit(0, 1.0), unit(0, 1.0))[5];
-    assert!(moment > 0.0 && moment < 1e-3 * context.scales.time);
-    for at in [0, 2, 3] {
-        for (a, b) in [(6.0, 0.0), (0.0, 6.0), (-1.5, 4.5)] {
-            let found = moved(unit(at, a), unit(at, b));
-            for i in 0..5 {
-                let [a, b] = if i == at { [a, b] } else { [0.0; 2] };
-                let place = moment * (state[5 + i] + moment * (2.0 * a + b) / 6.0);
-                let rate = state[5 + i] + 0.5 * moment * (a + b);
-                assert!((found[i] - place).abs() <= 1e-15 * place.abs(), "{at} {a} {b} {i}");
-                assert!((found[5 + i] - rate).abs() <= 1e-15 * rate.abs(), "{at} {a} {b} {i}");
-            }
-        }
-    }
-}
-
 #[test]
 fn what_is_improved_is_what_all_modes_have() {
     let mut seed = 5_u64;
@@ -301,5 +273,22 @@ fn contacts_have_the_choices_of_their_kinds() {
         assert_eq!(told(&unloaded, guide), (both, 0), "{known:?}");
         assert_eq!(told(&unloaded, hinge), (positive, 0), "{known:?}");
         assert_eq!([rubs, smooth].map(|it| told(&unloaded, it)), [(vec![], 1), (vec![], 1)], "{known:?}");
+    }
+}
+
+/// Accelerations are one up to 1e-8 of the larger, or of the natural one.
+#[test]
+fn accelerations_that_differ_by_rounding_are_one() {
+    let (context, state) = at([0.0; 10]);
+    let natural = 1.0 / (context.scales.time * context.scales.time);
+    let place = Place::new(&context, state);
+    let of = |acceleration: f64| found(ContactSet::EMPTY, acceleration, true);
+    for size in [0.0, natural, 100.0 * natural, 1e6 * natural] {
+        let most = 1e-8 * size.max(natural);
+        for sign in [1.0, -1.0] {
+            assert!(place.are_one(&of(sign * size), &of(sign * (size + 0.9 * most))), "{size}");
+            assert!(place.are_one(&of(sign * (size + 0.9 * most)), &of(sign * size)), "{size}");
+            assert!(!place.are_one(&of(sign * size), &of(sign * (size + 1.1 * most))), "{size}");
+        }
     }
 }

@@ -2,9 +2,12 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::{Factor, share};
+use super::{Factor, share, shortest_reactions};
 use crate::contact::closed_rows::ClosedRows;
 use crate::contact::friction::tests::random::{Random, cases};
+use crate::model::{ContactSet, Slip};
+use crate::prelude::*;
+use crate::system::Model;
 
 /// What is missing of a load that is held.
 const HELD: f64 = 1e-12;
@@ -217,6 +220,48 @@ fn shares_have_no_units() {
             let other = Loaded { jacobian, reactions, ..it.clone() };
             let (other, _) = shared(&other, &mut None);
             assert!((other / load - &found).amax() <= 1e-9, "{k}");
+        }
+    }
+}
+
+/// A rod on three supports.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = 2 * l)]
+#[point(C = AB, at = l)]
+#[support(A = floor, friction = mu)]
+#[support(B = floor, friction = mu)]
+#[support(C = floor, friction = mu)]
+#[coordinate(x = x(C))]
+#[coordinate(y = y(C))]
+#[coordinate(theta = angle(AB), from = right)]
+#[figure(A = (-l, 0), B = (l, 0))]
+struct Rod {
+    m: f64,
+    l: f64,
+    g: f64,
+    mu: f64,
+}
+
+/// While it slides its friction is −σ μ N of each support, and a third of the weight is the least that each can bear.
+#[test]
+fn supports_that_slide_share_the_load_with_their_friction() {
+    let (m, g, mu) = (2.0, 9.81, 0.3);
+    let model = Model::of(&Rod { m, l: 0.7, g, mu });
+    for (slip, sense) in [(Slip::Forward, 1.0), (Slip::Backward, -1.0)] {
+        let closed = (0..3).fold(ContactSet::EMPTY, |set, contact| set.slipping(contact, slip));
+        let mut state = [0.0; 6];
+        let x = model.layout().coordinates.iter().position(|it| it.name == "x").unwrap();
+        state[3 + x] = sense;
+        let weight = m * g;
+        let (ends, middle) = (0.5 * weight, 0.0);
+        let normals = [ends, ends, middle];
+        let held: Vec<f64> = normals.iter().copied().chain(normals.map(|n| -sense * mu * n)).collect();
+        let found = shortest_reactions(&*model.system, &state, &closed, &held, &mut None);
+        for contact in 0..3 {
+            let [normal, friction] = [found[contact], found[3 + contact]];
+            assert!((normal - weight / 3.0).abs() < 1e-12 * weight, "{slip:?} {found:?}");
+            assert!((friction + sense * mu * normal).abs() < 1e-12 * weight, "{slip:?} {found:?}");
         }
     }
 }

@@ -115,3 +115,27 @@ fn vectors_split_into_what_depends_and_what_does_not() {
     }
     assert!(removed > 0);
 }
+
+/// Rows of any length, of which each pair is independent, and the same that bear.
+#[test]
+fn lengths_of_rows_do_not_matter() {
+    let mass = DMatrix::identity(2, 2);
+    let rows = DMatrix::from_row_slice(3, 2, &[1.0, 0.0, 0.6, 0.8, 0.0, 1.0]);
+    let force = DVector::from_row_slice(&[-1.0, -2.0]);
+    for unit in [1e-7, 1.0, 1e7] {
+        let least = |bias: f64, force: &DVector<f64>, slack: f64| {
+            let (bias, slack) = (DVector::repeat(3, bias * unit), DVector::repeat(3, slack * unit));
+            LeastConstraint::new(&mass, &(&rows * unit), (force, &bias), &slack).unwrap()
+        };
+        let pressed = least(0.0, &force, 1e-12);
+        assert_eq!(pressed.independent(&[0, 1, 2]), [0, 1], "{unit}");
+        assert_eq!(pressed.independent(&[2, 0]), [2, 0], "{unit}");
+        let bearing = pressed.bearing(&[], &[0, 1, 2]).unwrap();
+        let (a, multipliers) = closed(&mass, &(&rows * unit), (&force, &DVector::zeros(3)), &bearing);
+        assert!(a.amax() < 1e-14 && multipliers.min() > 0.0 && bearing.len() == 2, "{unit}: {bearing:?}");
+        // What nothing presses on does not bear.
+        let still = least(0.0, &DVector::zeros(2), 0.0);
+        assert!(still.bearing(&[], &[0, 1, 2]).unwrap().is_empty(), "{unit}");
+        assert!(least(1.0, &DVector::zeros(2), 0.0).bearing(&[], &[0, 1, 2]).unwrap().is_empty());
+    }
+}

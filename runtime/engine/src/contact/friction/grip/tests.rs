@@ -2,8 +2,13 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::{limit, row_space};
+use super::{edges, limit, row_space};
+use crate::contact::closed_rows::ClosedRows;
+use crate::contact::friction::Sense;
 use crate::contact::friction::tests::random::{Random, cases};
+use crate::model::{ContactSet, Friction, Layout, Slip as ModelSlip, SlipState};
+use crate::system::Model;
+use liftoff_fixtures::RodOnSupports;
 
 /// Orthonormal vectors with the span of some.
 fn basis(vectors: impl IntoIterator<Item = DVector<f64>>) -> Vec<DVector<f64>> {
@@ -128,4 +133,44 @@ fn the_margin_is_that_of_the_best_vertex() {
         }
     }
     assert!(bounded > 250 && unbounded > 100 && negative > 20, "{bounded} {unbounded} {negative}");
+}
+
+/// Two edges of a cone with what it bears between them, and one of a contact without friction, or that slides; nothing of what the
+/// motion determines.
+#[test]
+fn edges_of_cones_bear_the_reactions() {
+    let plain = Model::of(&RodOnSupports { m: 1.0, l: 1.0, g: 1.0 }).layout();
+    let mut contacts = plain.contacts.to_vec();
+    (contacts[0].friction, contacts[2].friction) = (Some(0), Some(1));
+    let friction = |contact: usize, row: usize| Friction { contact, row, follows_slip: false };
+    let layout = Layout {
+        contacts: contacts.leak(),
+        tangents: &[0, 2],
+        frictions: vec![friction(0, 3), friction(2, 4)].leak(),
+        ..*plain
+    };
+    let jacobian = DMatrix::from_row_slice(4, 2, &[1.0, 0.5, 2.0, -1.0, 0.3, 4.0, 0.0, 3.0]);
+    let rows = ClosedRows { rows: vec![0, 1, 2, 3], jacobian, levers: vec![1.0; 4] };
+    let slip = |limit: f64| SlipState { velocity: 0.0, kinetic: limit, limit };
+    let slips = [slip(0.25), slip(0.5)];
+    // N of each contact, then R of both with friction.
+    let reactions = [6.0, 5.0, 7.0, 0.75, -3.5];
+    let closed = ContactSet::EMPTY.with(1).slipping(0, ModelSlip::Stick).slipping(2, ModelSlip::Forward);
+    let row = |k: usize| rows.jacobian.row(k).transpose();
+    let (all, taken) = edges(&layout, &closed, (&rows, &[true; 4]), &slips, &reactions);
+    let expected = [
+        (row(0) + row(3) * 0.25, 0.5 * (6.0 + 0.75 / 0.25), Some((0, Sense::Forward))),
+        (row(0) - row(3) * 0.25, 0.5 * (6.0 - 0.75 / 0.25), Some((0, Sense::Backward))),
+        (row(1), 5.0, None),
+        (row(2), 7.0, None),
+    ];
+    let told: Vec<_> = all.into_iter().map(|edge| (edge.column, edge.load, edge.slip)).collect();
+    assert_eq!((told.as_slice(), taken.as_slice()), (&expected[..], &[0, 3, 1, 2][..]));
+    for (undetermined, taken) in [
+        ([false; 4], vec![]),
+        ([false, false, false, true], vec![0, 3]),
+        ([false, true, false, false], vec![1]),
+    ] {
+        assert_eq!(edges(&layout, &closed, (&rows, &undetermined), &slips, &reactions).1, taken);
+    }
 }

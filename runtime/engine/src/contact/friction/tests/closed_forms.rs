@@ -303,3 +303,40 @@ fn decided_contacts_bear_at_higher_orders() {
         assert!(found.next.iter().all(Frictional::is_decided));
     }
 }
+
+/// A plank on three feet carries a block by a joint: the joint bears the block, and the feet both, however they share that.
+#[test]
+fn a_joint_bears_beside_feet_that_share_a_load() {
+    let jacobian = DMatrix::from_row_slice(
+        7,
+        4,
+        &[
+            [0.0, 1.0, -1.0, 0.0],
+            [0.0, 1.0, 0.0, 0.0],
+            [0.0, 1.0, 1.0, 0.0],
+            [1.0, 0.0, 0.0, 0.0],
+            [1.0, 0.0, 0.0, 0.0],
+            [1.0, 0.0, 0.0, 0.0],
+            [0.0, 1.0, 0.0, -1.0],
+        ]
+        .concat(),
+    );
+    let contacts: Vec<Frictional> =
+        (0..3).map(|foot| Frictional::touching((foot, 3 + foot), (0.5, 0.5), Slip::Rest)).collect();
+    let mass = DMatrix::from_diagonal(&DVector::from_row_slice(&[1.0, 1.0, 1.0 / 3.0, 2.0]));
+    let bias = DVector::zeros(7);
+    for (push, slides) in [(0.9, false), (2.5, true)] {
+        let force = DVector::from_row_slice(&[push, -1.0, 0.0, -2.0]);
+        let mut kkt = EquilibratedKkt::new(&mass, &jacobian, (&force, &bias), (&force.abs(), &bias));
+        let rows = LcpRows { fixed: &[6], ..LcpRows::default() };
+        let found = kkt.solve_with_friction(&Question { rows, contacts: &contacts }).unwrap();
+        let reactions = &found.solution.reactions;
+        assert!((reactions[6] + 2.0).abs() < 1e-13, "{push} {reactions}");
+        assert!((reactions.rows(0, 3).sum() - 3.0).abs() < 1e-13, "{push} {reactions}");
+        assert!((reactions[2] - reactions[0]).abs() < 1e-13 && !found.solution.unique, "{push}");
+        let along = if slides { push - 1.5 } else { 0.0 };
+        let a = DVector::from_row_slice(&[along, 0.0, 0.0, 0.0]);
+        assert!((&found.solution.accelerations - a).amax() < 1e-13, "{push}");
+        assert_eq!(found.modes, [if slides { FORWARD } else { Mode::Stick }; 3]);
+    }
+}

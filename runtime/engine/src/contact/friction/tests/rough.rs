@@ -82,6 +82,12 @@ fn sets_of_rough_contacts_are_counted() {
             continue;
         }
         searched += 1;
+        // The largest set that is a motion.
+        if let Ok(found) = &found {
+            let closed = |modes: &Vec<Mode>| modes.iter().filter(|mode| **mode == Mode::Stick).count();
+            let most = linkage.solutions().iter().map(closed).max();
+            assert_eq!(Some(found.bearing.len() + found.degenerate.len()), most, "{k}");
+        }
         for (most, is_enough) in [(tried, true), (tried - 1, false)] {
             let again = Trials::up_to(most);
             let other = kkt(&linkage).solve(&LcpRows { trials: Some(&again), ..rows });

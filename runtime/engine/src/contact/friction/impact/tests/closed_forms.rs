@@ -2,7 +2,9 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::contact::impact::Stages;
 use crate::contact::impulse::{Collision, CollisionError, Method, Outcome, Row};
+use crate::contact::trials::Trials;
 use crate::model::Law;
 
 fn kinetic(collision: &Collision, u: &DVector<f64>) -> f64 {
@@ -219,6 +221,34 @@ fn a_slip_in_the_paradox_ends_in_an_impact() {
     assert_eq!(outside.tangential_impact(usize::MAX).unwrap_err(), CollisionError::Jammed);
 }
 
+/// Of two rods that slide into the paradox the one deeper in it strikes first: by W_NN − σ μ W_Nt relative to W_NN, whatever the
+/// masses.
+#[test]
+fn the_slip_deepest_in_the_paradox_ends_first() {
+    let rods = |mu: [f64; 2], masses: [f64; 2]| {
+        let [one, other] = mu.map(|mu| rod(60.0, (-1.0, 0.0), mu, (0.0, Law::Poisson)));
+        let (mut mass, mut jacobian) = (DMatrix::zeros(6, 6), DMatrix::zeros(4, 6));
+        mass.view_mut((0, 0), (3, 3)).copy_from(&(&one.mass * masses[0]));
+        mass.view_mut((3, 3), (3, 3)).copy_from(&(&other.mass * masses[1]));
+        for (row, k) in [(0, 0), (1, 2)] {
+            jacobian.view_mut((k, 0), (1, 3)).copy_from(&one.jacobian.row(row));
+            jacobian.view_mut((k + 1, 3), (1, 3)).copy_from(&other.jacobian.row(row));
+        }
+        let contact = Row::Contact { restitution: 0.0, law: Law::Poisson };
+        let friction = |of: usize| Row::Friction { of, mu: mu[of], restitution: 0.0 };
+        let rates = DVector::from_iterator(6, one.rates.iter().chain(other.rates.iter()).copied());
+        let (drift, applied) = (DVector::zeros(4), DVector::zeros(6));
+        let rows = vec![contact, contact, friction(0), friction(1)];
+        Collision { mass, jacobian, rates, drift, applied, rows }
+    };
+    for masses in [[1.0, 1.0], [1.0, 50.0], [50.0, 1.0]] {
+        for (mu, deeper) in [([2.0, 3.0], 1), ([3.0, 2.0], 0)] {
+            let outcome = rods(mu, masses).tangential_impact(usize::MAX).unwrap();
+            assert_eq!(outcome.acting, [deeper], "{mu:?} {masses:?}");
+        }
+    }
+}
+
 /// An impulse from outside on a rod at rest on the floor, by each law: it sticks, and its end leaves with none.
 #[test]
 fn an_applied_impulse_is_answered() {
@@ -275,5 +305,20 @@ fn rounding_does_not_strike() {
     for other in [up, down] {
         assert_eq!(other.method, still.method);
         assert!((&other.rates - &still.rates).amax() < 1e-14, "{} {}", other.rates, still.rates);
+    }
+}
+
+/// The work of contacts, ½ Σ P (ġ⁺ + ġ⁻), and the sum of the sizes of its terms.
+#[test]
+fn the_work_of_contacts_has_the_size_of_its_terms() {
+    for (slip, mu) in [(0.5, 0.3), (-3.0, 0.2)] {
+        let collision = rod(60.0, (slip, -1.0), mu, (0.6, Law::Poisson));
+        let outcome = collision.solve().unwrap();
+        let stages = Stages::new(&collision, Trials::up_to(100));
+        let (work, size) = stages.work(&outcome);
+        let [[p, g], [q, v]] = [0, 1].map(|row| [outcome.impulses[row], outcome.opening[row]]);
+        assert!((work - 0.5 * (p * (g - 1.0) + q * (v + slip))).abs() < 1e-15);
+        let expected = 0.5 * (p.abs() * (g.abs() + 1.0) + q.abs() * (v.abs() + slip.abs()));
+        assert!((size / expected - 1.0).abs() < 1e-14, "{size} {expected}");
     }
 }
