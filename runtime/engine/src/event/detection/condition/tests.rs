@@ -25,6 +25,9 @@ fn a_pole_between_the_places_looked_at_may_hide_a_root() {
         // As towards a pole of even order, and infinite there.
         assert!(!hides(&|theta| sign * (1.0 + 7.1 * (3.2 * theta).sin())));
         assert!(hides(&|theta| sign * (1.0 + 6.9 * (core::f64::consts::PI * theta).sin())));
+        for (inner, is_hidden) in [(POLE, false), (0.999 * POLE, true)] {
+            assert_eq!(hides(&|theta| sign * if theta == 0.5 { inner } else { 1.0 }), is_hidden);
+        }
         assert!(!hides(&|theta| if theta == 0.5 { f64::NAN } else { sign * (1.0 + theta) }));
         for known in [Bounded::Finite, Bounded::Pole] {
             assert!(!may_hide(&|theta| sign * (theta - 0.3), known));

@@ -86,6 +86,22 @@ fn touches_before_the_first_event_are_told_in_order() {
     assert!((touches[0].0 - 0.25).abs() < 1e-6 && (touches[1].0 - 0.75).abs() < 1e-6);
 }
 
+/// What touches zero where the first event is, at the end of the run, is zero together with it.
+#[test]
+fn a_touch_at_the_first_event_is_part_of_it() {
+    let closed = set(&[PLAIN, THREAD]);
+    let scene = Scene::closed(closed, |t| {
+        let mut shown = Shown::default();
+        shown.reactions[PLAIN] = 1.0 - t;
+        shown.reactions[THREAD] = (t - 1.0).powi(2);
+        shown
+    });
+    let mut detector = scene.begun(roles(closed), (&[], false));
+    let (first, touches) = scene.follow(&mut detector, &[1.0]).unwrap();
+    assert_eq!(first, Some((1.0, vec![Guard::Reaction(PLAIN), Guard::Reaction(THREAD)])));
+    assert!(touches.is_empty(), "{touches:?}");
+}
+
 /// By more than a 64th of the bound a touch may be a crossing; guards that are neither a reaction nor a gap are decided.
 #[test]
 fn a_touch_is_undecided_where_it_is_not_at_zero() {

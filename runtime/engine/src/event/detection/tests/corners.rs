@@ -116,3 +116,26 @@ fn a_drive_takes_hold_from_either_side() {
     assert!(found.is_some_and(|at| (at - 0.7).abs() < 1e-12), "{found:?}");
     assert_eq!(Guard::Gap(DRIVE).gap(), Some(DRIVE));
 }
+
+/// A corner that has gone below beyond the end of its bar and has come back closes as any other; so does one that begins below.
+#[test]
+fn what_came_back_has_not_passed() {
+    for k in 0..40 {
+        let falls = 0.72 + 0.005 * f64::from(k);
+        let scene = Scene::closed(ContactSet::EMPTY, move |t| {
+            let mut shown = Shown { gaps: [1.0; CONTACTS], feet: [1.0, t - 0.5], ..Shown::default() };
+            shown.gaps[CORNER] = (t - 0.2) * (t - 0.3) * (falls - t);
+            shown
+        });
+        let mut detector = scene.begun(alone(CORNER), (&[], false));
+        let (first, _) = scene.follow(&mut detector, &[0.5, 1.0]).unwrap();
+        assert!(first.is_some_and(|(at, _)| (at - falls).abs() < 1e-11), "{falls}");
+        assert_eq!(detector.passed(), ContactSet::EMPTY, "{falls}");
+    }
+    let scene = corner(|t| -1.0 - t, |_| 1.0, 0);
+    for (off, passed) in [(ContactSet::EMPTY, false), (set(&[CORNER]), true)] {
+        let mut detector = scene.begun(ContactStatus { off, ..alone(CORNER) }, (&[], false));
+        scene.follow(&mut detector, &[1.0]).unwrap();
+        assert_eq!(detector.passed(), if passed { off } else { ContactSet::EMPTY });
+    }
+}

@@ -86,3 +86,12 @@ fn a_flight_that_begins_deep_has_its_ground_there() {
         assert!(watch.at_root);
     }
 }
+
+/// A part of the natural length, which is two here.
+#[test]
+fn what_is_low() {
+    let scene = Scene::closed(ContactSet::EMPTY, |_| Shown::default());
+    let detector = scene.begun(alone(PLAIN), (&[], false));
+    let most = BOUNDS.relative * BOUNDS.length;
+    assert!(detector.is_low(most) && detector.is_low(0.0) && !detector.is_low(1.001 * most));
+}

@@ -2,8 +2,10 @@
 
 use core::cell::Cell;
 
-use super::super::{Crossing, Extremum, GuardError, NODES, Start};
-use super::super::{extrema, first_root, watch};
+use super::super::bracket::Point;
+use super::super::extrema::Zigzag;
+use super::super::{Crossing, Extremum, ExtremumKind, GuardError, NODES, Start};
+use super::super::{extrema, first_root, first_root_series, watch, watch_series};
 use super::{ULPS, all_extrema, bend, crossing, product};
 
 #[test]
@@ -209,5 +211,33 @@ fn poles_and_jumps_are_no_roots() {
             behind.is_ok_and(|root| root.is_some_and(|root| (root - 0.9).abs() < ULPS)),
             "{p} {behind:?}"
         );
+    }
+}
+
+/// A minimum at the bound itself touches; one above does not.
+#[test]
+fn the_bound_itself_is_touched() {
+    let touch = Crossing::Touch { theta: 0.5, value: 1.0 };
+    assert_eq!(watch_series(&[1.25, -1.0, 1.0], Start::Free, 1.0), Ok(touch));
+    assert_eq!(watch_series(&[1.25_f64.next_up(), -1.0, 1.0], Start::Free, 1.0), Ok(Crossing::Clear));
+    assert_eq!(first_root_series(&[1.25, -1.0, 1.0], Start::Free, 1.0), Ok(Some(0.5)));
+    assert_eq!(first_root_series(&[-1.25, 1.0, -1.0], Start::Free, 1.0), Ok(Some(0.5)));
+    assert_eq!(first_root_series(&[1.25_f64.next_up(), -1.0, 1.0], Start::Free, 1.0), Ok(None));
+}
+
+/// Of equal values the first counts, and what differs by the noise is no turn.
+#[test]
+fn the_first_of_equal_extrema() {
+    for (sign, kind) in [(1.0, ExtremumKind::Maximum), (-1.0, ExtremumKind::Minimum)] {
+        let told = |noise: f64| {
+            let mut zigzag = Zigzag::default();
+            let values = [0.0, 1.0, 1.0, 0.5, 1.0, 1.0, 0.0];
+            let points = values.iter().enumerate().map(|(k, x)| Point { theta: k as f64, value: sign * x });
+            points.filter_map(|point| zigzag.push(point, noise)).collect::<Vec<_>>()
+        };
+        let of = |theta: f64, value: f64, kind| Extremum { theta, value: sign * value, kind };
+        let other = if sign > 0.0 { ExtremumKind::Minimum } else { ExtremumKind::Maximum };
+        assert_eq!(told(0.25), [of(1.0, 1.0, kind), of(3.0, 0.5, other), of(4.0, 1.0, kind)]);
+        assert_eq!(told(0.5), [of(1.0, 1.0, kind)]);
     }
 }

@@ -98,4 +98,7 @@ fn a_fit_that_differs_from_the_function_is_not_resolved() {
         }
     }
     assert_eq!(checked(0.3, 0.0, [0.3; 2]).1, 1);
+    let mut exact = of(&[0.0]);
+    exact.check(&mut |_| Ok(CHECKED * 1e-3), [0.3, 0.7]).unwrap();
+    assert!(exact.resolved);
 }
