@@ -8,6 +8,8 @@ use nalgebra::{Complex, DMatrix, DVector, Dyn, SVD, Schur, SymmetricEigen};
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// Columns are orthogonal up to this part of their lengths.
 const ORTHOGONAL: f64 = f64::EPSILON;
+/// Beside the square of this, one is rounding.
+const LARGE: f64 = 1e8;
 /// Sweeps over all pairs of columns at most: few are needed, from a decomposition that is nearly right.
 const SWEEPS: usize = 60;
 
@@ -50,8 +52,7 @@ fn make_orthogonal(columns: &mut DMatrix<f64>, mut turn: impl FnMut([usize; 2], 
                 let dot = columns.column(p).dot(&columns.column(q));
                 if dot.abs() > ORTHOGONAL * (a * b).sqrt() {
                     let cotangent = (b - a) / (2.0 * dot);
-                    let tangent =
-                        cotangent.signum() / (cotangent.abs() + (cotangent * cotangent + 1.0).sqrt());
+                    let tangent = cotangent.signum() / (cotangent.abs() + with_one(cotangent));
                     rotate(columns, [p, q], tangent);
                     turn([p, q], tangent);
                     orthogonal = false;
@@ -82,8 +83,13 @@ fn flipped(svd: SVD<f64, Dyn, Dyn>) -> SVD<f64, Dyn, Dyn> {
     SVD { u: v_t.map(|v| v.transpose()), v_t: u.map(|u| u.transpose()), singular_values }
 }
 
+/// √(1 + x²), without the square of a large x.
+fn with_one(x: f64) -> f64 {
+    if x.abs() < LARGE { (1.0 + x * x).sqrt() } else { x.abs() }
+}
+
 fn rotate(matrix: &mut DMatrix<f64>, [p, q]: [usize; 2], tangent: f64) {
-    let cosine = 1.0 / (tangent * tangent + 1.0).sqrt();
+    let cosine = 1.0 / with_one(tangent);
     let sine = cosine * tangent;
     for i in 0..matrix.nrows() {
         let (x, y) = (matrix[(i, p)], matrix[(i, q)]);

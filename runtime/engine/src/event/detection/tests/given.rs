@@ -99,8 +99,7 @@ pub(super) struct Shown {
 
 /// The coordinate s is the time.
 struct Given {
-    set: ContactSet,
-    form: Form,
+    info: PhaseInfo,
     at: Box<dyn Fn(f64) -> Shown + Send + Sync>,
     asked: Arc<AtomicUsize>,
 }
@@ -172,9 +171,8 @@ impl Phase for Given {
         self
     }
 
-    fn info(&self) -> PhaseInfo {
-        let Self { set, form, .. } = *self;
-        PhaseInfo { set, form, coordinates: 1, rates: 0, entries: 1, affine: false }
+    fn info(&self) -> &PhaseInfo {
+        &self.info
     }
 
     fn kept(&self) -> &[usize] {
@@ -234,7 +232,8 @@ impl Scene {
         at: impl Fn(f64) -> Shown + Send + Sync + 'static,
     ) -> Self {
         let asked = Arc::new(AtomicUsize::new(0));
-        let given = Arc::new(Given { set, form, at: Box::new(at), asked: Arc::clone(&asked) });
+        let info = PhaseInfo { set, form, coordinates: 1, rates: 0, entries: 1, affine: false };
+        let given = Arc::new(Given { info, at: Box::new(at), asked: Arc::clone(&asked) });
         let mut model = Model::of(&Particle { m: 1.0, g: 1.0, e: 0.0 });
         let scales = scales_of(&model).expect("natural scales");
         model.system = given.clone();
