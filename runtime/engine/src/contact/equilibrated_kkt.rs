@@ -1,5 +1,6 @@
 //! `[M −Jᵀ; J 0] [a; λ] = [f; −b]` over any set of rows, by elimination with all pivots to choose from; where a pivot is small, by
-//! singular value decomposition. Where redundant rows leave λ undetermined, the least-norm λ is taken; an undetermined a is an error. The matrix is equilibrated as in [`crate::kernel`].
+//! singular value decomposition. Where redundant rows leave λ undetermined, the least-norm λ is taken; an undetermined a is an
+//! error. The matrix is equilibrated as in [`crate::kernel`].
 
 use nalgebra::{DMatrix, DVector, Dyn, FullPivLU, SVD};
 
