@@ -122,7 +122,7 @@ impl Trajectory {
         let begun = phase.at(phase.t0);
         let start = context.system().energy(begun.state());
         let mut work = Work::default();
-        let [_, mut lost] = self.rounding(&begun);
+        let [_, mut lost] = self.rounding(&begun, 0.0);
         let mut rounding = 0.0;
         for step in times.windows(2) {
             if !context.is_conservative() {
@@ -134,9 +134,9 @@ impl Trajectory {
                 // Where the ends of a spring meet it has no direction; what follows is compared with the start as well.
                 continue;
             }
-            let [of_power, of_position] = self.rounding(&point);
             let length = step[1] - step[0];
-            rounding += length * (of_power + power::blur(context, &point, length));
+            let [of_power, of_position] = self.rounding(&point, length);
+            rounding += of_power + power::blur(context, &point, length);
             lost = of_position.max(lost);
             work.note(&now);
             let finding = energy_finding(context, step[1], [&start, &now], (&work, &bounds));
@@ -145,15 +145,15 @@ impl Trajectory {
         }
     }
 
-    /// What rounding makes of uᵀ (M a − f), from its terms: near singular positions these are larger by far than what they add
+    /// What rounding makes of uᵀ (M a − f) over a step, from its terms: near singular positions these are larger by far than what they add
     /// up to. Then what the rounding of the position makes of the energy, Σ |fᵢ| δqᵢ: a stiff spring may be hardly longer than without
     /// load.
-    fn rounding(&self, point: &PhasePoint) -> [f64; 2] {
+    fn rounding(&self, point: &PhasePoint, step: f64) -> [f64; 2] {
         let (layout, state, a) = (self.layout(), point.state(), point.accelerations());
         let equations = self.context.system().equations(state);
         let along = |i: usize| {
             let inertia = equations.mass(i).iter().zip(a).map(|(m, a)| (m * a).abs()).sum::<f64>();
-            state[a.len() + i].abs() * (inertia + equations.force()[i].abs())
+            step * state[a.len() + i].abs() * (inertia + equations.force()[i].abs())
         };
         let places = (0..layout.points.len()).flat_map(|index| [0, 1].map(|axis| (index, axis)));
         let place =

@@ -1,5 +1,5 @@
 //! The power of all forces that have no potential: that of friction, or where others act dE/dt along the accelerations of the
-//! equations, E = T + V.
+//! equations, E = T + V. Powers are told in joules per natural time: of motions that take 1e±130 s one per second is no number.
 
 use crate::event::root_isolation::{NODES, last_coefficients};
 use crate::integration::legendre::{Series, W, X};
@@ -82,7 +82,7 @@ impl Work {
         tells
     }
 
-    /// Adds that of a power, which depends on a point of the motion and on the length of the step.
+    /// Adds that of a power, J per natural time, which depends on a point of the motion and on the length of the step.
     pub(crate) fn add_of(
         &mut self,
         context: &RunContext,
@@ -106,7 +106,7 @@ impl Work {
     ) {
         if left == 0 || part.is_resolved {
             return part.powers.iter().zip(W).for_each(|(power, weight)| {
-                self.add_known(0.5 * weight * part.length() * power);
+                self.add_known(0.5 * weight * (part.length() / run.0.scales.time) * power);
             });
         }
         let [t0, t1] = part.span;
@@ -148,7 +148,8 @@ impl Part {
         });
         let tail = Series::through(|k| powers[k]).tail();
         let matters = || {
-            let work = h * powers.iter().fold(0.0, |most: f64, power| most.max(power.abs()));
+            let work =
+                h / context.scales.time * powers.iter().fold(0.0, |most: f64, power| most.max(power.abs()));
             let energy = context.system().energy(point.state());
             let size =
                 context.scales.force() * context.scales.length + energy.kinetic + energy.potential.abs();
@@ -181,7 +182,7 @@ fn power(context: &RunContext, point: &PhasePoint, step: f64) -> f64 {
     let forces = reactions[layout.contacts.len()..].iter().zip(layout.frictions);
     let along =
         |row: usize| equations.jacobian(row).iter().zip(rates).map(|(entry, u)| entry * u).sum::<f64>();
-    forces.map(|(force, friction)| force * along(friction.row)).sum()
+    forces.map(|(force, friction)| force * (along(friction.row) * context.scales.time)).sum()
 }
 
 /// The slip velocities that surfaces which move make at a state without rates.
@@ -202,7 +203,7 @@ pub(crate) fn of_friction(
     forces.map(|(force, (slip, at_rest))| force * (slip.velocity - at_rest)).sum()
 }
 
-/// dE/dt by a difference of order four.
+/// dE/dt in that unit, by a difference of order four.
 fn change_of_energy(context: &RunContext, point: &PhasePoint, step: f64) -> f64 {
     let (state, dt) = (point.state(), difference(context, point, step));
     let rate = |i: usize| rate(context, point, i);
@@ -211,18 +212,18 @@ fn change_of_energy(context: &RunContext, point: &PhasePoint, step: f64) -> f64 
             let moved: Numbers = (0..state.len()).map(|i| state[i] + dt * rate(i)).collect();
             context.system().energy(&moved)
         });
-        ahead.gained_since(&behind) / (2.0 * dt)
+        ahead.gained_since(&behind) / (2.0 * dt / context.scales.time)
     };
     (4.0 * gain(dt) - gain(2.0 * dt)) / 3.0
 }
 
-/// What the rounding of the energy makes of such a difference; nothing where none is taken.
+/// What the rounding of the energy makes of such differences over a step; nothing where none is taken.
 pub(super) fn blur(context: &RunContext, point: &PhasePoint, step: f64) -> f64 {
     if !context.is_worked_on() {
         return 0.0;
     }
     let energy = context.system().energy(point.state());
-    f64::EPSILON * (energy.kinetic + energy.potential.abs()) / difference(context, point, step)
+    step / difference(context, point, step) * f64::EPSILON * (energy.kinetic + energy.potential.abs())
 }
 
 /// The time over which it is taken.

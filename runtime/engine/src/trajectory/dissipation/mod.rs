@@ -60,7 +60,8 @@ impl Losses {
             return 0.0;
         }
         let mut work = Work::default();
-        work.add_of(&record.context, phase, span, &|point, _| self.power(&record.context, point));
+        let time = record.context.scales.time;
+        work.add_of(&record.context, phase, span, &|point, _| self.power(&record.context, point) * time);
         work.done
     }
 }
