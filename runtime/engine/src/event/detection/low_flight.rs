@@ -76,7 +76,7 @@ impl EventDetector<'_> {
     /// Whether g̈ > 0 is proved of all of a step that begins with g ≥ 0 and ġ ≥ 0.
     fn keeps_rising(&self, flight: &LowFlight, contact: usize, step: &StepView<'_>) -> bool {
         let start = if flight.gap == 0.0 { Start::Root } else { Start::Free };
-        let accuracy = Accuracy { delta: ROUNDED * step.scales().1, is_noisy: true };
+        let accuracy = Accuracy { delta: ROUNDED * step.scales().1, is_noisy: false };
         let acceleration = |theta: f64| step.gap_acceleration(theta, contact, &mut self.values.borrow_mut());
         flight.gap >= 0.0
             && flight.rate >= 0.0
