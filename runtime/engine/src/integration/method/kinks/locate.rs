@@ -12,8 +12,8 @@ use crate::integration::phase_point::Numbers;
 /// Where a step is looked at. Near its ends too, so that what turns there is seen to.
 const NODES: [f64; 11] =
     [0.0, 1.0 / 64.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0 - 1.0 / 64.0, 1.0];
-/// Some of them: where all values there are of one sign and so near each other, no zero lies between.
-const FEW: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
+/// Some of them, which are looked at first: where all values there are of one sign and so near each other, no zero lies between.
+const FEW: [usize; 5] = [0, 3, 5, 7, 10];
 const ALIKE: f64 = 0.75;
 /// What is less than this part of the largest value of a step is zero at the start of it: the kink that it began at.
 const ROUNDED: f64 = 1e-12;
@@ -34,13 +34,14 @@ impl CutAtKinks<'_> {
     /// θ of the first kink within the last step, farther from its ends than `least`.
     pub(super) fn first_kink(&mut self, least: f64) -> Option<f64> {
         let mut values = core::mem::take(&mut self.samples).0;
-        self.sample(&FEW, &mut values);
+        let count = self.kinks.len();
+        values.resize(NODES.len() * count, 0.0);
+        self.sample(FEW.into_iter(), &mut values);
         if self.are_alike(&values) {
             self.samples = Samples(values);
             return None;
         }
-        self.sample(&NODES, &mut values);
-        let count = self.kinks.len();
+        self.sample((0..NODES.len()).filter(|node| !FEW.contains(node)), &mut values);
         let samples = &values[..];
         let firsts = (0..count).filter_map(|j| {
             let own = core::array::from_fn(|i| samples[i * count + j]);
@@ -54,18 +55,19 @@ impl CutAtKinks<'_> {
         first
     }
 
-    fn sample(&self, places: &[f64], values: &mut Vec<f64>) {
-        values.clear();
-        places.iter().for_each(|theta| values.extend_from_slice(&self.at(*theta)));
+    /// Writes the values at some nodes to their places.
+    fn sample(&self, nodes: impl Iterator<Item = usize>, values: &mut [f64]) {
+        let count = self.kinks.len();
+        nodes.for_each(|i| values[i * count..(i + 1) * count].copy_from_slice(&self.at(NODES[i])));
     }
 
     /// Whether the values at [`FEW`] vary so little that nothing vanishes.
     fn are_alike(&self, values: &[f64]) -> bool {
         let count = self.kinks.len();
         (0..count).all(|j| {
-            let own = values.iter().skip(j).step_by(count);
+            let own = FEW.iter().map(|i| values[i * count + j]);
             let [least, most] = own.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], value| {
-                [least.min(*value), most.max(*value)]
+                [least.min(value), most.max(value)]
             });
             least > ALIKE * most && most > 0.0 || most < ALIKE * least && least < 0.0
         })
