@@ -19,9 +19,7 @@ impl Collision {
     pub(super) fn of_single(&self) -> Option<Outcome> {
         let (row, restitution, law) = self.single()?;
         let jacobian = self.jacobian.row(row).transpose();
-        let opening = |u: &DVector<f64>| jacobian.dot(u) + self.drift[row];
-        let approach = opening(&self.rates);
-        let size = jacobian.abs().dot(&self.rates.abs()) + self.drift[row].abs();
+        let (approach, size) = (self.speed(&self.rates)[row], self.speed_size()[row]);
         let factor = Cholesky::new(self.mass.clone())?;
         let pivots = factor.l_dirty().diagonal().map(|pivot| pivot * pivot);
         let is_regular = pivots.iter().zip(self.mass.diagonal().iter()).all(|(pivot, m)| *pivot > CLEAR * m);
