@@ -246,11 +246,10 @@ fn guides_rub_where_contacts_strike() {
         worst = worst.max(violation / size);
         let change = change(&it, &outcome);
         assert!((change - outcome.gained).abs() <= 1e-12 * size * size, "{k}");
-        if outcome.law == Law::Poisson {
+        if outcome.law == Law::Poisson || e == 0.0 {
             gained = gained.max(change);
             gains += usize::from(change > 1e-12);
-            let by_guide = gained_by_guide(&it, e, &outcome).max(0.0);
-            most = most.max((change - by_guide) / (size * size));
+            most = most.max(change - gained_by_guide(&it, e, &outcome).max(0.0));
         }
         several += usize::from(outcome.solutions > 1);
         seen += 1;
