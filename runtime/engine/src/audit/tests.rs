@@ -21,11 +21,11 @@ use crate::system::Model;
 #[figure(A = (0, -l))]
 #[coordinate(phi = angle(OA), from = down)]
 #[couple(OA = c)]
-struct Driven {
-    m: f64,
-    l: f64,
-    g: f64,
-    c: f64,
+pub(super) struct Driven {
+    pub(super) m: f64,
+    pub(super) l: f64,
+    pub(super) g: f64,
+    pub(super) c: f64,
 }
 
 /// A bar between a floor and a wall.

@@ -1,25 +1,11 @@
 //! Against the work of a constant couple, c (φ₁ − φ₀).
 
 use super::*;
+use crate::audit::tests::Driven;
 use crate::method::MethodId;
 use crate::prelude::*;
 
-/// A bar that a constant couple turns.
-#[derive(BarSystem)]
-#[gravity(g)]
-#[bar(OA, mass = m, length = l)]
-#[pin(O = (0, 0))]
-#[figure(A = (0, -l))]
-#[coordinate(phi = angle(OA), from = down)]
-#[couple(OA = c)]
-struct Turned {
-    m: f64,
-    l: f64,
-    g: f64,
-    c: f64,
-}
-
-const TURNED: Turned = Turned { m: 2.0, l: 1.5, g: 9.81, c: 7.0 };
+const TURNED: Driven = Driven { m: 2.0, l: 1.5, g: 9.81, c: 7.0 };
 
 /// Steps of a run, with what tells their work and the equations they are of.
 fn steps(
