@@ -6,6 +6,8 @@ use crate::scalar::Scalar;
 
 /// Newton corrections of the positions; drift over one step is far below the square root of the roundoff.
 const CORRECTIONS: usize = 4;
+/// Newton's method leaves less than this part of a drift.
+const LESS: f64 = 0.5;
 
 /// Projects a full state of a model; `work` has one entry per coordinate, `length` is the natural one.
 pub fn project<M: BarSystem, S: Scalar>(
@@ -28,25 +30,28 @@ pub fn project_by<S: Scalar, K: KernelView<S>>(
     work: &mut [S],
 ) {
     let n = work.len();
+    let drift = |kernel: &K| {
+        let closed = (0..layout.rows()).filter(|&row| layout.is_closed(row, set));
+        closed.map(|row| kernel.gap()[row].abs().to_f64() / layout.unit(row, length)).fold(0.0, f64::max)
+    };
+    let mut known = kernel(state);
+    let mut before = f64::INFINITY;
     for _ in 0..CORRECTIONS {
-        let kernel = kernel(state);
-        let drift =
-            (0..layout.rows()).filter(|&row| layout.is_closed(row, set)).fold(0.0, |most: f64, row| {
-                most.max(kernel.gap()[row].abs().to_f64() / layout.unit(row, length))
-            });
-        if drift <= 2.0 * S::EPSILON.to_f64() {
+        let now = drift(&known);
+        // What a correction did not make less is rounding.
+        if now <= 2.0 * S::EPSILON.to_f64() || now > LESS * before {
             break;
         }
-        kernel.correction(layout, set, &|row| kernel.gap()[row], work);
+        known.correction(layout, set, &|row| known.gap()[row], work);
         add(work, &mut state[..n]);
+        (known, before) = (kernel(state), now);
     }
-    let kernel = kernel(state);
     let rates = &state[n..2 * n];
     let drift = |row: usize| {
-        let along = kernel.jacobian(row).iter().zip(rates);
-        along.fold(kernel.drift()[row], |sum, (&entry, &u)| entry.mul_add(u, sum))
+        let along = known.jacobian(row).iter().zip(rates);
+        along.fold(known.drift()[row], |sum, (&entry, &u)| entry.mul_add(u, sum))
     };
-    kernel.correction(layout, set, &drift, work);
+    known.correction(layout, set, &drift, work);
     add(work, &mut state[n..2 * n]);
 }
 
