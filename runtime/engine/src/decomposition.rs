@@ -77,6 +77,15 @@ pub(crate) fn singular_values(matrix: DMatrix<f64>) -> Vec<f64> {
     values
 }
 
+/// A lower bound of the least singular value of a wide matrix in units of the largest: 1/(‖A‖ ‖L⁻¹‖) with `A Aᵀ = L Lᵀ`, in
+/// Frobenius's norm; zero where rows depend on each other. The ratio is at most as many times as large as there are rows.
+pub(crate) fn least_ratio_bound(matrix: &DMatrix<f64>) -> f64 {
+    let rows = matrix.nrows();
+    let Some(factor) = (matrix * matrix.transpose()).cholesky() else { return 0.0 };
+    let inverse = factor.l_dirty().solve_lower_triangular(&DMatrix::identity(rows, rows));
+    inverse.map_or(0.0, |inverse| 1.0 / (matrix.norm() * inverse.norm()))
+}
+
 /// That of the transposed matrix.
 fn flipped(svd: SVD<f64, Dyn, Dyn>) -> SVD<f64, Dyn, Dyn> {
     let SVD { u, v_t, singular_values } = svd;
@@ -164,6 +173,11 @@ mod tests {
         assert!((alone - &singular_values).amax() <= 2e-14 * matrix.amax(), "{singular_values}");
         let rest = u * DMatrix::from_diagonal(&singular_values) * v - matrix;
         assert!(rest.amax() <= 2e-14 * matrix.amax(), "{:e} {matrix}", rest.amax());
+        let ratio = singular_values[least - 1] / singular_values[0];
+        if matrix.nrows() == least && ratio > 1e-6 {
+            let bound = least_ratio_bound(matrix);
+            assert!(bound <= ratio * (1.0 + 1e-4) && ratio <= least as f64 * bound * (1.0 + 1e-4));
+        }
     }
 
     /// [M −Jᵀ; J 0] with M = 1 and simple rows, of full rank or not, whole, wide and high: nalgebra alone has errors from 1e-13 to
@@ -203,6 +217,7 @@ mod tests {
             let values = svd(matrix.clone()).singular_values;
             assert!(entry == f64::MAX || values.iter().all(|&value| value == 0.0), "{values}");
             assert!(entry == f64::MAX || singular_values(matrix.clone()) == [0.0; 2]);
+            assert!(!(least_ratio_bound(&matrix) > 0.0));
             assert_eq!(symmetric_eigen(matrix.clone()).eigenvalues.len(), 2);
             assert_eq!(eigenvalues(matrix).len(), 2);
         }

@@ -13,8 +13,8 @@ mod tests;
 
 use nalgebra::DMatrix;
 
-use crate::decomposition::{singular_values, svd};
-use crate::integration::phase_point::RunContext;
+use crate::decomposition::{least_ratio_bound, singular_values, svd};
+use crate::integration::phase_point::{Numbers, RunContext};
 use crate::model::{ContactSet, Layout};
 use crate::system::Equations;
 pub(crate) use bridge::Bridge;
@@ -118,7 +118,17 @@ impl SingularityMonitor {
 
     /// Takes note of a state at `t`, before a step of about `next`.
     pub(crate) fn note(&mut self, context: &RunContext, (t, next): (f64, f64), state: &[f64]) -> Forecast {
-        let place = self.place(context, state);
+        let equations = context.system().equations(state);
+        let (jacobian, time) = (self.scaled_jacobian(&equations), self.time(&equations, state));
+        let bound = least_ratio_bound(&jacobian);
+        if self.trials == 0 && self.is_far(context, state, (bound, time, next)) {
+            return if LONGEST * time < next {
+                Forecast::Until(t + LONGEST * time)
+            } else {
+                Forecast::Regular
+            };
+        }
+        let place = Place { sigma: self.least(jacobian), time };
         if place.sigma > FAR {
             self.trials = 0;
         }
@@ -130,6 +140,19 @@ impl SingularityMonitor {
             return Forecast::Until(t + LONGEST * place.time);
         }
         self.forecast((t, next), &place, left)
+    }
+
+    /// Whether no singular position is within several steps, as a lower bound of σ, which vanishes where σ does, and the rate of
+    /// that bound tell.
+    fn is_far(&mut self, context: &RunContext, state: &[f64], (bound, time, next): (f64, f64, f64)) -> bool {
+        let ahead = |loops: &mut Self, ahead: &[f64]| {
+            least_ratio_bound(&loops.scaled_jacobian(&context.system().equations(ahead)))
+        };
+        next <= FALL * bound * time
+            || bound > 0.0 && {
+                let left = self.left_by((bound, time), state, ahead);
+                left <= 0.0 || left > time
+            }
     }
 
     /// What comes `left` after, or before if it is negative, a singular position.
@@ -149,12 +172,23 @@ impl SingularityMonitor {
 
     /// The time to a singular position as σ and its rate tell it; negative where σ rises.
     fn left(&mut self, context: &RunContext, state: &[f64], place: &Place) -> f64 {
-        let (n, dt) = (self.unit.len(), PROBE * place.time);
+        let ahead = |loops: &mut Self, ahead: &[f64]| loops.place(context, ahead).sigma;
+        self.left_by((place.sigma, place.time), state, ahead)
+    }
+
+    /// The same, as what vanishes there and its value a little ahead tell it.
+    fn left_by(
+        &mut self,
+        (here, time): (f64, f64),
+        state: &[f64],
+        ahead: impl FnOnce(&mut Self, &[f64]) -> f64,
+    ) -> f64 {
+        let (n, dt) = (self.unit.len(), PROBE * time);
         let moved = |i: usize| if i < n { state[i] + dt * state[n + i] } else { state[i] };
-        let ahead: Vec<f64> = (0..state.len()).map(moved).collect();
-        let fall = place.sigma - self.place(context, &ahead).sigma;
+        let moved: Numbers = (0..state.len()).map(moved).collect();
+        let fall = here - ahead(self, &moved);
         // The fall is lost in rounding where the motion is at rest.
-        if fall.abs() <= 64.0 * f64::EPSILON { f64::INFINITY } else { place.sigma * dt / fall }
+        if fall.abs() <= 64.0 * f64::EPSILON { f64::INFINITY } else { here * dt / fall }
     }
 
     /// σ and R at a state.
