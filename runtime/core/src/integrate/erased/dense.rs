@@ -65,6 +65,9 @@ impl DenseOutput {
         if theta == 1.0 || coefficients.is_empty() {
             return y.copy_from_slice(end);
         }
+        if theta == 0.0 {
+            return y.copy_from_slice(&coefficients[..self.entries]);
+        }
         let weights = [theta, if self.alternating { 1.0 - theta } else { theta }];
         match self.entries {
             2 => horner::<2>(weights, coefficients, y),

@@ -13,8 +13,10 @@ use crate::integration::phase_point::Numbers;
 const NODES: [f64; 11] =
     [0.0, 1.0 / 64.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0 - 1.0 / 64.0, 1.0];
 /// Some of them, which are looked at first: where all values there are of one sign and so near each other, no zero lies between.
+/// The square of a distance that vanishes between two of them is less than a sixteenth of its largest value at one.
 const FEW: [usize; 5] = [0, 3, 5, 7, 10];
 const ALIKE: f64 = 0.75;
+const APART: f64 = 0.25;
 /// What is less than this part of the largest value of a step is zero at the start of it: the kink that it began at.
 const ROUNDED: f64 = 1e-12;
 /// A root whose least value is more than this part of the largest turns smoothly.
@@ -31,13 +33,15 @@ const MOST: usize = 80;
 pub(super) struct Samples(Vec<f64>);
 
 impl CutAtKinks<'_> {
-    /// θ of the first kink within the last step, farther from its ends than `least`.
-    pub(super) fn first_kink(&mut self, least: f64) -> Option<f64> {
+    /// θ of the first kink within the last step, farther from its ends than `resolution`.
+    pub(super) fn first_kink(&mut self, resolution: f64) -> Option<f64> {
         let mut values = core::mem::take(&mut self.samples).0;
         let count = self.kinks.len();
         values.resize(NODES.len() * count, 0.0);
         self.sample(FEW.into_iter(), &mut values);
-        if self.are_alike(&values) {
+        let least = |kink: Kink| if kink == Kink::Sign { ALIKE } else { APART };
+        self.alike = self.are_alike(&values, |_| ALIKE);
+        if self.alike || self.are_alike(&values, least) {
             self.samples = Samples(values);
             return None;
         }
@@ -47,10 +51,10 @@ impl CutAtKinks<'_> {
             let own = core::array::from_fn(|i| samples[i * count + j]);
             match self.kinks[j] {
                 Kink::Sign => self.first_change(j, &own),
-                Kink::Radicand => self.first_touch(j, &own.map(|r| r.max(0.0).sqrt()), least),
+                Kink::Radicand => self.first_touch(j, &own.map(|r| r.max(0.0).sqrt()), resolution),
             }
         });
-        let first = firsts.filter(|theta| is_within(*theta, least)).min_by(f64::total_cmp);
+        let first = firsts.filter(|theta| is_within(*theta, resolution)).min_by(f64::total_cmp);
         self.samples = Samples(values);
         first
     }
@@ -61,15 +65,16 @@ impl CutAtKinks<'_> {
         nodes.for_each(|i| values[i * count..(i + 1) * count].copy_from_slice(&self.at(NODES[i])));
     }
 
-    /// Whether the values at [`FEW`] vary so little that nothing vanishes.
-    fn are_alike(&self, values: &[f64]) -> bool {
+    /// Whether the values at [`FEW`] are of one sign, and no less than a part of the largest.
+    fn are_alike(&self, values: &[f64], part: impl Fn(Kink) -> f64) -> bool {
         let count = self.kinks.len();
-        (0..count).all(|j| {
+        self.kinks.iter().enumerate().all(|(j, &kink)| {
             let own = FEW.iter().map(|i| values[i * count + j]);
             let [least, most] = own.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], value| {
                 [least.min(value), most.max(value)]
             });
-            least > ALIKE * most && most > 0.0 || most < ALIKE * least && least < 0.0
+            let part = part(kink);
+            least > part * most && most > 0.0 || most < part * least && least < 0.0
         })
     }
 

@@ -19,11 +19,14 @@ use crate::integrate::{Counts, DenseOutput, Guards, PhaseStepper, StepError, era
 use crate::integration::phase_point::Numbers;
 use crate::model::Kink;
 use locate::Samples;
+use near::Near;
 
 /// A step is made again so many times at most.
 const MOST_CUTS: usize = 8;
 /// After so many steps in a row that were planned to end at a kink it is taken for reached.
 const MOST_PLANNED: u32 = 12;
+/// What varied by a quarter over a step does not vanish within so many more, as it goes on.
+const FAR: f64 = 2.0;
 /// The part of the natural time that serves as the length of a step until one has been made.
 const FIRST: f64 = 1e-2;
 
@@ -45,6 +48,8 @@ struct CutAtKinks<'a> {
     /// The last step.
     dense: DenseOutput,
     samples: Samples,
+    /// Whether no kink came near zero over the last step.
+    alike: bool,
     /// A full state and a reduced one.
     scratch: RefCell<[Numbers; 2]>,
     /// Steps that were made again.
@@ -71,6 +76,7 @@ pub(crate) fn cut<'a>(begun: StartedStepper<'a>, problem: &Problem<'a>) -> Start
         end: problem.end,
         dense: DenseOutput::default(),
         samples: Samples::default(),
+        alike: false,
         scratch: RefCell::default(),
         again: 0,
     });
@@ -95,7 +101,7 @@ impl<'a> CutAtKinks<'a> {
     /// Chooses what makes the next step, from beyond the kink that the last has ended at, and where it ends at most.
     fn prepare(&mut self) -> f64 {
         let (t, mut y) = (self.steppers.active().time(), Numbers::from_slice(self.steppers.active().state()));
-        let near = self.near(t, &y);
+        let near = if self.is_far() { Near::default() } else { self.near(t, &y) };
         let at_kink = near.at.is_some() || self.planned >= MOST_PLANNED;
         let bridges = self.steppers.other.is_some() && (self.starts || at_kink || near.close);
         let changes = bridges != self.steppers.is_other;
@@ -115,6 +121,11 @@ impl<'a> CutAtKinks<'a> {
                 self.end
             }
         }
+    }
+
+    /// Whether no kink can be expected within the next step, as little as they varied over the last.
+    fn is_far(&self) -> bool {
+        !self.starts && self.alike && self.reach() <= FAR * self.dense.h
     }
 
     /// How long the next step may be.
