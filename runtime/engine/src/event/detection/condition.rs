@@ -1,6 +1,6 @@
 //! The first time in a step that a condition becomes true.
 
-use super::first::LEAST_ADVANCE;
+use super::advance::Advance;
 use super::guard_source::{EXACT, GuardSource};
 use super::pieces::{Bounded, Followed, Pieces, SHORTEST};
 use super::{EventDetector, StepView, Watch};
@@ -316,7 +316,7 @@ fn of_difference(
 /// Where a difference first falls through zero: from a known root, or from above, to which it may have to rise first. What only
 /// touches zero has not fallen.
 fn falls(difference: &GuardSource<'_>, start: Start, bound: f64) -> Result<Option<f64>, GuardError> {
-    let (mut from, mut begins, mut least) = (0.0, start, LEAST_ADVANCE);
+    let (mut from, mut begins, mut advance) = (0.0, start, Advance::BEGUN);
     while from < 1.0 {
         let next = match difference.watch(from, begins, bound)? {
             Crossing::Clear => return Ok(None),
@@ -326,8 +326,7 @@ fn falls(difference: &GuardSource<'_>, start: Start, bound: f64) -> Result<Optio
             Crossing::Touch { theta, .. } => Some(theta),
         };
         let Some(next) = next else { return Ok(None) };
-        (from, begins) = (next.max(from + least), Start::Root);
-        least *= 2.0;
+        (from, begins) = (advance.behind(next, from), Start::Root);
     }
     Ok(None)
 }

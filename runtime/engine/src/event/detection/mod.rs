@@ -2,6 +2,7 @@
 //! with friction the limits of those that stick and the slip velocities of those that slide, and the conditions that are
 //! waited for.
 
+mod advance;
 mod affine;
 mod condition;
 mod first;
