@@ -6,6 +6,7 @@ mod flights;
 mod given;
 mod kept;
 mod listed;
+mod polynomials;
 mod sampled;
 mod waiting;
 mod work;
