@@ -125,3 +125,6 @@ fn turn(zigzag: &mut Zigzag, node: Node, delta: f64, visit: &mut dyn FnMut(Extre
     let last = zigzag.finish().filter(|_| node.beyond <= noise);
     passed.into_iter().chain(last).for_each(visit);
 }
+
+#[cfg(test)]
+mod tests;

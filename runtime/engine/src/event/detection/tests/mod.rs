@@ -1,5 +1,6 @@
 //! The detector on guards that are given as functions of time: no mechanics in between.
 
+mod affine;
 mod arrivals;
 mod corners;
 mod flights;
@@ -8,5 +9,7 @@ mod kept;
 mod listed;
 mod polynomials;
 mod sampled;
+mod series;
+mod steep;
 mod waiting;
 mod work;
