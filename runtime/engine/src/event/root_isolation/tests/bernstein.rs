@@ -49,7 +49,7 @@ fn chebyshev_polynomials_have_their_bernstein_coefficients() {
         known[n] = 0.5;
         let p = chebyshev(&known);
         for (j, found) in p.terms().iter().enumerate() {
-            let sign = if (n - j) % 2 == 0 { 0.5 } else { -0.5 };
+            let sign = if (n - j).is_multiple_of(2) { 0.5 } else { -0.5 };
             let expected = sign * binomial(2 * n, 2 * j) / binomial(n, j);
             // The largest coefficient is less than 2ⁿ.
             assert!(
@@ -87,7 +87,7 @@ fn turns(slope: &[f64], rounding: f64) -> Vec<f64> {
     let n = slope.len() - 1;
     // aₖ = C(n, k) Δᵏb₀.
     let difference = |k: usize| -> f64 {
-        (0..=k).map(|i| if (k - i) % 2 == 0 { 1.0 } else { -1.0 } * binomial(k, i) * slope[i]).sum()
+        (0..=k).map(|i| if (k - i).is_multiple_of(2) { 1.0 } else { -1.0 } * binomial(k, i) * slope[i]).sum()
     };
     let powers: Vec<f64> = (0..=n).map(|k| binomial(n, k) * difference(k)).collect();
     let mut found = Vec::new();
