@@ -52,6 +52,8 @@ fn what_falls_to_zero_at_the_end_keeps_falling() {
         let scene = of_reaction(move |t| alpha * (1.0 - t) + beta * (1.0 - t) * (1.0 - t) + BOUND.next_up());
         assert_eq!(scene.first(roles(set(&[PLAIN])), &[1.0]), None, "{alpha} {beta}");
     }
+    // By its bound itself is not by more.
+    assert_eq!(of_reaction(|t| 64.0 * BOUND * (1.0 - t)).first(roles(set(&[PLAIN])), &[1.0]), None);
 }
 
 #[test]
