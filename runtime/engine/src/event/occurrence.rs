@@ -28,7 +28,7 @@ impl Occurrence {
             _ => {}
         }
         let digits = word.trim_end_matches(|letter: char| letter.is_ascii_lowercase());
-        let n: usize = digits.parse().ok().filter(|n| *n > 0 && !digits.starts_with(['+', '0']))?;
+        let n: usize = digits.parse().ok().filter(|_| !digits.starts_with(['+', '0']))?;
         (word.strip_prefix(digits) == Some(ending(n))).then_some(Self::Nth(n))
     }
 

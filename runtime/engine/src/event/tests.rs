@@ -1,5 +1,7 @@
 //! Reactions and supports by their names.
 
+mod told;
+
 use super::{Reaction, reactions, supports};
 use crate::model::{Contact, ContactKind, ContactSet, Friction, Joint, Law, Layout};
 use crate::system::Model;

@@ -1,6 +1,6 @@
 //! The first time in a step that a condition becomes true.
 
-use super::first::LEAST_ADVANCE;
+use super::advance::Advance;
 use super::guard_source::{EXACT, GuardSource};
 use super::pieces::{Bounded, Followed, Pieces, SHORTEST};
 use super::{EventDetector, StepView, Watch};
@@ -162,10 +162,14 @@ impl EventDetector<'_> {
         };
         let known = leaves.iter().map(|(_, smooth)| smooth.resolution()).fold(1.0, f64::min);
         let shortest = known.max(SHORTEST);
-        let mut start = start;
+        let (mut start, mut side) = (start, None);
         let mut look = |[from, to]: [f64; 2], known: Bounded| {
             let is_monotone = known == Bounded::Monotone;
-            let begins = if from == 0.0 { start } else { after(condition, start, value(from), bound) };
+            let first = value(from);
+            let begins = if from == 0.0 { start } else { after(condition, start, (side, first), bound) };
+            if first.abs() > bound {
+                side = Some(first > 0.0);
+            }
             let within = |s: f64| value(from + (to - from) * s);
             let at = |s: f64| from + (to - from) * s;
             let continues = begins != Start::Continues { positive: within(0.0) <= 0.0 };
@@ -288,11 +292,13 @@ fn is_near(value: &dyn Fn(f64) -> f64, at: f64, bound: f64) -> bool {
     value(at).abs() <= bound.max(NEAR * value(0.0).abs().min(value(1.0).abs()))
 }
 
-/// How a later piece begins: at the root that is known at the start of the step, until the condition has left it.
-fn after(condition: &Condition, before: Start, value: f64, bound: f64) -> Start {
+/// How a later piece begins: at the root that is known at the start of the step, until the condition has left it, or at one that a
+/// comparison, false on the side that it was on before, has come to between the pieces.
+fn after(condition: &Condition, before: Start, (side, value): (Option<bool>, f64), bound: f64) -> Start {
     match before {
         Start::Root if value.abs() <= bound => Start::Root,
         _ if condition.relation() == Relation::Equal => Start::Continues { positive: value > 0.0 },
+        _ if value.abs() <= bound && was_false(condition, side) => Start::Root,
         _ => Start::Free,
     }
 }
@@ -316,7 +322,7 @@ fn of_difference(
 /// Where a difference first falls through zero: from a known root, or from above, to which it may have to rise first. What only
 /// touches zero has not fallen.
 fn falls(difference: &GuardSource<'_>, start: Start, bound: f64) -> Result<Option<f64>, GuardError> {
-    let (mut from, mut begins, mut least) = (0.0, start, LEAST_ADVANCE);
+    let (mut from, mut begins, mut advance) = (0.0, start, Advance::BEGUN);
     while from < 1.0 {
         let next = match difference.watch(from, begins, bound)? {
             Crossing::Clear => return Ok(None),
@@ -326,8 +332,7 @@ fn falls(difference: &GuardSource<'_>, start: Start, bound: f64) -> Result<Optio
             Crossing::Touch { theta, .. } => Some(theta),
         };
         let Some(next) = next else { return Ok(None) };
-        (from, begins) = (next.max(from + least), Start::Root);
-        least *= 2.0;
+        (from, begins) = (advance.behind(next, from), Start::Root);
     }
     Ok(None)
 }

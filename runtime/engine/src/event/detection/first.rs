@@ -1,12 +1,9 @@
 //! The first event of each kind of guard in a step.
 
+use super::advance::Advance;
 use super::guard_source::{self, GuardSource};
 use super::{EventDetector, Guard, StepView, Watch};
 use crate::event::root_isolation::{Crossing, GuardError, Start, stays_above};
-
-/// After a zero that does not count, the search of a step continues at least this far behind it, twice as far each time: nearer
-/// it would find the same zero again.
-pub(super) const LEAST_ADVANCE: f64 = f64::EPSILON;
 
 /// Rounding of a gap, relative to the natural length: it is a sum of some terms.
 const ROUNDED: f64 = 16.0 * f64::EPSILON;
@@ -67,7 +64,7 @@ impl EventDetector<'_> {
             Some(order) => Start::Order(order),
             None => Start::Root,
         };
-        let mut least = LEAST_ADVANCE;
+        let mut advance = Advance::BEGUN;
         loop {
             match trace.watch(from, start, bound)? {
                 Crossing::Clear => return Ok(None),
@@ -77,8 +74,7 @@ impl EventDetector<'_> {
                 }
                 Crossing::LeavesAtStart => return Ok(Some(from)),
                 Crossing::Touch { theta, .. } => {
-                    from = theta.max(from + least);
-                    least *= 2.0;
+                    from = advance.behind(theta, from);
                     touches.push((from, watch.guard));
                     start = Start::Order(2);
                     if from >= 1.0 {
@@ -129,7 +125,7 @@ impl EventDetector<'_> {
             && !sink()?.is_some_and(|theta| self.margin(step, contact, theta) > self.end());
         let mut below =
             if watch.at_root { is_off } else { (watch.passed || watch.off) && trace.first() < -bound };
-        let mut least = LEAST_ADVANCE;
+        let mut advance = Advance::BEGUN;
         while from < 1.0 {
             if below {
                 match trace.first_root(from, Start::Root, (0.0, bound))? {
@@ -154,12 +150,11 @@ impl EventDetector<'_> {
             } {
                 Some(theta) if self.under_bar(step, contact, theta) => return Ok(Some(theta)),
                 Some(theta) if theta < 1.0 => {
-                    (from, below) = (theta.max(from + least), true);
+                    (from, below) = (advance.behind(theta, from), true);
                     watch.passes.set(watch.passes.get().or(Some(theta)));
                 }
                 _ => return Ok(None),
             }
-            least *= 2.0;
         }
         Ok(None)
     }

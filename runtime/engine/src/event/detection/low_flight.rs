@@ -75,12 +75,11 @@ impl EventDetector<'_> {
 
     /// Whether g̈ > 0 is proved of all of a step that begins with g ≥ 0 and ġ ≥ 0.
     fn keeps_rising(&self, flight: &LowFlight, contact: usize, step: &StepView<'_>) -> bool {
-        let start = if flight.gap == 0.0 { Start::Root } else { Start::Free };
         let accuracy = Accuracy { delta: ROUNDED * step.scales().1, is_noisy: false };
         let acceleration = |theta: f64| step.gap_acceleration(theta, contact, &mut self.values.borrow_mut());
         flight.gap >= 0.0
             && flight.rate >= 0.0
-            && root_isolation::watch(acceleration, start, accuracy) == Ok(Crossing::Clear)
+            && root_isolation::watch(acceleration, Start::Root, accuracy) == Ok(Crossing::Clear)
     }
 
     /// Whether a gap is so small that its rounding matters, or within its bound.

@@ -2,6 +2,7 @@
 //! with friction the limits of those that stick and the slip velocities of those that slide, and the conditions that are
 //! waited for.
 
+mod advance;
 mod affine;
 mod condition;
 mod first;
@@ -266,7 +267,7 @@ impl<'a> EventDetector<'a> {
         step: &StepView<'_>,
         touches: &mut Vec<(f64, Guard)>,
     ) -> Result<Option<f64>, GuardError> {
-        if watch.is_clear && !self.is_special(watch) {
+        if watch.is_clear {
             return Ok(None);
         }
         match watch.guard {
@@ -280,12 +281,6 @@ impl<'a> EventDetector<'a> {
             | Guard::Grip
             | Guard::Slip(_) => self.first_downcrossing(watch, step, 0.0, touches),
         }
-    }
-
-    /// Whether more than its series is to be looked at: of what began at zero, in a low flight, or comes from either side.
-    fn is_special(&self, watch: &Watch) -> bool {
-        let is_drive = |contact: usize| self.layout.contacts[contact].kind.is_drive();
-        watch.at_root || watch.flight.is_some() || watch.guard.gap().is_some_and(is_drive)
     }
 
     /// Which corners are below their bars at `end`, having come there from beyond the ends.

@@ -115,7 +115,17 @@ mod tests {
     #[test]
     fn a_piece_is_divided_until_its_values_show_its_slope() {
         let steepest = |length: f64| if length > 0.5 { 16.0 } else { 7.0 };
-        assert_eq!(looked_at(&|theta| theta, &steepest), [[0.0, 0.5], [0.5, 1.0]]);
+        for offset in [0.0, 100.0, -100.0] {
+            assert_eq!(looked_at(&|theta| offset + theta, &steepest), [[0.0, 0.5], [0.5, 1.0]], "{offset}");
+        }
+    }
+
+    /// So many times what the values differ by, or the bound.
+    #[test]
+    fn a_slope_is_seen_up_to_eight_times_the_difference_of_values() {
+        let of =
+            |most: f64| looked_at(&|theta| theta, &move |length| if length > 0.5 { most } else { 0.0 }).len();
+        assert_eq!([of(7.99), of(8.01)], [1, 2]);
     }
 
     /// 4θ(1 − θ) is zero at both ends: only the value in the middle shows its slope of 4.

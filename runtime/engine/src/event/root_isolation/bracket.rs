@@ -33,7 +33,7 @@ pub(super) fn root(f: &mut dyn FnMut(f64) -> f64, a: Point, b: Point) -> [Point;
         }
         let theta = new.theta + f64::clamp(fraction, resolution, 1.0 - resolution) * (old.theta - new.theta);
         let next = Point { theta, value: f(theta) };
-        let same_side = (next.value > 0.0) == (new.value > 0.0);
+        let same_side = next.value.is_sign_positive() == new.value.is_sign_positive();
         let oldest = if same_side { new } else { old };
         if !same_side {
             old = new;

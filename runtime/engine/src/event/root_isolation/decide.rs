@@ -53,7 +53,7 @@ pub fn watch(
 pub fn watch_series(c: &[f64], start: Start, delta: f64) -> Result<Crossing, GuardError> {
     let series = Series::new(c, start);
     let level = series.level(delta);
-    if series.reach()[0] > level || series.partial_sums()[0] > level || series.range()[0] > level {
+    if series.is_within(|[low, _]| low > level) {
         return Ok(Crossing::Clear);
     }
     let mut guard = History::of_series(start, delta);

@@ -56,7 +56,7 @@ impl Isolation<'_> {
     }
 
     fn variations(&self, terms: &[f64]) -> usize {
-        let mut signs = terms.iter().filter(|b| b.abs() > self.negligible).map(|b| *b > 0.0);
+        let mut signs = terms.iter().filter(|b| b.abs() > self.negligible).map(|b| b.is_sign_positive());
         let first = signs.next();
         let count =
             |(sign, n): (Option<bool>, usize), next| (Some(next), n + usize::from(sign != Some(next)));

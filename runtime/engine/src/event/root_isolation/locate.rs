@@ -82,7 +82,7 @@ pub fn first_root_series(c: &[f64], start: Start, delta: f64) -> Result<Option<f
         Start::Continues { positive } => (if positive { low } else { -high }) > level,
         _ => low > level || high < -level,
     };
-    if stays(series.reach()) || stays(series.partial_sums()) || stays(series.range()) {
+    if series.is_within(stays) {
         return Ok(None);
     }
     let mut search = Search::of_series(start, delta);
@@ -125,3 +125,6 @@ fn turn(zigzag: &mut Zigzag, node: Node, delta: f64, visit: &mut dyn FnMut(Extre
     let last = zigzag.finish().filter(|_| node.beyond <= noise);
     passed.into_iter().chain(last).for_each(visit);
 }
+
+#[cfg(test)]
+mod tests;

@@ -25,7 +25,8 @@ pub(super) fn approaches(sample: &mut Sample, visit: &mut dyn FnMut(Point)) -> R
     for (j, &here) in points.iter().enumerate() {
         let nearest = here.value != 0.0 && sizes[j + 1] <= sizes[j].min(sizes[j + 2]);
         let around = [j.saturating_sub(1), (j + 1).min(FINE)].map(|i| node(i, FINE));
-        let found = if nearest { Some(approach(sample, around, here.value > 0.0)?) } else { None };
+        let positive = here.value.is_sign_positive();
+        let found = if nearest { Some(approach(sample, around, positive)?) } else { None };
         let before = found.filter(|found| found.theta < here.theta);
         let after = found.filter(|_| before.is_none());
         before.into_iter().chain([here]).chain(after).for_each(&mut *visit);

@@ -58,14 +58,14 @@ impl Search {
         let extremum = self.zigzag.push(point, node.noise.min(0.5 * self.delta));
         self.found = match (self.side, self.last) {
             (Some(_), Some(_)) if point.value == 0.0 => Some(Found::At(point.theta)),
-            (Some(side), _) if point.value != 0.0 && side != (point.value > 0.0) => {
+            (Some(side), _) if side != point.value.is_sign_positive() => {
                 let between = |last| Found::Between { ends: [last, point], smooth: node.smooth };
                 Some(self.last.map_or(Found::At(point.theta), between))
             }
             _ => self.tangent(extremum),
         };
         if self.side.is_none() && point.value.abs() > self.known {
-            self.side = Some(point.value > 0.0);
+            self.side = Some(point.value.is_sign_positive());
         }
         self.last = Some(point);
         if point.theta == 1.0 && self.found.is_none() {

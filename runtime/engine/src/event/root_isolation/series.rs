@@ -37,6 +37,11 @@ impl<'a> Series<'a> {
         if self.order > 0 { 0.0 } else { delta }
     }
 
+    /// Whether bounds of the divided series are as wanted, the cheap ones first.
+    pub(super) fn is_within(&self, wanted: impl Fn([f64; 2]) -> bool) -> bool {
+        wanted(self.reach()) || wanted(self.partial_sums()) || wanted(self.range())
+    }
+
     /// Bounds of the divided series, the one farther from zero left out: for a₀ > 0, it is at least a₀ + Σ min(aₖ, 0).
     pub(super) fn reach(&self) -> [f64; 2] {
         let [first, rest @ ..] = self.terms else { return [0.0; 2] };
@@ -52,7 +57,7 @@ impl<'a> Series<'a> {
         let fall = 0.5 * (falls.iter().sum::<f64>() + last.iter().map(|a| fall(*a)).sum::<f64>());
         // Where the bound is of use the falls are less than a₀, and their rounding than SUMMED · a₀; an infinite a₀ has none.
         let least = first.abs() - (fall + SUMMED * first.abs());
-        if side > 0.0 { [least, f64::INFINITY] } else { [f64::NEG_INFINITY, -least] }
+        if side.is_sign_positive() { [least, f64::INFINITY] } else { [f64::NEG_INFINITY, -least] }
     }
 
     /// Bounds of the divided series by its partial sums, of which it is a mean: Σ aₖ θᵏ = Σ Sₖ (θᵏ − θᵏ⁺¹) + Sₙ θⁿ

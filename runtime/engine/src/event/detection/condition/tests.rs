@@ -28,6 +28,10 @@ fn a_pole_between_the_places_looked_at_may_hide_a_root() {
         for (inner, is_hidden) in [(POLE, false), (0.999 * POLE, true)] {
             assert_eq!(hides(&|theta| sign * if theta == 0.5 { inner } else { 1.0 }), is_hidden);
         }
+        // A thousandth of the ends is no bend yet.
+        for (inner, is_bent) in [(1001.0, false), (1001.1, true), (999.0, false), (998.9, true)] {
+            assert_eq!(hides(&|theta| sign * if theta == 0.5 { inner } else { 1000.0 }), is_bent, "{inner}");
+        }
         assert!(!hides(&|theta| if theta == 0.5 { f64::NAN } else { sign * (1.0 + theta) }));
         for known in [Bounded::Finite, Bounded::Pole] {
             assert!(!may_hide(&|theta| sign * (theta - 0.3), known));
@@ -55,6 +59,10 @@ fn ends_on_different_sides_are_a_passage() {
         (0.4, -1.0, None),
         (1.0, -0.4, None),
         (0.5, 1.0, None),
+        (-0.5, 1.0, None),
+        (1.0, 0.5, None),
+        (1.0, -0.5, None),
+        (0.51, -0.51, Some(true)),
     ] {
         assert_eq!(passed(&|theta| if theta == 0.0 { first } else { last }, 0.5), found, "{first} {last}");
     }
@@ -67,6 +75,7 @@ fn a_passage_is_wanted_in_one_direction() {
     assert!(is_wanted(&equal, &rises) && is_wanted(&equal, &falls));
     assert!(!is_wanted(&less, &rises) && is_wanted(&less, &falls));
     assert!(is_wanted(&greater, &rises) && !is_wanted(&greater, &falls));
+    assert!(!is_wanted(&less, &|_| 1.0) && !is_wanted(&greater, &|_| 1.0) && is_wanted(&equal, &|_| 1.0));
     assert!(!was_false(&equal, Some(true)) && !was_false(&equal, Some(false)));
     for sign in [None, Some(true), Some(false)] {
         assert_eq!(was_false(&less, sign), sign == Some(true));
@@ -124,10 +133,17 @@ fn a_known_root_lasts_until_it_is_left() {
     for value in [0.1, -0.1] {
         let positive = value > 0.0;
         for condition in [&equal, &less, &greater] {
-            assert_eq!(after(condition, Start::Root, value, 0.1), Start::Root);
+            assert_eq!(after(condition, Start::Root, (None, value), 0.1), Start::Root);
             let left = if *condition == equal { Start::Continues { positive } } else { Start::Free };
-            assert_eq!(after(condition, Start::Root, value, 0.09), left);
-            assert_eq!(after(condition, Start::Free, value, 1.0), left);
+            assert_eq!(after(condition, Start::Root, (None, value), 0.09), left);
+            assert_eq!(after(condition, Start::Free, (None, value), 1.0), left);
+            // What a comparison was false by it comes to zero from.
+            for side in [true, false] {
+                let is_root = *condition == less && side || *condition == greater && !side;
+                let at_root = if is_root { Start::Root } else { left };
+                assert_eq!(after(condition, Start::Free, (Some(side), value), 0.1), at_root);
+                assert_eq!(after(condition, Start::Free, (Some(side), value), 0.09), left);
+            }
         }
     }
 }

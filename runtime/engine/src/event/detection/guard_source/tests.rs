@@ -78,5 +78,9 @@ fn what_counts_as_rounding_and_as_exact() {
     assert_eq!(values.rounding(), 48.0 * f64::EPSILON);
     // Pairs of terms that shrink tenfold go on as a geometric series: 2 (0.001 + 0.0001 + …).
     let (series, tail) = ([1.0, 0.1, 0.1, 0.01, 0.01], 0.002 / 0.9);
+    // Twice the last where it is rounding of the first.
+    let last = f64::powi(2.0, -60);
+    let rounded = [1.0, 0.0, 0.0, 0.0, 0.0, last];
+    assert!(is_exact(&rounded, 20.0 * last) && !is_exact(&rounded, (20.0 * last).next_down()));
     assert!(is_exact(&series, 1.001 * tail / EXACT) && !is_exact(&series, 0.999 * tail / EXACT));
 }

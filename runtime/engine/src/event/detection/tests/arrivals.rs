@@ -34,6 +34,28 @@ fn a_run_ends_with_what_falls_to_zero_there() {
     assert!(detector.examine(&scene.view(&dense), false).unwrap().first.is_none());
 }
 
+/// It falls by more than its bound over the last 64th, and by three quarters of what it fell by over the one before.
+#[test]
+fn what_falls_to_zero_at_the_end_keeps_falling() {
+    // α x + β x² with x = 1 − t falls by (α + β/64)/64 at last, and by (α + 3β/64)/64 before.
+    for (alpha, beta, arrives) in [
+        (5.25 / 64.0, 1.0, true),
+        (4.75 / 64.0, 1.0, false),
+        (65.0 * BOUND, 0.0, true),
+        (63.0 * BOUND, 0.0, false),
+    ] {
+        for last in [0.5 * BOUND, -0.5 * BOUND, BOUND] {
+            let scene = of_reaction(move |t| alpha * (1.0 - t) + beta * (1.0 - t) * (1.0 - t) + last);
+            let found = scene.first(roles(set(&[PLAIN])), &[1.0]);
+            assert_eq!(found, arrives.then_some(1.0), "{alpha} {beta} {last}");
+        }
+        let scene = of_reaction(move |t| alpha * (1.0 - t) + beta * (1.0 - t) * (1.0 - t) + BOUND.next_up());
+        assert_eq!(scene.first(roles(set(&[PLAIN])), &[1.0]), None, "{alpha} {beta}");
+    }
+    // By its bound itself is not by more.
+    assert_eq!(of_reaction(|t| 64.0 * BOUND * (1.0 - t)).first(roles(set(&[PLAIN])), &[1.0]), None);
+}
+
 #[test]
 fn a_condition_does_not_arrive() {
     let scene = Scene::closed(ContactSet::EMPTY, |t| Shown { z: [1.0 - t + 1e-7, -1.0], ..Shown::default() });

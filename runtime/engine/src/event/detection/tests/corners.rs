@@ -69,6 +69,30 @@ fn a_corner_that_has_passed_its_bar_comes_back_first() {
     assert_eq!(corner(below, |_| 1.0, 0).first(alone(CORNER), &[1.0]), Some(0.0));
 }
 
+/// A corner that is off and begins a step within its bound has not come there from below: it closes as it falls.
+#[test]
+fn a_corner_within_its_bound_is_not_below_its_bar() {
+    let bound = BOUNDS.relative * BOUNDS.length;
+    for part in [0.5, -0.5] {
+        let scene = Scene::closed(ContactSet::EMPTY, move |t| {
+            let mut shown = Shown { gaps: [1.0; CONTACTS], feet: [1.0; 2], ..Shown::default() };
+            shown.gaps[CORNER] = 0.5 - t + part * bound;
+            shown
+        });
+        for off in [true, false] {
+            let corner = set(&[CORNER]);
+            let status = match off {
+                true => ContactStatus { off: corner, ..alone(CORNER) },
+                false => ContactStatus { passed: corner, ..alone(CORNER) },
+            };
+            let at = scene.first(status, &[0.5, 1.0]).expect("it closes");
+            // What is below zero as the step begins has closed at once.
+            let expected = 0.5 + part.max(0.0) * bound;
+            assert!((at - expected).abs() < 1e-12, "{off} {part} {at}");
+        }
+    }
+}
+
 /// Which corners are below their bars at the end of a step, having come there from beyond the ends.
 #[test]
 fn corners_below_their_bars_are_told() {

@@ -38,6 +38,25 @@ fn a_low_flight_lands_where_its_acceleration_says() {
     }
 }
 
+/// k t³ (τ − t) (1 − t) with τ = 0.9 bends up again from 0.805 on, and lands as it still falls.
+#[test]
+fn a_flight_that_slows_down_lands_as_well() {
+    let tau = 0.9;
+    let scene = Scene::closed(ContactSet::EMPTY, move |t| {
+        let mut shown = Shown::default();
+        shown.gaps[PLAIN] = 1e-10 * t.powi(3) * (tau - t) * (1.0 - t);
+        shown.curvatures[PLAIN] = 1e-10 * (6.0 * tau * t - 12.0 * (1.0 + tau) * t.powi(2) + 20.0 * t.powi(3));
+        shown
+    });
+    let roles = ContactStatus { orders: &[(PLAIN, 3)], ..alone(PLAIN) };
+    for steps in [&[1.0][..], &[0.3, 0.6, 1.0], &[0.3, 0.6, 0.82, 1.0], &[0.3, 0.6, 0.82, 0.89, 1.0]] {
+        let at = scene.first(roles, steps);
+        assert!(at.is_some_and(|at| (at - tau).abs() < 1e-9), "{steps:?} {at:?}");
+    }
+    // Before it lands nothing does.
+    assert_eq!(scene.first(roles, &[0.3, 0.6, 0.82, 0.89]), None);
+}
+
 /// A high one is seen by its gap; so is one that has closed before.
 #[test]
 fn a_high_flight_lands_where_its_gap_says() {

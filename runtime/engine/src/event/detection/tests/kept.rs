@@ -29,6 +29,8 @@ fn a_kept_reaction_vanishes_where_it_leaves_its_bound() {
     assert!((at - 0.125).abs() < 1e-12, "{at}");
     let at = vanishes(|t| -0.4 - 8.0 * t, true).unwrap();
     assert!((at - 0.075).abs() < 1e-12, "{at}");
+    let at = vanishes(|t| -0.5 - 8.0 * t, true).unwrap();
+    assert!((at - 0.0625).abs() < 1e-12, "{at}");
     // What is so far below is not kept.
     assert_eq!(vanishes(|t| -0.6 - 8.0 * t, true), Some(0.0));
     // A turning point above −bound does not count.
@@ -61,7 +63,7 @@ fn a_limit_that_is_not_reached_at_the_start_is_located() {
     let closed = ContactSet::EMPTY.slipping(RUBBING, Slip::Stick);
     let bound = BOUNDS.relative * FORCES[RUBBING];
     for sign in [1.0, -1.0] {
-        for (first, expected) in [(0.5, 0.0625), (-0.25, 0.09375)] {
+        for (first, expected) in [(0.5, 0.0625), (0.0, 0.125), (-0.25, 0.09375)] {
             // μₛ N − |R| = bound (first − 8 t).
             let scene = Scene::closed(closed, move |t| {
                 let mut shown = Shown::default();

@@ -102,6 +102,37 @@ fn each_place_is_evaluated_once() {
     }
 }
 
+/// As many places as there is room for: with the next one they are begun anew. Gaps have nothing to do with it.
+#[test]
+fn places_are_kept_as_long_as_there_is_room() {
+    const ROOM: usize = 4096;
+    let closed = set(&[PLAIN, CORNER]);
+    let scene = Scene::of((closed, Form::Projected), different);
+    let mut detector = scene.begun(roles(closed), (&[], false));
+    let dense = scene.dense([0.0, 1.0]);
+    let view = scene.view(&dense);
+    detector.sample(&view);
+    scene.asked();
+    let of = |guard: Guard| detector.list.iter().find(|watch| watch.guard == guard).expect("it is watched");
+    let (watch, gap) = (of(Guard::Reaction(CORNER)), of(Guard::Gap(THREAD)));
+    let place = |k: usize| (k as f64 + 0.5) / (2 * ROOM) as f64;
+    let value = |k: usize| {
+        let found = detector.value(&view, watch, place(k));
+        let expected = different(place(k)).reactions[CORNER];
+        assert!((found - expected).abs() < 1e-12 * expected, "{k}");
+    };
+    (0..ROOM - 1).for_each(value);
+    assert_eq!(scene.asked(), ROOM - 1);
+    value(0);
+    assert_eq!(scene.asked(), 0);
+    (ROOM - 1..ROOM).for_each(value);
+    assert_eq!(scene.asked(), 1);
+    (0..ROOM - 1).for_each(value);
+    assert_eq!(scene.asked(), ROOM - 1);
+    let found = detector.value(&view, gap, 0.123);
+    assert!((found - different(0.123).gaps[THREAD]).abs() < 1e-12 * found && scene.asked() == 0);
+}
+
 /// One guard alone has nothing to share.
 #[test]
 fn what_only_one_guard_follows_from_is_not_kept() {

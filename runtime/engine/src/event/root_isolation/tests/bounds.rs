@@ -77,6 +77,9 @@ fn what_lets_a_series_fall_bounds_it() {
         }
     }
     assert!(above > 100, "{above}");
+    // One term is rounded once for each of the terms that there is room for.
+    let least = 1.0 - 33.0 * f64::EPSILON;
+    assert!(!stays_above(&[1.0], least) && stays_above(&[1.0], least.next_down()));
     // Above its bound by less than the rounding of its terms.
     assert!(!stays_above(&[1.0, -1.0 + 1e-14], -1.0) && stays_above(&[1.0, -1.0 + 1e-12], -1.0));
 }

@@ -211,6 +211,12 @@ fn poles_and_jumps_are_no_roots() {
             behind.is_ok_and(|root| root.is_some_and(|root| (root - 0.9).abs() < ULPS)),
             "{p} {behind:?}"
         );
+        // What is behind the end is the next step's.
+        let later = |theta: f64| {
+            assert!((0.0..=1.0).contains(&theta), "{theta} is outside of the step");
+            pole(theta) * (1.3 - theta)
+        };
+        assert_eq!(first_root(later, Start::Free, 1e-12), Ok(None), "{p}");
     }
 }
 

@@ -1,14 +1,19 @@
 //! Functions whose roots and extrema are known in closed form.
 
 mod bandwidths;
+mod bernstein;
 mod bounds;
 mod cases;
 mod census;
 mod fast;
+mod histories;
+mod kinks;
 mod known;
 mod motion;
+mod searches;
 mod series;
 mod smooth;
+mod units;
 
 use core::f64::consts::PI;
 

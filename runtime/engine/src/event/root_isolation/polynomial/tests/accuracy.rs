@@ -39,6 +39,7 @@ fn a_plateau_is_noise() {
             assert_eq!(level(5e-5, -1e-4), Some(2e-4));
             assert_eq!(level(1e-4, 0.99e-5), None);
             assert_eq!(level(1e-4, 1.01e-5), Some(2e-4));
+            assert_eq!(level(1e-3, 1e-3), None);
             assert_eq!((level(1.01e-3, 1e-3), level(0.99e-3, 0.5e-3)), (None, Some(2.0 * 0.99e-3)));
         }
     }
