@@ -1,7 +1,9 @@
 //! All contact sets, each from the figure that is given.
 
+use core::f64::consts::{FRAC_PI_2, TAU};
+
 use liftoff::model::ContactSet;
-use liftoff::scalar::DoubleDouble;
+use liftoff::scalar::{DoubleDouble, Real};
 
 use super::Equilibrium;
 use super::bearing::loads;
@@ -11,13 +13,16 @@ use crate::{AnalysisError, Linearisation, Subject};
 
 /// Of so many contacts all subsets are tried.
 const ALL: usize = 8;
+/// Of so many angles all combinations of quarter turns are tried.
+const TURNED: usize = 3;
 /// Equilibria nearer to each other, in natural units, are one.
 const SAME: f64 = 1e-8;
 /// How deep an open contact may be penetrated, in natural lengths.
 const DEEP: f64 = 1e-9;
 
 /// The equilibria that are found from the position of the subject: of all subsets of up to eight contacts, else of those that touch
-/// there and of their subsets without one.
+/// there and of their subsets without one. Where nothing is closed, or nothing is found, they are looked for from that position with
+/// angles turned by quarters too.
 ///
 /// # Errors
 /// None is found, or there can be none.
@@ -25,14 +30,43 @@ pub fn equilibria(subject: &Subject) -> Result<Vec<Equilibrium>, AnalysisError> 
     subject.refuse_unsuited()?;
     let sets = sets(subject);
     let mut found: Vec<Equilibrium> = Vec::new();
-    for set in &sets {
-        let Some(state) = equilibrium(subject, *set, &subject.state) else { continue };
-        if !is_possible(subject, &state) || found.iter().any(|known| is_same(subject, known, &state)) {
-            continue;
+    let is_open = subject.layout().contacts.is_empty() && subject.layout().joints.is_empty();
+    for start in turned(subject) {
+        for set in &sets {
+            let Some(state) = equilibrium(subject, *set, &start) else { continue };
+            if !is_possible(subject, &state) || found.iter().any(|known| is_same(subject, known, &state)) {
+                continue;
+            }
+            found.extend(described(subject, &state)?);
         }
-        found.extend(described(subject, &state)?);
+        if !is_open && !found.is_empty() {
+            break;
+        }
     }
     if found.is_empty() { Err(AnalysisError::NotFound { tried: sets.len() }) } else { Ok(found) }
+}
+
+/// The position of the subject; then it with its angles turned by quarters, all combinations of up to three of them, else each alone.
+fn turned(subject: &Subject) -> impl Iterator<Item = Vec<DoubleDouble>> {
+    let coordinates = subject.layout().coordinates.iter().enumerate();
+    let angles: Vec<usize> = coordinates.filter(|(_, c)| c.is_angle).map(|(i, _)| i).collect();
+    let count = angles.len();
+    let (turns, all) =
+        if count <= TURNED { (4_usize.pow(count as u32), true) } else { (1 + 3 * count, false) };
+    let quarters = move |turn: usize, k: usize| match turn.checked_sub(1) {
+        _ if all => turn >> (2 * k) & 3,
+        Some(other) if other / 3 == k => 1 + other % 3,
+        _ => 0,
+    };
+    (0..turns).map(move |turn| {
+        let mut state = subject.state.clone();
+        for (k, &i) in angles.iter().enumerate() {
+            // Up to half a turn in either direction.
+            let quarters = [0.0, 1.0, -1.0, 2.0][quarters(turn, k)];
+            state[i] = state[i] + DoubleDouble::from_f64(quarters * FRAC_PI_2);
+        }
+        state
+    })
 }
 
 fn sets(subject: &Subject) -> Vec<ContactSet> {
@@ -62,10 +96,14 @@ pub(super) fn is_possible(subject: &Subject, state: &[DoubleDouble]) -> bool {
     })
 }
 
+/// Whether positions differ by whole turns at most.
 fn is_same(subject: &Subject, known: &Equilibrium, state: &[DoubleDouble]) -> bool {
-    let units = subject.layout().coordinates.iter().map(|c| subject.scales.coordinate(c));
-    let mut entries = known.positions.iter().zip(state).zip(units);
-    entries.all(|((a, b), unit)| (a - b.hi()).abs() <= SAME * unit.max(a.abs()))
+    let mut entries = subject.layout().coordinates.iter().zip(known.positions.iter().zip(state));
+    entries.all(|(coordinate, (a, b))| {
+        let apart = (a - b.hi()).abs();
+        let apart = if coordinate.is_angle { (apart - TAU * (apart / TAU).round()).abs() } else { apart };
+        apart <= SAME * subject.scales.coordinate(coordinate).max(a.abs())
+    })
 }
 
 /// All coordinates, zero where they are less than a rounding of their unit.

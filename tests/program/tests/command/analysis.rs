@@ -29,6 +29,24 @@ struct Plank {
     g: f64,
 }";
 
+/// What nothing holds.
+const FALLING: &str = "
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = l)]
+#[figure(A = (0, 0), B = (l, 0))]
+#[coordinate(phi = angle(AB))]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+struct Falling {
+    #[value = 1.5]
+    m: f64,
+    #[value = 2]
+    l: f64,
+    #[value = 9.81]
+    g: f64,
+}";
+
 #[test]
 fn equilibria_are_told_with_their_loads() {
     let file = place("plank.rs");
@@ -39,7 +57,12 @@ fn equilibria_are_told_with_their_loads() {
     let found = json(&["equilibrium", name, "--json"]);
     let most = |k: usize| found[0]["loads"][k]["normal"][1].as_f64().expect("a force");
     assert!((0..3).all(|k| (most(k) - [10.0, 20.0, 10.0][k]).abs() < 1e-9), "{found}");
-    assert!(errors(&run(&["equilibrium", "trestle"])).contains("no equilibrium found"));
+    // Its legs stand upright at one place.
+    assert!(told(&["equilibrium", "trestle"]).contains("A, B closed, unstable"));
+    let file = place("falling.rs");
+    std::fs::write(&file, FALLING).expect("a file");
+    let name = file.to_str().expect("a name");
+    assert!(errors(&run(&["equilibrium", name])).contains("no equilibrium found"));
     // Whether there is one or not.
     assert!(errors(&run(&["equilibrium", "trestle", "--load", "q"])).contains("no parameter `q`"));
 }
