@@ -6,6 +6,7 @@ mod balanced;
 mod couples;
 mod dependent;
 mod least_constraint;
+mod lifted;
 mod massless;
 mod rough;
 
