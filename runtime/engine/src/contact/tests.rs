@@ -5,6 +5,7 @@
 mod balanced;
 mod couples;
 mod dependent;
+mod laws;
 mod least_constraint;
 mod lifted;
 mod massless;
