@@ -10,6 +10,7 @@ mod least_constraint;
 mod lifted;
 mod massless;
 mod rough;
+mod shared;
 
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;

@@ -82,9 +82,13 @@ fn higher_orders_are_known_as_well_as_their_terms() {
     let a = [[0.4, -0.3], [1.5, 0.2]].map(|a| DVector::from_row_slice(&a));
     let along = || Equations::along(&model, &state, &a);
     // Reactions so large that their terms are the largest, none, and no rows' own terms beside those of the accelerations.
-    for (load, time, quiet) in
-        [(1e4, None, false), (0.0, None, false), (0.0, Some(1e-3), false), (0.0, None, true)]
-    {
+    for (load, time, quiet) in [
+        (1e4, None, false),
+        (0.0, None, false),
+        (0.0, Some(1e-3), false),
+        (0.0, None, true),
+        (0.0, Some(1e-3), true),
+    ] {
         let question =
             ContactProblem { touching: ContactSet::EMPTY.with(0), time, ..ContactProblem::default() };
         let mut ladder = Ladder::new(model.layout(), &question);
@@ -94,7 +98,9 @@ fn higher_orders_are_known_as_well_as_their_terms() {
         let mut equations = along();
         if quiet {
             (0..3).for_each(|k| equations.mass[k] *= if k > 0 { 0.0 } else { 1.0 });
-            equations.force[2].fill(0.0);
+            for k in [0, 2] {
+                equations.force[k].fill(0.0);
+            }
         }
         let problem = ladder.problem(&equations, 2);
         let (f, m, j, b) = (&equations.force, &equations.mass, &equations.jacobian, &equations.bias);
