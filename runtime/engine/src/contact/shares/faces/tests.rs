@@ -72,6 +72,11 @@ fn reactions_are_known_by_the_angles_of_their_rows() {
     // What rounding leaves of a row that repeats another does not count.
     let twice = DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 2.0, 1e-17]);
     assert!((known(&twice) / rounding - 1.0).abs() < 1e-12);
+    // At the angle θ the singular values are √2 and θ/√2, of which the ratio counts down to 64 times the unit roundoff.
+    for (angle, condition) in [(2.2e-14, 1.0), (3.6e-14, 2.0 / 3.6e-14)] {
+        let close = DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 1.0, angle]);
+        assert!((known(&close) / rounding / condition - 1.0).abs() < 0.1, "{angle}");
+    }
 }
 
 /// Reactions hold a load, and are within their cones, up to 1e-12 of themselves.
