@@ -81,3 +81,6 @@ fn motion(layout: &Layout, state: &[f64], accelerations: &[DVector<f64>]) -> Vec
     }
     series.into_iter().map(TimeSeries::new).collect()
 }
+
+#[cfg(test)]
+mod tests;

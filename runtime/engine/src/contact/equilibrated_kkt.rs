@@ -316,3 +316,6 @@ fn largest_in_part(parts: &[usize], values: &DVector<f64>) -> DVector<f64> {
     }
     DVector::from_fn(values.len(), |i, _| largest[parts[i]])
 }
+
+#[cfg(test)]
+mod tests;

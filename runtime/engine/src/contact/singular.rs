@@ -52,3 +52,6 @@ fn undetermined(model: &Model, equations: &Equations, closed: ContactSet) -> Vec
     let rows: Vec<usize> = (0..layout.rows()).filter(|&row| layout.is_closed(row, &closed)).collect();
     Ladder::new(layout, &held).problem(equations, 0).undetermined(&rows)
 }
+
+#[cfg(test)]
+mod tests;

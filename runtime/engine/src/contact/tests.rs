@@ -5,9 +5,12 @@
 mod balanced;
 mod couples;
 mod dependent;
+mod laws;
 mod least_constraint;
+mod lifted;
 mod massless;
 mod rough;
+mod shared;
 
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;

@@ -21,7 +21,7 @@ mod tests;
 
 pub(crate) use rubbing::Alternatives;
 
-use nalgebra::DVector;
+use nalgebra::{Cholesky, DVector};
 use rubbing::Rubbing;
 
 use super::complementarity::{LcpError, LcpRows, Solution};
@@ -78,6 +78,7 @@ pub(crate) fn decide(
     let named = |failure| name(model, state, failure, question);
     let trials = question.most_trials.map(Trials::up_to);
     let mut dropped = ContactSet::EMPTY;
+    let mut located = Vec::new();
     loop {
         let touching = question.touching.difference(dropped);
         let mut ladder = Ladder::new(model.layout(), &ContactProblem { touching, ..*question });
@@ -85,9 +86,10 @@ pub(crate) fn decide(
         let lifted = ladder.raise_order(model, state, trials.as_ref()).map_err(named)?;
         if !lifted.is_empty() {
             dropped = dropped.union(lifted);
+            located.extend(lifted.iter().map(|row| (row, ladder.reactions[0][row])));
             continue;
         }
-        if dropped.iter().any(|row| ladder.is_pressed(model, state, row)) {
+        if located.iter().any(|&it| ladder.is_pressed(model, state, it)) {
             return Err(named(LcpError::Jammed));
         }
         return Ok(ladder.decision(model.layout()));
@@ -261,12 +263,15 @@ impl Ladder {
     }
 
     /// Whether an open contact would close at once: g̈ < 0 beyond the rounding of its terms. An event is located to some 1e-11,
-    /// so that the accelerations after it are known no better.
-    fn is_pressed(&self, model: &Model, state: &[f64], row: usize) -> bool {
+    /// so that the accelerations after it are known no better, nor than what the reaction accelerates that was `located` at zero.
+    fn is_pressed(&self, model: &Model, state: &[f64], (row, located): (usize, f64)) -> bool {
         let equations = Equations::along(model, state, &[]);
-        let (jacobian, bias) = (equations.jacobian[0].row(row), equations.bias[0][row]);
-        let terms = jacobian.transpose().component_mul(&self.accelerations[0]);
-        terms.sum() + bias < -1e-9 * (terms.abs().sum() + bias.abs())
+        let (jacobian, bias) = (equations.jacobian[0].row(row).transpose(), equations.bias[0][row]);
+        let terms = jacobian.component_mul(&self.accelerations[0]);
+        let compliance =
+            Cholesky::new(equations.mass[0].clone()).map(|mass| jacobian.dot(&mass.solve(&jacobian)));
+        let error = 2.0 * compliance.unwrap_or(0.0) * located.max(0.0);
+        terms.sum() + bias + error < -1e-9 * (terms.abs().sum() + bias.abs())
     }
 
     pub(super) fn problem(&self, equations: &Equations, order: usize) -> EquilibratedKkt {

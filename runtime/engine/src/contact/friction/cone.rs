@@ -167,7 +167,7 @@ mod tests {
     use proptest::collection::vec;
     use proptest::prelude::*;
 
-    use super::least_squares;
+    use super::{descend, least_squares};
 
     /// A y = r is met best where no entry can be changed for the better: Aᵀ(A y − r) = 0, and ≥ 0 where y = 0 has a sign.
     fn is_least(a: &DMatrix<f64>, right: &DVector<f64>, one_sided: &[bool]) -> Result<(), TestCaseError> {
@@ -199,5 +199,30 @@ mod tests {
         fn a_single_column_bears_what_it_can(column in vec(-1.0..1.0, 3), right in vec(-1.0..1.0, 3)) {
             is_least(&DMatrix::from_vec(3, 1, column), &DVector::from_vec(right), &[true])?;
         }
+    }
+
+    /// Two columns at an obtuse angle of which both entries are to turn negative: the one that vanishes first leaves, and the other one
+    /// then need not. y₁ = 1 falls to −1 and vanishes on half of the way, y₂ falls to −½ from y₂ and vanishes at y₂/(y₂ + ½).
+    #[test]
+    fn the_entry_that_vanishes_first_leaves() {
+        let (cosine, sine) = (-0.8, 0.6);
+        let a = DMatrix::from_row_slice(2, 2, &[1.0, cosine, 0.0, sine]);
+        let right = &a * DVector::from_row_slice(&[-1.0, -0.5]);
+        // Alone the second column has −½ − c, the first one −1 − c/2.
+        for (second, stays) in [(1.0, Some(1)), (0.3, None), (0.7, Some(1))] {
+            let mut y = DVector::from_row_slice(&[1.0, second]);
+            let mut passive = vec![0, 1];
+            descend(&a, &right, &[true; 2], (&mut y, &mut passive)).unwrap();
+            let expected = match stays {
+                Some(_) => [0.0, -0.5 - cosine],
+                None => [0.0, 0.0],
+            };
+            assert!((&y - DVector::from_row_slice(&expected)).amax() < 1e-14, "{second}: {y}");
+            assert_eq!(passive, stays.into_iter().collect::<Vec<_>>(), "{second}");
+        }
+        // What has no sign stays, whatever its entry is.
+        let (mut y, mut passive) = (DVector::from_row_slice(&[1.0, 1.0]), vec![0, 1]);
+        descend(&a, &right, &[false; 2], (&mut y, &mut passive)).unwrap();
+        assert!((&y - DVector::from_row_slice(&[-1.0, -0.5])).amax() < 1e-14 && passive.len() == 2, "{y}");
     }
 }

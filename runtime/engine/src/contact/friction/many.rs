@@ -143,3 +143,6 @@ impl Problem<'_> {
         revised
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -206,3 +206,6 @@ fn least(places: &[usize], number: impl Fn(usize) -> usize) -> Vec<usize> {
     let smallest = places.iter().map(|&k| number(k)).min();
     places.iter().copied().filter(|&k| Some(number(k)) == smallest).collect()
 }
+
+#[cfg(test)]
+mod tests;

@@ -178,3 +178,6 @@ fn joint_impulses(
     };
     hinges.iter().map(|hinge| part(hinge.force[0]).hypot(part(hinge.force[1]))).collect()
 }
+
+#[cfg(test)]
+mod tests;

@@ -70,11 +70,47 @@ fn what_is_improved_is_what_all_modes_have() {
         if let Some(found) = search::improved(&place, &options, usize::MAX) {
             assert_eq!(found[0].set, known.set, "{state:?}");
             improved += 1;
+            // All but the hinges at rest have one combination.
+            assert!(search::improved(&place, &options, 1).is_some());
+            assert!(search::improved(&place, &options, 0).is_none());
         }
         sticking += known.set.iter().filter(|&i| known.set.slip(i) == crate::model::Slip::Stick).count();
     }
     // Some of all kinds.
     assert!(improved > 30 && sticking > 10 && sticking < 190, "{improved} {sticking}");
+}
+
+/// A hinge that slides has its sense, in all modes and among improved ones; the others are as they would be.
+#[test]
+fn a_hinge_that_moves_keeps_its_sense() {
+    let mut compared = 0;
+    for k in 0..12 {
+        let rate = [0.8, -0.8, 2.0][k % 3];
+        let mut start = [0.0; 10];
+        start[..5].iter_mut().enumerate().for_each(|(i, angle)| *angle = 0.1 * ((i * k) % 5) as f64 - 0.2);
+        start[9] = rate;
+        let (context, state) = at(start);
+        let place = Place::new(&context, state);
+        let slides = |hinge: usize| place.slips[context.layout().contacts[hinge].friction.unwrap()].velocity;
+        let known = |hinge: usize| match slides(hinge) {
+            v if v > 0.0 => Slip::Forward,
+            v if v < 0.0 => Slip::Backward,
+            _ => Slip::Rest,
+        };
+        let slips: Vec<(usize, Slip)> = (0..5).map(|hinge| (hinge, known(hinge))).collect();
+        assert_eq!(slips.iter().filter(|(_, slip)| *slip != Slip::Rest).count(), 1);
+        let question =
+            ContactProblem { touching: (0..5).collect(), slips: &slips, ..ContactProblem::default() };
+        let options = choices(context.layout(), &question);
+        let all = search::all(&place, &options);
+        let [found] = &all[..] else { panic!("{} motions", all.len()) };
+        let moving = slips.iter().find(|(_, slip)| *slip != Slip::Rest).unwrap().0;
+        assert_eq!(f64::from(found.set.slip(moving).sign()), slides(moving).signum(), "{k}");
+        let Some(improved) = search::improved(&place, &options, usize::MAX) else { continue };
+        assert_eq!(improved[0].set, found.set, "{k}");
+        compared += 1;
+    }
+    assert!(compared > 6, "{compared}");
 }
 
 #[test]

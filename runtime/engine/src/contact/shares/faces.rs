@@ -129,3 +129,6 @@ fn least_squares(matrix: &DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<
     let rest = right - matrix * &x;
     Some(x + svd.solve(&rest, cutoff).ok()?)
 }
+
+#[cfg(test)]
+mod tests;

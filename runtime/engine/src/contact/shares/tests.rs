@@ -265,3 +265,5 @@ fn supports_that_slide_share_the_load_with_their_friction() {
         }
     }
 }
+
+mod steps;

@@ -62,6 +62,22 @@ fn others_are_left_to_the_search() {
     assert_eq!(departs.solve().map(|outcome| outcome.impulses[1]), Ok::<_, CollisionError>(0.0));
 }
 
+/// Δu = 1e20 v/2 of the second coordinate is no number, although the impulse is one.
+#[test]
+fn rates_beyond_all_numbers_are_left_to_the_search() {
+    let collision = |speed: f64| Collision {
+        mass: DMatrix::from_diagonal(&DVector::from_row_slice(&[1.0, 1e-40])),
+        jacobian: DMatrix::from_row_slice(1, 2, &[1.0, 1e-20]),
+        rates: DVector::from_row_slice(&[-speed, 0.0]),
+        drift: DVector::zeros(1),
+        applied: DVector::zeros(2),
+        rows: vec![Row::Contact { restitution: 0.5, law: Law::Newton }],
+    };
+    let found = collision(1.0).of_single().unwrap();
+    assert!((found.rates[1] / 0.75e20 - 1.0).abs() < 1e-14 && (found.impulses[0] - 0.75).abs() < 1e-15);
+    assert!(collision(1e295).of_single().is_none());
+}
+
 proptest! {
     /// M = L Lᵀ + 1, of up to four coordinates; the search finds the same.
     #[test]

@@ -3,6 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::super::closed_rows::ClosedRows;
+use super::super::complementarity::LcpRows;
 use crate::model::Friction;
 
 fn rows(jacobian: &[[f64; 4]]) -> ClosedRows {
@@ -50,4 +51,15 @@ fn a_sliding_contact_has_one_bent_row() {
     let mut open = rows(&[normal, other]);
     open.bend(Friction { contact: 20, row: 22, follows_slip: false }, -0.25);
     assert_eq!(open.jacobian, rows(&[normal, other]).jacobian);
+}
+
+/// Fixed rows, closed candidates and what is tied to either, in ascending order.
+#[test]
+fn rows_are_closed_with_what_is_tied_to_them() {
+    let rows = LcpRows { fixed: &[5, 1], candidates: &[2, 6], tied: &[(7, 5), (3, 2), (4, 6)], trials: None };
+    assert_eq!(rows.rows(&[]), [1, 5, 7]);
+    assert_eq!(rows.rows(&[2]), [1, 2, 3, 5, 7]);
+    assert_eq!(rows.rows(&[6, 2]), [1, 2, 3, 4, 5, 6, 7]);
+    assert_eq!((rows.tied_to(&[6]), rows.tied_to(&[1])), (vec![4], vec![]));
+    assert_eq!([5, 1, 2, 6, 7].map(|row| rows.is_rough(row)), [true, false, true, true, false]);
 }

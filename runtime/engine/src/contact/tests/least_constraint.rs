@@ -139,3 +139,30 @@ fn lengths_of_rows_do_not_matter() {
         assert!(least(1.0, &DVector::zeros(2), 0.0).bearing(&[], &[0, 1, 2]).unwrap().is_empty());
     }
 }
+
+/// What has no inertia moves without bounds under any force, whatever openings there are besides.
+#[test]
+fn without_inertia_forces_decide() {
+    let mass = DMatrix::from_diagonal(&DVector::from_row_slice(&[1.0, 0.0]));
+    let jacobian = DMatrix::from_row_slice(1, 2, &[0.0, 1.0]);
+    for (push, bears) in [(-1e-3, true), (1e-3, false)] {
+        let (force, slack) = (DVector::from_row_slice(&[0.0, push]), DVector::from_element(1, 1e-12));
+        for opening in [1.0, -1.0, 0.0] {
+            let bias = DVector::from_element(1, opening);
+            let least = LeastConstraint::new(&mass, &jacobian, (&force, &bias), &slack).unwrap();
+            assert_eq!(!least.bearing(&[], &[0]).unwrap().is_empty(), bears, "{push} {opening}");
+        }
+    }
+}
+
+/// What is pushed is what does not depend on others, at the very limit too.
+#[test]
+fn a_vector_at_the_limit_is_told_alike() {
+    for (part, depends) in [(0.99e-10, true), (1e-10, true), (1.01e-10, false)] {
+        let mut active = ActiveRows::default();
+        assert!(active.push(0, &DVector::from_row_slice(&[1.0, 0.0])));
+        let other = DVector::from_row_slice(&[1.0, part]);
+        assert_eq!(active.split(&other).depends(), depends, "{part}");
+        assert_eq!(active.push(1, &other), !depends, "{part}");
+    }
+}

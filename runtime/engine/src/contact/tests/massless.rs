@@ -58,3 +58,28 @@ fn half_of_the_digits_are_asked_of_accelerations() {
         }
     }
 }
+
+/// Nothing but a coordinate without mass: it is undetermined, unless a row holds it.
+#[test]
+fn a_coordinate_without_mass_alone_is_undetermined() {
+    let undetermined = |entry: f64| {
+        let (mass, jacobian) = (DMatrix::zeros(1, 1), DMatrix::from_element(1, 1, entry));
+        let none = DVector::zeros(1);
+        let problem = EquilibratedKkt::new(&mass, &jacobian, (&none, &none), (&none, &none));
+        [problem.undetermined(&[]), problem.undetermined(&[0])]
+    };
+    assert_eq!(undetermined(0.0), [[0], [0]]);
+    assert_eq!(undetermined(1e-7), [vec![0], vec![]]);
+}
+
+/// What moves without inertia is (1, 1, k) in balanced coordinates: the third has no part in it below a tenth.
+#[test]
+fn coordinates_that_hardly_move_are_not_named() {
+    for (k, free) in [(0.5, vec![0, 1, 2]), (0.11, vec![0, 1, 2]), (0.09, vec![0, 1]), (0.0, vec![0, 1])] {
+        let (one, two) = (-0.5 * k, -1.0 + 0.5 * k * k);
+        let mass = DMatrix::from_row_slice(3, 3, &[1.0, two, one, two, 1.0, one, one, one, 1.0]);
+        let (none, bias) = (DVector::zeros(3), DVector::zeros(0));
+        let problem = EquilibratedKkt::new(&mass, &DMatrix::zeros(0, 3), (&none, &bias), (&none, &bias));
+        assert_eq!(problem.undetermined(&[]), free, "{k}");
+    }
+}

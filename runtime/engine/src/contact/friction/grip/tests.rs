@@ -173,4 +173,10 @@ fn edges_of_cones_bear_the_reactions() {
     ] {
         assert_eq!(edges(&layout, &closed, (&rows, &undetermined), &slips, &reactions).1, taken);
     }
+    // Without friction nothing is borne across, whatever rounding leaves there; nor what is rounding beside the largest reaction.
+    for (limit, across) in [(0.0, 1e-9), (1e-12, 1e-15)] {
+        let reactions = [6.0, 5.0, 7.0, across, -3.5];
+        let (all, _) = edges(&layout, &closed, (&rows, &[true; 4]), &[slip(limit), slip(0.5)], &reactions);
+        assert_eq!((all[0].load, all[1].load), (3.0, 3.0), "{limit}");
+    }
 }

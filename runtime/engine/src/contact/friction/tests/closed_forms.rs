@@ -40,6 +40,9 @@ fn a_block_sticks_up_to_its_limit() {
         assert!((found.solution.accelerations[0] - a).abs() < 1e-15);
         assert!(found.next[0].is_decided() && found.solution.unique);
     }
+    // What bears is not open, though nothing is borne across.
+    let still = block(0.0, (0.5, 0.5), Slip::Rest);
+    assert!(still.modes == [Mode::Stick] && still.next[0].is_decided());
     let slowed = block(0.0, (0.5, 0.5), Slip::Forward);
     assert!((slowed.solution.accelerations[0] + 0.5).abs() < 1e-15);
     assert!((slowed.solution.reactions[1] + 0.5).abs() < 1e-15);

@@ -2,6 +2,7 @@
 
 mod borders;
 mod closed_forms;
+mod coupled;
 mod drawn;
 mod lcp;
 mod oracle;

@@ -117,6 +117,9 @@ fn other_questions_are_not_answered_in_closed_form() {
     assert!(!is_answered(ContactProblem { touching: other, ..alone }));
     assert!(!is_answered(ContactProblem { touching: own.union(other), slips: &slips, ..alone }));
     assert!(!is_answered(ContactProblem { slips: &[], ..alone }));
+    // Without friction it is one.
+    let context = on_the_floor(&Pulled { mu: 0.0, mu_s: 0.0, ..LYING });
+    assert!(single::decide(&context, &state, &alone).is_some());
 }
 
 /// 1 + 3 cos²θ ± 3 μ sin θ cos θ of a rod that slides forward or backward, relative to what it is without friction, whatever its mass
@@ -164,4 +167,18 @@ fn closed_rows_are_those_of_closed_contacts() {
         expected.sort_unstable();
         assert_eq!(rows(both), expected, "{slip:?}");
     }
+    // In natural coordinates √m q.
+    let equations = context.system().equations(&state);
+    let all = ClosedRows::of(context.system(), &state, &own_and_other());
+    for (k, &row) in all.rows.iter().enumerate() {
+        assert_eq!(all.levers[k], 1.0);
+        for j in 0..3 {
+            let expected = equations.jacobian(row)[j] / equations.mass(j)[j].sqrt();
+            assert!((all.jacobian[(k, j)] - expected).abs() <= 1e-15 * expected.abs(), "{row} {j}");
+        }
+    }
+}
+
+fn own_and_other() -> ContactSet {
+    ContactSet::EMPTY.slipping(0, model::Slip::Forward).slipping(1, model::Slip::Stick)
 }

@@ -98,3 +98,23 @@ fn paths_are_those_of_small_steps() {
     }
     assert!(reversed > 10 && stuck > 40 && down > 3, "{reversed} {stuck} {down}");
 }
+
+/// A slip that ends just as the compression or the restitution does, with W_Nt = 0: what follows sticks, and what ends is at rest.
+#[test]
+fn a_slip_may_end_with_a_stage() {
+    let (mu, e) = (0.5, 0.5);
+    for law in [Law::Newton, Law::Poisson, Law::Stronge] {
+        let it = Striker { w_nn: 1.0, w_nt: 0.0, w_tt: 1.0, mu, e, law };
+        for sense in [1.0, -1.0] {
+            // Compression takes P = 1, both take 1 + e.
+            for part in [1.0, 1.0 + e] {
+                let path = it.path(-1.0, sense * mu * part).unwrap();
+                let end = point(&path.vertices[path.vertices.len() - 1]);
+                assert_eq!(end, [e, 0.0, 1.0 + e, -sense * mu * part], "{law:?} {part}");
+                let slip = sense * mu * (part - 1.0);
+                let compressed = point(&path.vertices[path.compressed]);
+                assert_eq!(compressed, [0.0, slip, 1.0, -sense * mu], "{law:?} {part}");
+            }
+        }
+    }
+}
