@@ -78,12 +78,12 @@ pub(crate) fn singular_values(matrix: DMatrix<f64>) -> Vec<f64> {
 }
 
 /// A lower bound of the least singular value of a wide matrix in units of the largest: 1/(‖A‖ ‖L⁻¹‖) with `A Aᵀ = L Lᵀ`, in
-/// Frobenius's norm; zero where rows depend on each other. The ratio is at most as many times as large as there are rows.
+/// Frobenius's norm; zero where rows depend on each other or are not finite. The ratio is at most as many times as large as there are rows.
 pub(crate) fn least_ratio_bound(matrix: &DMatrix<f64>) -> f64 {
     let rows = matrix.nrows();
     let Some(factor) = (matrix * matrix.transpose()).cholesky() else { return 0.0 };
     let inverse = factor.l_dirty().solve_lower_triangular(&DMatrix::identity(rows, rows));
-    inverse.map_or(0.0, |inverse| 1.0 / (matrix.norm() * inverse.norm()))
+    inverse.map_or(0.0, |inverse| (1.0 / (matrix.norm() * inverse.norm())).max(0.0))
 }
 
 /// That of the transposed matrix.
@@ -217,7 +217,7 @@ mod tests {
             let values = svd(matrix.clone()).singular_values;
             assert!(entry == f64::MAX || values.iter().all(|&value| value == 0.0), "{values}");
             assert!(entry == f64::MAX || singular_values(matrix.clone()) == [0.0; 2]);
-            assert!(!(least_ratio_bound(&matrix) > 0.0));
+            assert_eq!(least_ratio_bound(&matrix), 0.0);
             assert_eq!(symmetric_eigen(matrix.clone()).eigenvalues.len(), 2);
             assert_eq!(eigenvalues(matrix).len(), 2);
         }
