@@ -1,8 +1,10 @@
-//! The way to the least value: searches one after the other, each on the scale of the slopes where the last one ended.
+//! The way to the least value: searches one after the other, each on the scale of the slopes where the last one ended, and
+//! behind it Newton's method on the slopes.
 
 use argmin::core::{Executor, IterState};
 use argmin::solver::linesearch::MoreThuenteLineSearch;
 use argmin::solver::quasinewton::LBFGS;
+use nalgebra::{DMatrix, DVector};
 
 use super::cost::{Asked, Cost, Point, Seen};
 use super::{Best, Optimum, OptimumError};
@@ -10,8 +12,9 @@ use crate::fit::{Ending, Fit, TrialError};
 
 /// Slopes by θ below this part of the steepest one at the start of a search are none.
 const FLAT: f64 = 1e-7;
-/// A search ends at such a part of the flattest slope that counts.
+/// A search ends at such a part of the flattest slope that counts, the first where Newton's method can go on.
 const BELOW: f64 = 0.3;
+const NEAR: f64 = 1e-4;
 /// Slopes below this part of the output are rounding of runs.
 const ROUNDING: f64 = 1e-11;
 /// A search that gains no more than this part of the output is the last one.
@@ -21,6 +24,9 @@ const FIRST: f64 = 0.1;
 const SHORTER: f64 = 1e-3;
 /// Searches at most.
 const SEARCHES: i32 = 8;
+/// Newton steps on the slopes at most, and the difference in θ that tells how they change.
+const POLISHED: usize = 4;
+const PROBE: f64 = 1e-4;
 /// How far it is looked around, in θ, where there is no slope.
 const AROUND: f64 = 1e-2;
 /// Steps that H is made of, and directions that a search takes at most.
@@ -92,7 +98,9 @@ impl Optimum<'_> {
             if progress.best.is_flat() {
                 return Ending::Converged;
             }
-            let settled = progress.once(FIRST * SHORTER.powi(k));
+            let flat = if k == 0 { NEAR } else { BELOW * FLAT };
+            let settled = progress.once(FIRST * SHORTER.powi(k), flat) && k > 0;
+            progress.polish();
             let variables = self.variables.iter().zip(&progress.best.values);
             if let Some((free, _)) = variables.into_iter().find(|(free, value)| free.runs_away(**value)) {
                 return Ending::Stopped(format!(
@@ -120,14 +128,13 @@ impl Optimum<'_> {
 }
 
 impl Progress<'_> {
-    /// Searches once from the best point on; whether that has gained next to nothing.
-    fn once(&mut self, step: f64) -> bool {
+    /// Searches once from the best point on, until slopes are this part of those at first; whether that has gained next to nothing.
+    fn once(&mut self, step: f64, flat: f64) -> bool {
         self.steepest = self.steepest.max(self.best.steepest());
         let cost = Cost::new((self.optimum, &self.fit), self.best.clone(), step);
         let method = LBFGS::new(MoreThuenteLineSearch::new(), REMEMBERED);
-        let method = method
-            .with_tolerance_grad(BELOW * FLAT * step)
-            .and_then(|method| method.with_tolerance_cost(0.0));
+        let method =
+            method.with_tolerance_grad(flat * step).and_then(|method| method.with_tolerance_cost(0.0));
         let theta = self.best.theta.clone();
         let begun = |state: IterState<_, _, _, _, _, _>| state.param(theta).max_iters(DIRECTIONS);
         // However it ends, what was best has been seen.
@@ -141,6 +148,42 @@ impl Progress<'_> {
         self.runs += runs;
         self.best = best;
         settled
+    }
+}
+
+impl Progress<'_> {
+    /// Newton's method on the slopes, H from their differences: where the output is flat, its values, which err as runs do, tell less
+    /// than its slopes.
+    fn polish(&mut self) {
+        for _ in 0..POLISHED {
+            let Some(point) = self.newton() else { return };
+            let loss = self.optimum.sign() * (point.output - self.best.output);
+            let is_flatter = self.optimum.steepest(&point) < self.optimum.steepest(&self.best);
+            if !is_flatter || loss > SETTLED * self.best.output.abs() {
+                return;
+            }
+            self.best = point;
+        }
+    }
+
+    fn newton(&mut self) -> Option<Point> {
+        let Point { theta, gradient, .. } = self.best.clone();
+        let n = theta.len();
+        let mut at = |theta: &[f64]| {
+            self.runs += 1;
+            self.optimum.point(&self.fit, theta).ok()
+        };
+        let mut differences = DMatrix::zeros(n, n);
+        for k in 0..n {
+            let mut beside = theta.clone();
+            beside[k] += PROBE;
+            let slopes = at(&beside)?.gradient;
+            differences
+                .set_column(k, &((DVector::from_vec(slopes) - DVector::from_row_slice(&gradient)) / PROBE));
+        }
+        let hessian = 0.5 * (&differences + differences.transpose());
+        let step = hessian.cholesky()?.solve(&DVector::from_vec(gradient));
+        at((DVector::from_vec(theta) - step).as_slice())
     }
 }
 
