@@ -58,7 +58,7 @@ impl Search {
         let extremum = self.zigzag.push(point, node.noise.min(0.5 * self.delta));
         self.found = match (self.side, self.last) {
             (Some(_), Some(_)) if point.value == 0.0 => Some(Found::At(point.theta)),
-            (Some(side), _) if side != point.value.is_sign_positive() => {
+            (Some(side), _) if point.value != 0.0 && side != point.value.is_sign_positive() => {
                 let between = |last| Found::Between { ends: [last, point], smooth: node.smooth };
                 Some(self.last.map_or(Found::At(point.theta), between))
             }
