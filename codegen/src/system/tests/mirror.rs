@@ -182,7 +182,12 @@ fn what_has_its_mirror_image_is_not_faulted() {
         "#[drive(x(A) = -l - t)] #[drive(x(E) = l + t)]",
         "#[drive(angle(AB) = t)] #[drive(angle(DE) = 2 * pi - t)]",
         "#[drive(y(C) = t)]",
+        "#[drive(distance(A, E) = 2 * l + t)]",
+        "#[drive(distance(A, C) = l + t)] #[drive(distance(E, C) = l + t)]",
+        "#[drive(angle(AB, BC) = t)] #[drive(angle(DE, CD) = -t)]",
         "#[slider(C = vertical(0))]",
+        "#[slider(A = circle((-2 * l, 0), l))] #[slider(E = circle((2 * l, 0), l))]",
+        "#[slider(C = circle((0, l), l))]",
         "#[slider(A = line(m, (-l, 0)))] #[slider(E = line(pi - m, (l, 0)))]",
         "#[thread(AE, length = 4 * l)] #[thread(OC, length = 4 * l)]",
         "#[thread(AO, length = 4 * l)] #[thread(rope = O -> E, length = 4 * l)]",
@@ -245,6 +250,22 @@ fn loads_drives_and_threads_without_their_mirror_image_are_told() {
         (
             "#[drive(x(A) = t)] #[drive(x(E) = t)]",
             "drives `x(A)` and `x(E)` are not mirror images: their values differ",
+        ),
+        (
+            "#[drive(distance(A, C) = l + t)]",
+            "drive `distance(A, C)` has no mirror image; declare one for `distance(C, E)` too",
+        ),
+        (
+            "#[drive(distance(A, C) = l + t)] #[drive(distance(C, E) = l + 2 * t)]",
+            "drives `distance(A, C)` and `distance(C, E)` are not mirror images: their values differ",
+        ),
+        (
+            "#[drive(angle(AB, BC) = t)]",
+            "drive `angle(AB, BC)` has no mirror image; declare one for `angle(DE, CD)` too",
+        ),
+        (
+            "#[slider(A = circle((-2 * l, 0), l))] #[slider(E = circle((3 * l, 0), 2 * l))]",
+            "sliders `A` and `E` are not mirror images: their values differ",
         ),
         ("#[slider(C = vertical(l))]", "slider `C` is not symmetric to the mirror"),
         ("#[slider(A = horizontal(0))]", "slider `A` has no mirror image; declare one for point `E` too"),

@@ -203,3 +203,26 @@ fn a_run_says_each_thing_once() {
     twice("start = \"x_A = 1, y_A = 0, x_A = 2\"", "x_A");
     twice("limit = 1, limit = 2", "limit");
 }
+
+/// What no macro sees where a file is read: attributes of others are let alone.
+#[test]
+fn attributes_that_the_compiler_would_refuse_are_told() {
+    let told = |attributes: &str| {
+        let item: syn::DeriveInput = syn::parse_str(&format!("{attributes} struct S;")).unwrap();
+        let errors = crate::syntax::check_attributes(&item.attrs).err();
+        errors.into_iter().flatten().map(|error| error.to_string()).collect::<Vec<_>>()
+    };
+    assert_eq!(
+        told("#[suport(A = floor)] #[serde(tag)] #[gravty(g)]"),
+        [
+            "there is no attribute `suport`; did you mean `support`?",
+            "there is no attribute `gravty`; did you mean `gravity`?"
+        ]
+    );
+    assert_eq!(
+        told("#[cfg_attr(test, support(A = floor))]"),
+        ["whether this holds is not known here; write the attribute without `cfg_attr`"]
+    );
+    let fine = "/// A body.\n#[derive(Clone)] #[allow(dead_code)] #[cfg_attr(test, derive(Debug))] #[gravity(g)] #[other::bar(AB)]";
+    assert_eq!(told(fine), [""; 0]);
+}
