@@ -55,3 +55,42 @@ fn folded(expression: &Expression) -> Option<Quotient> {
 fn short(quotient: Quotient) -> Option<Quotient> {
     (quotient.numerator().len() <= LONGEST && !quotient.is_overflow()).then_some(quotient)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn power(expression: Expression, n: i32) -> Expression {
+        Expression::Apply(Function::Power(n), Box::new(expression))
+    }
+
+    fn join(operator: Operator, a: Expression, b: Expression) -> Expression {
+        Expression::Join(operator, Box::new(a), Box::new(b))
+    }
+
+    /// (l u cos φ)² + (l u sin φ)² = l² u²; 9 u²/l²; and what is no square, may be negative, or does not vary.
+    #[test]
+    fn squares_of_monomials_have_a_root() {
+        let (l, u) = (Series::symbol(Symbol::parameter(0)), Series::symbol(Symbol::rate(0)));
+        let phi = crate::algebra::Angle::of(Symbol::coordinate(0));
+        let arm = &l * &u;
+        let [across, along] =
+            [Series::cos(&phi), Series::sin(&phi)].map(|turn| Expression::series(&arm * &turn));
+        let speed = join(Operator::Add, power(across, 2), power(along, 2));
+        assert_eq!(root(&speed), Some((Rational::integer(1), arm)));
+
+        let per = &u * &l.recip_monomial().unwrap();
+        let nine = Expression::series(Series::constant(Rational::integer(9)));
+        let product = join(Operator::Multiply, nine, power(Expression::series(per.clone()), 2));
+        assert_eq!(root(&product), Some((Rational::integer(9), per)));
+
+        let square = power(Expression::series(u.clone()), 2);
+        let negated = Expression::Apply(Function::Negate, Box::new(square.clone()));
+        let sum = join(Operator::Subtract, square.clone(), Expression::series(l.clone()));
+        let quotient = join(Operator::Divide, square, Expression::series(l.clone()));
+        let odd = power(Expression::series(u), 3);
+        for none in [negated, sum, quotient, odd, power(Expression::series(l), 2), Expression::Time] {
+            assert_eq!(root(&none), None, "{none:?}");
+        }
+    }
+}
