@@ -6,8 +6,9 @@ use crate::scalar::Scalar;
 
 /// Newton corrections of the positions; drift over one step is far below the square root of the roundoff.
 const CORRECTIONS: usize = 4;
-/// Newton's method leaves less than this part of a drift.
+/// Newton's method leaves less than this part of a drift, and rounding no more than so many units of it.
 const LESS: f64 = 0.5;
+const NOISE: f64 = 256.0;
 
 /// Projects a full state of a model; `work` has one entry per coordinate, `length` is the natural one.
 pub fn project<M: BarSystem, S: Scalar>(
@@ -38,8 +39,9 @@ pub fn project_by<S: Scalar, K: KernelView<S>>(
     let mut before = f64::INFINITY;
     for _ in 0..CORRECTIONS {
         let now = drift(&known);
-        // What a correction did not make less is rounding.
-        if now <= 2.0 * S::EPSILON.to_f64() || now > LESS * before {
+        // So little that a correction did not make it less is rounding.
+        let rounded = if now > LESS * before { NOISE } else { 2.0 };
+        if now <= rounded * S::EPSILON.to_f64() {
             break;
         }
         known.correction(layout, set, &|row| known.gap()[row], work);
