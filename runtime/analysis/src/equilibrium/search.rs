@@ -21,8 +21,8 @@ const SAME: f64 = 1e-8;
 const DEEP: f64 = 1e-9;
 
 /// The equilibria that are found from the position of the subject: of all subsets of up to eight contacts, else of those that touch
-/// there and of their subsets without one. Where nothing is closed, or nothing is found, they are looked for from that position with
-/// angles turned by quarters too.
+/// there and of their subsets without one. Of a model without contacts and loops, and where nothing is found, they are looked for from that
+/// position with angles turned by quarters too.
 ///
 /// # Errors
 /// None is found, or there can be none.
@@ -30,7 +30,7 @@ pub fn equilibria(subject: &Subject) -> Result<Vec<Equilibrium>, AnalysisError> 
     subject.refuse_unsuited()?;
     let sets = sets(subject);
     let mut found: Vec<Equilibrium> = Vec::new();
-    let is_open = subject.layout().contacts.is_empty() && subject.layout().joints.is_empty();
+    let is_free = subject.layout().contacts.is_empty() && subject.layout().joints.is_empty();
     for start in turned(subject) {
         for set in &sets {
             let Some(state) = equilibrium(subject, *set, &start) else { continue };
@@ -39,7 +39,7 @@ pub fn equilibria(subject: &Subject) -> Result<Vec<Equilibrium>, AnalysisError> 
             }
             found.extend(described(subject, &state)?);
         }
-        if !is_open && !found.is_empty() {
+        if !is_free && !found.is_empty() {
             break;
         }
     }

@@ -149,9 +149,7 @@ impl Progress<'_> {
         self.best = best;
         settled
     }
-}
 
-impl Progress<'_> {
     /// Newton's method on the slopes, H from their differences: where the output is flat, its values, which err as runs do, tell less
     /// than its slopes.
     fn polish(&mut self) {

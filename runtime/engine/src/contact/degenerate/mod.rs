@@ -77,19 +77,18 @@ pub(crate) fn decide(
 ) -> Result<ContactSolution, ContactError> {
     let named = |failure| name(model, state, failure, question);
     let trials = question.most_trials.map(Trials::up_to);
-    let mut dropped = ContactSet::EMPTY;
-    let mut located = Vec::new();
+    // Contacts that have come off, with the reactions that they had.
+    let mut off: Vec<(usize, f64)> = Vec::new();
     loop {
-        let touching = question.touching.difference(dropped);
+        let touching = question.touching.difference(off.iter().map(|(row, _)| *row).collect());
         let mut ladder = Ladder::new(model.layout(), &ContactProblem { touching, ..*question });
         ladder.rub(model, state, &ContactProblem { touching, ..*question })?;
         let lifted = ladder.raise_order(model, state, trials.as_ref()).map_err(named)?;
         if !lifted.is_empty() {
-            dropped = dropped.union(lifted);
-            located.extend(lifted.iter().map(|row| (row, ladder.reactions[0][row])));
+            off.extend(lifted.iter().map(|row| (row, ladder.reactions[0][row])));
             continue;
         }
-        if located.iter().any(|&it| ladder.is_pressed(model, state, it)) {
+        if off.iter().any(|&it| ladder.is_pressed(model, state, it)) {
             return Err(named(LcpError::Jammed));
         }
         return Ok(ladder.decision(model.layout()));

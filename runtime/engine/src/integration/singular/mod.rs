@@ -122,11 +122,7 @@ impl SingularityMonitor {
         let (jacobian, time) = (self.scaled_jacobian(&equations), self.time(&equations, state));
         let bound = least_ratio_bound(&jacobian);
         if self.trials == 0 && self.is_far(context, state, (bound, time, next)) {
-            return if LONGEST * time < next {
-                Forecast::Until(t + LONGEST * time)
-            } else {
-                Forecast::Regular
-            };
+            return self.forecast((t, next), &Place { sigma: bound, time }, f64::INFINITY);
         }
         let place = Place { sigma: self.least(jacobian), time };
         if place.sigma > FAR {
