@@ -10,7 +10,7 @@ mod least_constraint;
 mod lifted;
 mod massless;
 mod rough;
-mod shared;
+pub(super) mod shared;
 
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;

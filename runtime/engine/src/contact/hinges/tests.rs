@@ -207,12 +207,12 @@ fn of_several_motions_one_is_taken_and_all_are_told() {
 #[support(B = floor)]
 #[coordinate(a = angle(AB), from = right)]
 #[figure(B = (l, 0))]
-struct Resting {
-    m: f64,
-    l: f64,
-    mu: f64,
-    r: f64,
-    g: f64,
+pub(super) struct Resting {
+    pub(super) m: f64,
+    pub(super) l: f64,
+    pub(super) mu: f64,
+    pub(super) r: f64,
+    pub(super) g: f64,
 }
 
 /// One that opens must not fall, unless that is known; one that is closed must press, unless it is held.

@@ -5,8 +5,8 @@ use nalgebra::{DMatrix, DVector};
 use super::{Factor, share, shortest_reactions};
 use crate::contact::closed_rows::ClosedRows;
 use crate::contact::friction::tests::random::{Random, cases};
+use crate::contact::tests::shared::Pushed;
 use crate::model::{ContactSet, Slip};
-use crate::prelude::*;
 use crate::system::Model;
 
 /// What is missing of a load that is held.
@@ -224,30 +224,11 @@ fn shares_have_no_units() {
     }
 }
 
-/// A rod on three supports.
-#[derive(BarSystem)]
-#[gravity(g)]
-#[bar(AB, mass = m, length = 2 * l)]
-#[point(C = AB, at = l)]
-#[support(A = floor, friction = mu)]
-#[support(B = floor, friction = mu)]
-#[support(C = floor, friction = mu)]
-#[coordinate(x = x(C))]
-#[coordinate(y = y(C))]
-#[coordinate(theta = angle(AB), from = right)]
-#[figure(A = (-l, 0), B = (l, 0))]
-struct Rod {
-    m: f64,
-    l: f64,
-    g: f64,
-    mu: f64,
-}
-
 /// While it slides its friction is −σ μ N of each support, and a third of the weight is the least that each can bear.
 #[test]
 fn supports_that_slide_share_the_load_with_their_friction() {
     let (m, g, mu) = (2.0, 9.81, 0.3);
-    let model = Model::of(&Rod { m, l: 0.7, g, mu });
+    let model = Model::of(&Pushed { m, l: 0.7, g, mu, p: 0.0 });
     for (slip, sense) in [(Slip::Forward, 1.0), (Slip::Backward, -1.0)] {
         let closed = (0..3).fold(ContactSet::EMPTY, |set, contact| set.slipping(contact, slip));
         let mut state = [0.0; 6];

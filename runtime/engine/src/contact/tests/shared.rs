@@ -19,12 +19,12 @@ use crate::system::Model;
 #[coordinate(y = y(C))]
 #[coordinate(theta = angle(AB), from = right)]
 #[figure(A = (-l, 0), B = (l, 0))]
-struct Pushed {
-    m: f64,
-    l: f64,
-    g: f64,
-    mu: f64,
-    p: f64,
+pub(in crate::contact) struct Pushed {
+    pub(in crate::contact) m: f64,
+    pub(in crate::contact) l: f64,
+    pub(in crate::contact) g: f64,
+    pub(in crate::contact) mu: f64,
+    pub(in crate::contact) p: f64,
 }
 
 /// However the supports share the weight, each rubs by its own part of it: R = −σ μ N where they slide, |R| ≤ μ N where they stick, with

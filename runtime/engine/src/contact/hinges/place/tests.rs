@@ -4,28 +4,11 @@ use super::{Law, Place};
 use crate::contact::ContactProblem;
 use crate::contact::friction::Slip;
 use crate::contact::hinges::choices::choices;
+use crate::contact::hinges::tests::Resting;
 use crate::integration::phase_point::{Numbers, RunContext};
 use crate::model::ContactSet;
-use crate::prelude::*;
 use crate::scales::scales_of;
 use crate::system::Model;
-
-/// A bar on a pin with friction, its end on a floor.
-#[derive(BarSystem)]
-#[gravity(g)]
-#[bar(AB, mass = m, length = l)]
-#[pin(A = (0, 0))]
-#[hinge(A, friction = mu, radius = r)]
-#[support(B = floor)]
-#[coordinate(a = angle(AB), from = right)]
-#[figure(B = (l, 0))]
-struct Resting {
-    m: f64,
-    l: f64,
-    mu: f64,
-    r: f64,
-    g: f64,
-}
 
 fn context((m, l, g): (f64, f64, f64)) -> RunContext {
     let model = Model::of(&Resting { m, l, mu: 0.3, r: 0.02 * l, g });

@@ -278,10 +278,20 @@ impl Scene {
 
     /// What is found in steps that end at some times, as times.
     pub(super) fn follow(&self, detector: &mut EventDetector<'_>, ends: &[f64]) -> Result<Told, GuardError> {
+        self.follow_by(|view| view, detector, ends)
+    }
+
+    /// The same, in steps that are seen otherwise.
+    pub(super) fn follow_by(
+        &self,
+        seen: impl for<'v> Fn(StepView<'v>) -> StepView<'v>,
+        detector: &mut EventDetector<'_>,
+        ends: &[f64],
+    ) -> Result<Told, GuardError> {
         let (mut from, mut touches) = (0.0, Vec::new());
         for (k, &to) in ends.iter().enumerate() {
             let dense = self.dense([from, to]);
-            let found = detector.examine(&self.view(&dense), k + 1 == ends.len())?;
+            let found = detector.examine(&seen(self.view(&dense)), k + 1 == ends.len())?;
             let time = |theta: f64| from + (to - from) * theta;
             touches.extend(found.touches.into_iter().map(|(theta, guard)| (time(theta), guard)));
             if let Some((theta, guards)) = found.first {
@@ -301,4 +311,22 @@ impl Scene {
             t
         })
     }
+}
+
+/// z is a function of time, and nothing touches.
+pub(super) fn of(z: impl Fn(f64) -> f64 + Send + Sync + 'static) -> Scene {
+    Scene::closed(ContactSet::EMPTY, move |t| Shown { z: [z(t), f64::NAN], ..Shown::default() })
+}
+
+/// Nothing is there but what is waited for.
+pub(super) fn waits() -> ContactStatus<'static> {
+    ContactStatus { removed: (0..CONTACTS).collect(), ..roles(ContactSet::EMPTY) }
+}
+
+/// When a condition becomes true in steps that end at some times.
+pub(super) fn met(scene: &Scene, text: &str, is_state: bool, steps: &[f64]) -> Option<f64> {
+    let conditions = [scene.condition(text)];
+    let mut detector: EventDetector<'_> = scene.begun(waits(), (&conditions, is_state));
+    let (first, _) = scene.follow(&mut detector, steps).expect("followed");
+    first.map(|(t, _)| t)
 }

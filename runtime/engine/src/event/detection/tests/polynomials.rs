@@ -1,13 +1,9 @@
 //! Conditions by the polynomials of a step, against closed forms.
 
-use super::super::{ContactStatus, EventDetector};
+use super::super::EventDetector;
 use super::given::*;
 use crate::expression::Variable;
 use crate::model::ContactSet;
-
-fn waits() -> ContactStatus<'static> {
-    ContactStatus { removed: (0..CONTACTS).collect(), ..roles(ContactSet::EMPTY) }
-}
 
 const STEPS: [&[f64]; 3] = [&[1.0], &[0.41, 1.0], &[0.25, 0.5, 0.75, 1.0]];
 
@@ -16,17 +12,8 @@ fn met(text: &str, is_state: bool, steps: &[f64]) -> Option<f64> {
     let scene = Scene::closed(ContactSet::EMPTY, |t| Shown { z: [(3.0 * t).sin(), 0.0], ..Shown::default() });
     let conditions = [scene.condition(text)];
     let mut detector: EventDetector<'_> = scene.begun(waits(), (&conditions, is_state));
-    let mut from = 0.0;
-    for (k, &to) in steps.iter().enumerate() {
-        let dense = scene.dense([from, to]);
-        let view = scene.view(&dense).with_series(None);
-        let found = detector.examine(&view, k + 1 == steps.len()).expect("followed");
-        if let Some((theta, _)) = found.first {
-            return Some(from + (to - from) * theta);
-        }
-        from = to;
-    }
-    None
+    let (first, _) = scene.follow_by(|view| view.with_series(None), &mut detector, steps).expect("followed");
+    first.map(|(t, _)| t)
 }
 
 #[test]

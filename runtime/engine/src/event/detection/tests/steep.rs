@@ -1,24 +1,6 @@
 //! Conditions that hold from the start but for rounding, that have poles, or that take more evaluations than there is patience for.
 
-use super::super::{ContactStatus, EventDetector};
 use super::given::*;
-use crate::model::ContactSet;
-
-fn of(z: impl Fn(f64) -> f64 + Send + Sync + 'static) -> Scene {
-    Scene::closed(ContactSet::EMPTY, move |t| Shown { z: [z(t), f64::NAN], ..Shown::default() })
-}
-
-fn waits() -> ContactStatus<'static> {
-    ContactStatus { removed: (0..CONTACTS).collect(), ..roles(ContactSet::EMPTY) }
-}
-
-/// When a condition becomes true in steps that end at some times.
-fn met(scene: &Scene, text: &str, is_state: bool, steps: &[f64]) -> Option<f64> {
-    let conditions = [scene.condition(text)];
-    let mut detector: EventDetector<'_> = scene.begun(waits(), (&conditions, is_state));
-    let (first, _) = scene.follow(&mut detector, steps).expect("followed");
-    first.map(|(t, _)| t)
-}
 
 /// What arms or disarms holds from the start where its sides differ by a millionth of what they differ by at the end, and have
 /// their order soon after, too.

@@ -1,24 +1,6 @@
 //! Conditions on a coordinate z(t) that is a given function, by their values.
 
-use super::super::{ContactStatus, EventDetector};
 use super::given::*;
-use crate::model::ContactSet;
-
-fn of(z: fn(f64) -> f64) -> Scene {
-    Scene::closed(ContactSet::EMPTY, move |t| Shown { z: [z(t), f64::NAN], ..Shown::default() })
-}
-
-fn waits() -> ContactStatus<'static> {
-    ContactStatus { removed: (0..CONTACTS).collect(), ..roles(ContactSet::EMPTY) }
-}
-
-/// When a condition becomes true in steps that end at some times.
-fn met(scene: &Scene, text: &str, is_state: bool, steps: &[f64]) -> Option<f64> {
-    let conditions = [scene.condition(text)];
-    let mut detector: EventDetector<'_> = scene.begun(waits(), (&conditions, is_state));
-    let (first, _) = scene.follow(&mut detector, steps).expect("followed");
-    first.map(|(t, _)| t)
-}
 
 const STEPS: [&[f64]; 3] = [&[1.0], &[0.41, 1.0], &[0.15, 0.35, 0.55, 0.65, 0.9, 1.0]];
 
