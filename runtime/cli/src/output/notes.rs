@@ -34,7 +34,7 @@ fn told(text: &str, t: f64, count: usize) -> String {
 fn matters(decision: &LoggedDecision) -> bool {
     use LoggedDecision::{
         ConditionHolds, ConditionUndecided, GuardUnresolved, ImpulsesNotUnique, ReactionsNotUnique,
-        RestitutionScaled, StartPenetrates,
+        RestitutionScaled, StartMoves, StartPenetrates,
     };
     matches!(
         decision,
@@ -44,6 +44,7 @@ fn matters(decision: &LoggedDecision) -> bool {
             | ImpulsesNotUnique
             | ReactionsNotUnique
             | RestitutionScaled(_)
+            | StartMoves(_)
             | StartPenetrates(_)
     )
 }

@@ -21,6 +21,9 @@ pub enum LoggedDecision {
     /// The pose of the start penetrates contacts by this much, m, within ten times the tolerance: they count as closed, and the pose
     /// moves onto them, by the square root of that where a gap has a fold.
     StartPenetrates(f64),
+    /// The start moves by this much, relative to its largest position or rate, onto contacts that are closed to within the
+    /// tolerance: more than that, since it is near a pose in which its gaps hardly depend on it.
+    StartMoves(f64),
     /// A condition that is to end the run holds at its start: it is met where it comes to hold again.
     ConditionHolds(Condition),
     /// A pivot of the closed form is small: the phase is integrated with multipliers.
@@ -79,6 +82,9 @@ impl fmt::Display for LoggedDecision {
             }
             Self::StartPenetrates(depth) => {
                 return write!(f, "the start penetrates contacts by {depth:.1e}, within ten times the tolerance: its pose is moved onto them");
+            }
+            Self::StartMoves(by) => {
+                return write!(f, "the start moves by {by:.1e} of its size onto contacts whose gaps hardly depend on it");
             }
             Self::ConditionHolds(condition) => {
                 return write!(

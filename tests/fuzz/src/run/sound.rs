@@ -56,7 +56,8 @@ fn ordered(run: &Trajectory) -> Result<(), Finding> {
 }
 
 /// What was given is what the run starts with. Starts at contacts are put onto them: at a fold of a gap by the root of how deep
-/// the run says that they are penetrated, and slips that are zero to within the tolerance end, relative to the largest position or rate, as the run has it.
+/// the run says that they are penetrated, or by as much as it says that it moves. Slips that are zero to within the tolerance
+/// end, relative to the largest position or rate, as the run has it.
 fn start_is_kept(task: &Task, run: &Trajectory) -> Result<(), Finding> {
     let Some(start) = run.events().first().filter(|event| event.kind == EventKind::Start) else {
         return Ok(());
@@ -70,7 +71,12 @@ fn start_is_kept(task: &Task, run: &Trajectory) -> Result<(), Finding> {
         LoggedDecision::StartPenetrates(depth) => Some(depth / length),
         _ => None,
     });
-    let moved = (1e-11 + 4.0 * depths.fold(0.0, f64::max)).sqrt() + 10.0 * task.spec.tolerance;
+    let onto_contacts = run.log().iter().find_map(|entry| match entry.decision {
+        LoggedDecision::StartMoves(by) => Some(by),
+        _ => None,
+    });
+    let moved = (1e-11 + 4.0 * depths.fold(0.0, f64::max)).sqrt()
+        + onto_contacts.unwrap_or(10.0 * task.spec.tolerance);
     let belt = carried(run) * time / length;
     for (name, value) in &task.spec.start {
         let bare = name.trim_end_matches('\'');

@@ -158,6 +158,8 @@ impl Driver<'_> {
         if !(positions + rates).is_nan() {
             if !self.is_start() {
                 self.lower_energy(&mut restored);
+            } else if by > self.relative_bound() {
+                self.log(LoggedDecision::StartMoves(by));
             }
             self.state = restored;
         }
