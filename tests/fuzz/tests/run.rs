@@ -27,7 +27,7 @@ fn runs_are_sound_or_refused() {
 }
 
 /// Seeds that were findings, with what they found.
-const FOUND: [(u64, &str); 48] = [
+const FOUND: [(u64, &str); 49] = [
     (52_761, "a symmetric motion that is unstable, compared with the whole one"),
     (54_351, "the rounding of a run as the only length of its second half"),
     (62_606, "digits of Radau's method that depend on the units"),
@@ -91,6 +91,7 @@ const FOUND: [(u64, &str); 48] = [
     ),
     (1_700_020_579, "the same, where one contact is open by what another is penetrated"),
     (1_700_069_988, "a motion of 1e-8 rad, of which tolerances know half as many digits"),
+    (2_400_028_307, "a half of impacts that die away, whose natural time is shorter"),
     (2_300_016_564, "halves of a gap of 1e-11 of their length, whose start moves far to close it"),
     (2_100_012_312, "powers of a motion that takes 1e126 s"),
     (2_100_024_013, "powers of a motion that takes 1e-134 s"),

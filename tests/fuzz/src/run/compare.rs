@@ -22,6 +22,8 @@ const SLOWEST: f64 = 1e-2;
 #[derive(Clone, Debug)]
 pub(super) struct Course {
     events: Vec<(EventKind, Vec<&'static str>, f64)>,
+    /// From when until when the last of infinitely many impacts were left out.
+    endings: Vec<RangeInclusive<f64>>,
     /// The natural time.
     time: f64,
     /// How far it comes, and how fast, in natural units, where that is less than one: what is to be decided by less is known to
@@ -43,8 +45,9 @@ impl Course {
             |event: &&Event| comes_again(event.kind) && ends.iter().any(|end| end.contains(&event.t));
         let moved = run.events().iter().filter(|event| counts(event.kind) && !is_last(event));
         let events = moved.map(|event| (event.kind, event.supports.clone(), place(event.t))).collect();
+        let endings = ends.iter().map(|end| place(*end.start())..=place(*end.end())).collect();
         let extent = extent(run);
-        Self { events, time: run.scales().time * unit, extent, undecided: place(undecided) }
+        Self { events, endings, time: run.scales().time * unit, extent, undecided: place(undecided) }
     }
 
     /// Without what has happened until a time.
@@ -56,6 +59,13 @@ impl Course {
     /// Not looked at from a time on.
     pub fn until(mut self, t: f64) -> Self {
         self.undecided = self.undecided.min(t);
+        self
+    }
+
+    /// Without the last of infinitely many impacts of another course: which are the last is a matter of natural units, which a start
+    /// from another state has others of.
+    fn without_last_of(mut self, other: &[RangeInclusive<f64>]) -> Self {
+        self.events.retain(|(kind, _, t)| !(comes_again(*kind) && other.iter().any(|end| end.contains(t))));
         self
     }
 
@@ -81,6 +91,12 @@ impl Course {
         self.events = united;
         self
     }
+}
+
+/// Two courses, of infinitely many impacts without those that are the last ones of either.
+pub(super) fn paired([one, other]: [Course; 2]) -> [Course; 2] {
+    let [last, others] = [&one, &other].map(|course| course.endings.clone());
+    [one.without_last_of(&others), other.without_last_of(&last)]
 }
 
 /// From after which event a motion differs from its neighbour, whose start differs by `nudge`, by more than [`UNSTABLE`] times

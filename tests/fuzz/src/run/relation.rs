@@ -10,7 +10,7 @@ use liftoff_studio::registry::{Dimension, MethodId};
 use liftoff_studio::run_spec::{PointImpulse, Values};
 use liftoff_tests::random::Source;
 
-use super::compare::{Course, converged, parts_from, same, struck_in_turn};
+use super::compare::{Course, converged, paired, parts_from, same, struck_in_turn};
 use super::task::Task;
 use crate::Finding;
 use crate::subject::Fate;
@@ -105,6 +105,7 @@ pub(super) fn check(task: &Task, run: &Trajectory) -> Result<Fate, Finding> {
             _ => seen("not compared: the other way is refused or stops"),
         };
     };
+    let [whole, other] = paired([whole, other]);
     if let Relation::Units(_) = task.relation {
         return same([&whole, &other], UNITS).map(|()| vec!["compared: units"]);
     }
@@ -119,7 +120,8 @@ pub(super) fn check(task: &Task, run: &Trajectory) -> Result<Fate, Finding> {
         let within = AT_ONCE * task.spec.tolerance.max(1e-11);
         let other = other_way(&task, &run)?;
         let known = unstable_from(&task, &run).unwrap_or(f64::INFINITY);
-        Some([course(&task, &run).united(within), other.until(known).united(within)])
+        let other = other.until(known).united(within);
+        Some(paired([course(&task, &run).united(within), other]))
     };
     let (Some(known), Some(coarse)) = (ways(task.at(fine)), ways(task.at(fine * COARSER))) else {
         return seen("not compared: a second tolerance is refused or stops");
