@@ -21,8 +21,14 @@ use crate::SensitivityError;
 pub(crate) use direction::{Direction, WIDTH, moved, parameters};
 pub use start::Variable;
 
-/// Error per step of the computation.
-const TOLERANCE: f64 = 1e-13;
+/// Error per step of the computation, of the tolerance of the run.
+const TIGHTER: f64 = 0.1;
+/// Rounding allows no less.
+const LEAST: f64 = 1e-13;
+
+fn error_per_step(run: &Trajectory) -> f64 {
+    (TIGHTER * run.tolerance()).max(LEAST)
+}
 
 /// Derivatives of a run.
 #[derive(Debug, Clone, PartialEq)]
@@ -99,7 +105,7 @@ pub(crate) fn along(
     model: &Differentiated<'_>,
     directions: &[Direction],
 ) -> Result<Vec<Replayed<Dual4>>, SensitivityError> {
-    by_fours(run, model, directions, |model, start| replay(run, model, start, TOLERANCE))
+    by_fours(run, model, directions, |model, start| replay(run, model, start, error_per_step(run)))
 }
 
 /// What is read of a run, with derivatives along four directions at a time.
@@ -109,7 +115,7 @@ pub(crate) fn read_along(
     directions: &[Direction],
     readings: &[Reading<'_>],
 ) -> Result<Vec<Vec<Dual4>>, SensitivityError> {
-    by_fours(run, model, directions, |model, start| read(run, model, start, TOLERANCE, readings))
+    by_fours(run, model, directions, |model, start| read(run, model, start, error_per_step(run), readings))
 }
 
 fn by_fours<T>(

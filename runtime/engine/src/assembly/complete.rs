@@ -13,8 +13,11 @@ use crate::model::ContactSet;
 
 /// Contacts of the nominal figure touch within this, relative to the natural length.
 const NOMINAL: f64 = 1e-9;
-/// Steps along the path; half a turn in steps of 11°.
+/// The most steps along the path, each of no more than 11°, or a fifth of the natural length, where so many suffice.
 const PATH: usize = 16;
+const STEP: f64 = core::f64::consts::PI / PATH as f64;
+/// How near to its contacts the path is followed before its end.
+const NEAR: f64 = 1e-4;
 const ITERATIONS: usize = 40;
 
 /// All coordinates, and the contacts that they close.
@@ -82,16 +85,18 @@ fn reach(
 }
 
 fn homotopy(assembly: &AssemblyProblem<'_>, given: &[Option<f64>], set: ContactSet) -> Vec<f64> {
-    let mut q = assembly.context.model.nominal.to_vec();
-    for step in 1..=PATH {
-        let fraction = step as f64 / PATH as f64;
+    let nominal = &assembly.context.model.nominal;
+    let mut q = nominal.to_vec();
+    let steps = path(assembly, given);
+    for step in 1..=steps {
+        let fraction = step as f64 / steps as f64;
         for (i, value) in given.iter().enumerate() {
             if let Some(value) = value {
-                let from = assembly.context.model.nominal[i];
-                q[i] = if step == PATH { *value } else { from + fraction * (value - from) };
+                let from = nominal[i];
+                q[i] = if step == steps { *value } else { from + fraction * (value - from) };
             }
         }
-        gauss_newton(assembly, given, set, &mut q);
+        gauss_newton(assembly, given, set, if step == steps { f64::EPSILON } else { NEAR }, &mut q);
     }
     let (free, unit) = left_open(assembly, given);
     let closed = assembly.closed(set);
@@ -101,6 +106,16 @@ fn homotopy(assembly: &AssemblyProblem<'_>, given: &[Option<f64>], set: ContactS
     q
 }
 
+/// Steps from the nominal values of the given coordinates to what they are to be.
+fn path(assembly: &AssemblyProblem<'_>, given: &[Option<f64>]) -> usize {
+    let (coordinates, scales) = (assembly.layout().coordinates, &assembly.context.scales);
+    let moves = given.iter().zip(&assembly.context.model.nominal).zip(coordinates);
+    let farthest = moves.fold(0.0, |most: f64, ((given, from), coordinate)| {
+        given.map_or(most, |given| most.max((given - from).abs() / scales.coordinate(coordinate)))
+    });
+    (farthest / STEP).ceil().clamp(1.0, PATH as f64) as usize
+}
+
 /// The coordinates that are not given, and their units.
 fn left_open(assembly: &AssemblyProblem<'_>, given: &[Option<f64>]) -> (Vec<usize>, Vec<f64>) {
     let (layout, scales) = (assembly.layout(), &assembly.context.scales);
@@ -108,8 +123,14 @@ fn left_open(assembly: &AssemblyProblem<'_>, given: &[Option<f64>]) -> (Vec<usiz
     free.map(|i| (i, scales.coordinate(&layout.coordinates[i]))).unzip()
 }
 
-/// Gauss–Newton on the free coordinates; least-norm where they are not determined.
-fn gauss_newton(assembly: &AssemblyProblem<'_>, given: &[Option<f64>], set: ContactSet, q: &mut [f64]) {
+/// Gauss–Newton on the free coordinates to gaps of so many natural lengths; least-norm where they are not determined.
+fn gauss_newton(
+    assembly: &AssemblyProblem<'_>,
+    given: &[Option<f64>],
+    set: ContactSet,
+    near: f64,
+    q: &mut [f64],
+) {
     let (free, unit) = left_open(assembly, given);
     let closed = assembly.closed(set);
     if free.is_empty() || closed.is_empty() {
@@ -118,7 +139,7 @@ fn gauss_newton(assembly: &AssemblyProblem<'_>, given: &[Option<f64>], set: Cont
     for _ in 0..ITERATIONS {
         let rows = assembly.rows(q);
         let gap = DVector::from_fn(closed.len(), |i, _| rows.gap[closed[i]] / assembly.unit(closed[i]));
-        if gap.amax() <= f64::EPSILON {
+        if gap.amax() <= near {
             return;
         }
         let jacobian = DMatrix::from_fn(closed.len(), free.len(), |i, k| {
