@@ -1,8 +1,9 @@
 //! The elimination, in memory that is lent.
 
 use super::lever::lever;
+use super::refinement::{Shape, refined};
 use crate::model::{ContactSet, Friction, KernelView, Layout};
-use crate::scalar::Scalar;
+use crate::scalar::{Real, Scalar};
 
 /// Memory for systems of `D` unknowns, of which `C` may be rows of constraints.
 pub struct Room<S, const C: usize, const D: usize> {
@@ -108,6 +109,9 @@ pub(super) fn solve<'w, S: Scalar>(
     if let Load::Motion = load {
         system.rub(kernel, layout, set, closed);
     }
+    if S::DIFFERENTIATED && system.refine((basis, pivots), solution) {
+        return (closed, solution, true);
+    }
     let mut found = Rank { pivots, rank: 0, free, nullity: 0 };
     if !system.eliminate(accelerations, &mut found) {
         solution.fill(S::from_f64(f64::NAN));
@@ -159,16 +163,16 @@ impl<S: Scalar> System<'_, S> {
         let n = kernel.force().len();
         for i in 0..n {
             for j in 0..n {
-                *self.at_mut(i, j) = kernel.mass(i)[j] * self.scale[i] * self.scale[j];
+                *self.at_mut(i, j) = balanced(balanced(kernel.mass(i)[j], self.scale[i]), self.scale[j]);
             }
             self.right[i] = match load {
-                Load::Motion => kernel.force()[i] * self.scale[i],
+                Load::Motion => balanced(kernel.force()[i], self.scale[i]),
                 Load::Residual(_) => S::ZERO,
             };
         }
         for (k, &row) in (n..).zip(closed) {
             for (j, &entry) in kernel.jacobian(row).iter().enumerate() {
-                let entry = entry * self.scale[k] * self.scale[j];
+                let entry = balanced(balanced(entry, self.scale[k]), self.scale[j]);
                 *self.at_mut(k, j) = entry;
                 *self.at_mut(j, k) = -entry;
             }
@@ -176,7 +180,7 @@ impl<S: Scalar> System<'_, S> {
                 Load::Motion => kernel.bias()[row],
                 Load::Residual(residual) => residual(row),
             };
-            self.right[k] = -bias * self.scale[k];
+            self.right[k] = balanced(-bias, self.scale[k]);
         }
     }
 
@@ -186,18 +190,37 @@ impl<S: Scalar> System<'_, S> {
         let n = kernel.force().len();
         for (_, Friction { contact, row, .. }) in layout.sliding(set) {
             let Some(k) = closed.iter().position(|closed| *closed == contact) else { continue };
-            let force = kernel.friction()[row] * self.scale[n + k];
+            let force = balanced(kernel.friction()[row], self.scale[n + k]);
             for j in 0..n {
-                let entry = kernel.jacobian(row)[j] * self.scale[j];
+                let entry = balanced(kernel.jacobian(row)[j], self.scale[j]);
                 *self.at_mut(j, n + k) = entry.mul_add(force, self.at(j, n + k));
             }
         }
     }
 
+    /// Writes the solution by the factors of the values, where it is the only one; whether it is.
+    #[inline(always)]
+    fn refine(&mut self, room: (&mut [S], &mut [usize]), solution: &mut [S]) -> bool {
+        let shape = Shape { size: self.size, width: self.width };
+        let rounding = self.rounding().to_f64();
+        solution.fill(S::ZERO);
+        if !refined(shape, self.matrix, self.right, rounding, room, solution) {
+            return false;
+        }
+        self.unbalance(solution);
+        true
+    }
+
+    /// A pivot no larger than this is zero.
+    #[inline(always)]
+    fn rounding(&self) -> S {
+        S::EPSILON * S::ratio(8 * self.size as i64, 1)
+    }
+
     /// Upper echelon form; whether all accelerations are determined.
     #[inline(always)]
     fn eliminate(&mut self, accelerations: usize, found: &mut Rank<'_>) -> bool {
-        let rounding = S::EPSILON * S::ratio(8 * self.size as i64, 1);
+        let rounding = self.rounding();
         for column in 0..self.size {
             let top = found.rank;
             let pivot = self.largest(column, top);
@@ -277,7 +300,7 @@ impl<S: Scalar> System<'_, S> {
     #[inline(always)]
     fn unbalance(&self, x: &mut [S]) {
         for (x, scale) in x.iter_mut().zip(self.scale.iter()) {
-            *x = *x * *scale;
+            *x = balanced(*x, *scale);
         }
     }
 
@@ -312,19 +335,34 @@ fn remove<S: Scalar>(
     }
 }
 
-/// Writes factors that make the diagonal of M one, then the largest entry of each closed row of J.
+/// Writes factors that make the diagonal of M one, then the largest entry of each closed row of J. Where numbers have derivatives
+/// they are constants: balanced is then unbalanced by the same.
 #[inline(always)]
 fn balance<S: Scalar>(kernel: &impl KernelView<S>, closed: &[usize], scale: &mut [S]) {
     let n = kernel.force().len();
+    let constant = |x: S| if S::DIFFERENTIATED { S::from_f64(x.to_f64()) } else { x };
     scale.fill(S::ratio(1, 1));
     for j in 0..n {
         let inertia = kernel.mass(j)[j];
         let column = closed.iter().map(|&row| kernel.jacobian(row)[j]);
-        scale[j] = reciprocal(if inertia > S::ZERO { inertia.sqrt() } else { largest(column) });
+        scale[j] = reciprocal(constant(if inertia > S::ZERO { root(inertia) } else { largest(column) }));
     }
     for (k, &row) in (n..).zip(closed) {
-        scale[k] = reciprocal(largest((0..n).map(|j| kernel.jacobian(row)[j] * scale[j])));
+        let entries = (0..n).map(|j| balanced(kernel.jacobian(row)[j], scale[j]));
+        scale[k] = reciprocal(constant(largest(entries)));
     }
+}
+
+/// x times a factor of the balance.
+#[inline(always)]
+fn balanced<S: Scalar>(x: S, scale: S) -> S {
+    if S::DIFFERENTIATED { x.scaled(scale.to_f64()) } else { x * scale }
+}
+
+/// √x, of numbers with derivatives that of the value.
+#[inline(always)]
+fn root<S: Scalar>(x: S) -> S {
+    if S::DIFFERENTIATED { S::from_f64(Real::sqrt(x.to_f64())) } else { x.sqrt() }
 }
 
 #[inline(always)]
@@ -335,5 +373,10 @@ fn largest<S: Scalar>(entries: impl Iterator<Item = S>) -> S {
 /// `1 / x`, and 1 for zero.
 #[inline(always)]
 fn reciprocal<S: Scalar>(x: S) -> S {
-    if x > S::ZERO { S::ratio(1, 1) / x } else { S::ratio(1, 1) }
+    let one = S::ratio(1, 1);
+    match () {
+        () if !(x > S::ZERO) => one,
+        () if S::DIFFERENTIATED => S::from_f64(1.0 / x.to_f64()),
+        () => one / x,
+    }
 }

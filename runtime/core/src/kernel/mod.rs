@@ -13,6 +13,7 @@
 mod elimination;
 mod emitted;
 mod lever;
+mod refinement;
 
 pub use elimination::{Room, Workspace};
 pub use lever::lever;

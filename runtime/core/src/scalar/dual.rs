@@ -142,6 +142,7 @@ impl<S: PartialOrd, const N: usize> PartialOrd for Dual<S, N> {
 impl<S: Scalar, const N: usize> Scalar for Dual<S, N> {
     const ZERO: Self = Self::new(S::ZERO, [S::ZERO; N]);
     const EPSILON: Self = Self::new(S::EPSILON, [S::ZERO; N]);
+    const DIFFERENTIATED: bool = S::PLAIN;
 
     fn abs(self) -> Self {
         if self.value < S::ZERO { -self } else { self }
@@ -149,6 +150,10 @@ impl<S: Scalar, const N: usize> Scalar for Dual<S, N> {
 
     fn to_f64(self) -> f64 {
         self.value.to_f64()
+    }
+
+    fn scaled(self, x: f64) -> Self {
+        Self::new(self.value.scaled(x), self.gradient.map(|dx| dx.scaled(x)))
     }
 
     fn is_finite(self) -> bool {

@@ -80,10 +80,17 @@ pub trait Scalar: Real + PartialOrd {
     const EPSILON: Self;
     /// Whether it is a number of the processor: what only makes evaluations faster is compiled for no other.
     const PLAIN: bool = false;
+    /// Whether it is a number of the processor with derivatives.
+    const DIFFERENTIATED: bool = false;
     /// `|self|`.
     fn abs(self) -> Self;
     /// The nearest `f64`.
     fn to_f64(self) -> f64;
+    /// `self · x`.
+    #[inline(always)]
+    fn scaled(self, x: f64) -> Self {
+        self * Self::from_f64(x)
+    }
     /// Neither infinite nor not a number.
     fn is_finite(self) -> bool;
 }
