@@ -148,9 +148,11 @@ impl Problem<'_> {
         if !trial.determined && !slides {
             return Err(FrictionError::Singular);
         }
-        let contacts = self.question.contacts.iter().zip(&self.units);
-        let next = contacts
-            .map(|(contact, unit)| Frictional { choices: self.left_open(unit, trial), ..contact.clone() });
+        let contacts = self.question.contacts.iter().zip(&self.units).zip(&modes);
+        let next = contacts.map(|((contact, unit), mode)| Frictional {
+            choices: self.left_open(unit, *mode, trial),
+            ..contact.clone()
+        });
         let solution = self.finish(&modes, trial);
         Ok(FrictionSolution {
             next: next.collect(),
@@ -247,9 +249,12 @@ impl Problem<'_> {
         })
     }
 
-    /// The modes that a motion leaves possible, each with the conditions that it meets with zero.
-    fn left_open(&self, unit: &Unit, trial: &Trial) -> Vec<Choice> {
-        let possible = unit.choices.iter().filter(|choice| self.is_mode_of(unit, choice, trial));
+    /// The modes that a motion leaves possible, that which it has been solved in among them, each with the conditions that it meets
+    /// with zero.
+    fn left_open(&self, unit: &Unit, own: Mode, trial: &Trial) -> Vec<Choice> {
+        // Nearly singular equations are solved to more than the rounding of their rows.
+        let is_possible = |choice: &&Choice| choice.mode == own || self.is_mode_of(unit, choice, trial);
+        let possible = unit.choices.iter().filter(is_possible);
         let vanishes = |choice: &Choice, condition: &Condition| {
             let (value, slack) = self.value(unit, choice.mode, *condition, trial);
             value.abs() <= slack && *condition != Condition::Follows
