@@ -3,7 +3,7 @@
 use super::lever::lever;
 use super::refinement::{Shape, refined};
 use crate::model::{ContactSet, Friction, KernelView, Layout};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::Scalar;
 
 /// Memory for systems of `D` unknowns, of which `C` may be rows of constraints.
 pub struct Room<S, const C: usize, const D: usize> {
@@ -335,34 +335,31 @@ fn remove<S: Scalar>(
     }
 }
 
-/// Writes factors that make the diagonal of M one, then the largest entry of each closed row of J. Where numbers have derivatives
-/// they are constants: balanced is then unbalanced by the same.
+/// Writes factors that make the diagonal of M one, then the largest entry of each closed row of J.
 #[inline(always)]
 fn balance<S: Scalar>(kernel: &impl KernelView<S>, closed: &[usize], scale: &mut [S]) {
     let n = kernel.force().len();
-    let constant = |x: S| if S::DIFFERENTIATED { S::from_f64(x.to_f64()) } else { x };
     scale.fill(S::ratio(1, 1));
     for j in 0..n {
-        let inertia = kernel.mass(j)[j];
-        let column = closed.iter().map(|&row| kernel.jacobian(row)[j]);
-        scale[j] = reciprocal(constant(if inertia > S::ZERO { root(inertia) } else { largest(column) }));
+        let inertia = constant(kernel.mass(j)[j]);
+        let column = closed.iter().map(|&row| constant(kernel.jacobian(row)[j]));
+        scale[j] = reciprocal(if inertia > S::ZERO { inertia.sqrt() } else { largest(column) });
     }
     for (k, &row) in (n..).zip(closed) {
-        let entries = (0..n).map(|j| balanced(kernel.jacobian(row)[j], scale[j]));
-        scale[k] = reciprocal(constant(largest(entries)));
+        scale[k] = reciprocal(largest((0..n).map(|j| balanced(constant(kernel.jacobian(row)[j]), scale[j]))));
     }
+}
+
+/// x without its derivatives: what is balanced is unbalanced by the same, whatever that is.
+#[inline(always)]
+fn constant<S: Scalar>(x: S) -> S {
+    if S::DIFFERENTIATED { S::from_f64(x.to_f64()) } else { x }
 }
 
 /// x times a factor of the balance.
 #[inline(always)]
 fn balanced<S: Scalar>(x: S, scale: S) -> S {
     if S::DIFFERENTIATED { x.scaled(scale.to_f64()) } else { x * scale }
-}
-
-/// √x, of numbers with derivatives that of the value.
-#[inline(always)]
-fn root<S: Scalar>(x: S) -> S {
-    if S::DIFFERENTIATED { S::from_f64(Real::sqrt(x.to_f64())) } else { x.sqrt() }
 }
 
 #[inline(always)]
@@ -373,10 +370,5 @@ fn largest<S: Scalar>(entries: impl Iterator<Item = S>) -> S {
 /// `1 / x`, and 1 for zero.
 #[inline(always)]
 fn reciprocal<S: Scalar>(x: S) -> S {
-    let one = S::ratio(1, 1);
-    match () {
-        () if !(x > S::ZERO) => one,
-        () if S::DIFFERENTIATED => S::from_f64(1.0 / x.to_f64()),
-        () => one / x,
-    }
+    if x > S::ZERO { S::ratio(1, 1) / x } else { S::ratio(1, 1) }
 }
