@@ -57,7 +57,7 @@ impl Wave {
     pub(super) fn canonical(sine: bool, argument: Powers) -> Option<(bool, Self)> {
         match argument.first() {
             None => (!sine).then_some((false, Self::ONE)),
-            Some(&(_, first)) if first > 0 => Some((false, Self { argument, sine })),
+            Some(&(_, first)) if first.is_positive() => Some((false, Self { argument, sine })),
             Some(_) => {
                 let argument = argument.times(-1)?;
                 Some((sine, Self { argument, sine }))

@@ -89,3 +89,20 @@ fn queries() {
         f.as_monomial().is_none() && f.recip_monomial().is_none() && symbol(Y).recip_monomial().is_none()
     );
 }
+
+/// A number in front is not written where it, or what it leaves, has five digits.
+#[test]
+fn long_numbers_are_not_divided() {
+    let of = |number: Rational, left: i64| {
+        let series = symbol(Y).scale(left.into()) + symbol(PHI);
+        series.scale(number).written_content().0
+    };
+    let [third, two_thirds, two] = [Rational::new(1, 3), Rational::new(2, 3), Rational::integer(2)];
+    assert_eq!(
+        [4999, 9999, 10_000].map(|left| of(two_thirds, left)),
+        [two_thirds, two_thirds, Rational::ONE]
+    );
+    assert_eq!([9999, 10_000].map(|left| of(third, left)), [third, Rational::ONE]);
+    assert_eq!(of(two, 10_000), two);
+    assert_eq!(of(Rational::new(20_000, 3), 5), Rational::ONE);
+}

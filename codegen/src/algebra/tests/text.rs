@@ -2,7 +2,7 @@ use super::super::{Angle, Names, Quotient, Rational, Series, Shorthand, Symbol};
 use super::random::*;
 use crate::math::Math;
 
-struct Pair;
+pub(super) struct Pair;
 
 impl Names for Pair {
     fn parameter(&self, index: u16) -> Math {
