@@ -76,8 +76,7 @@ impl Angle {
         rates.sum()
     }
 
-    /// Σ kᵢ·symbolᵢ.
-    pub fn from_multipliers(terms: Powers) -> Self {
+    pub(super) fn from_multipliers(terms: Powers) -> Self {
         Self { terms: Some(terms), quarters: 0 }
     }
 

@@ -1,6 +1,6 @@
 //! One term of a Poisson series without its coefficient: monomial · sin|cos(argument).
 
-use super::{Powers, Symbol};
+use super::{Angle, Powers, Symbol};
 
 /// A product of integer powers of symbols; only parameters may have negative exponents.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -51,6 +51,11 @@ impl Wave {
     /// Whether it is the constant 1.
     pub fn is_one(&self) -> bool {
         self.argument.is_empty()
+    }
+
+    /// What it is the sine or cosine of.
+    pub fn angle(&self) -> Angle {
+        Angle::from_multipliers(self.argument.clone())
     }
 
     /// The canonical wave equal to ± the given one, true where it is the negative; `None` for sin 0.

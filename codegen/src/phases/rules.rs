@@ -1,10 +1,9 @@
 //! The rules by which a row is solved for one coordinate or rate.
 
-use core::f64::consts::PI;
 use std::collections::BTreeMap;
 
 use super::elimination::{Branch, Elimination, Value};
-use crate::algebra::{Angle, Quotient, Series, Symbol, Term};
+use crate::algebra::{Angle, Quotient, Series, Symbol};
 use crate::kinematics::Kinematics;
 
 /// Angles that differ by less are taken for equal: far above the rounding of a figure's numbers.
@@ -104,7 +103,7 @@ pub(super) fn equal_waves(
     let terms: Vec<_> = gap.terms().collect();
     let branches = match terms[..] {
         [(a, _)] => {
-            let zero = phase(a).turned(if a.wave.sine { 0 } else { 3 });
+            let zero = a.wave.angle().turned(if a.wave.sine { 0 } else { 3 });
             [zero.clone(), zero.turned(2)]
         }
         [(a, p), (b, r)] => {
@@ -112,7 +111,7 @@ pub(super) fn equal_waves(
             if !alike {
                 return None;
             }
-            let (alpha, beta) = (phase(a), phase(b).turned(if p == r { 2 } else { 0 }));
+            let (alpha, beta) = (a.wave.angle(), b.wave.angle().turned(if p == r { 2 } else { 0 }));
             let other = if a.wave.sine { -beta.turned(2) } else { -&beta };
             [&alpha - &beta, &alpha - &other]
         }
@@ -130,7 +129,7 @@ pub(super) fn nearest([a, b]: [Angle; 2], samples: &[BTreeMap<Symbol, f64>]) -> 
     let by: Vec<f64> = samples.iter().map(farther).collect();
     let known =
         [&a, &b].into_iter().flat_map(Angle::terms).all(|(symbol, _)| samples[0].contains_key(symbol));
-    let open = known && by.iter().any(|x| (x - by[0]).abs() > NEAR);
+    let open = known && by.iter().any(|x| snapped(x - by[0]) != 0.0);
     if by.iter().all(|x| *x >= 0.0) {
         Some((Branch { zero: a, other: b }, open))
     } else {
@@ -148,11 +147,7 @@ fn solve_angle(kinematics: &Kinematics, row: usize, zero: &Angle) -> Option<Elim
     Some(Elimination { coordinate, row, value, pivot: None, branch: None })
 }
 
-fn phase(term: &Term) -> Angle {
-    Angle::from_multipliers(term.wave.argument.clone())
-}
-
 fn wrapped_value(angle: &Angle, values: &BTreeMap<Symbol, f64>) -> f64 {
     let value = angle.evaluate(&|symbol| values.get(&symbol).copied().unwrap_or(0.0));
-    (value + PI).rem_euclid(2.0 * PI) - PI
+    value.sin().atan2(value.cos())
 }

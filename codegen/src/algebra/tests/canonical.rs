@@ -30,6 +30,20 @@ proptest! {
     }
 }
 
+proptest! {
+    #[test]
+    fn angles_take_the_values_of_their_symbols(k in -4..4, n in -4..4, r in -4..4, q in 0..4_i64, seed in 0..99_u32) {
+        let (a, b, value) = (angle(k, n, q), angle(r, 1, 1), point(seed));
+        let phi = b.evaluate(&value);
+        let at = |s| if s == PHI { phi } else { value(s) };
+        let turns = |x: f64| (x / std::f64::consts::TAU).rem_euclid(1.0);
+        let apart = (turns(a.substitute(PHI, &b).evaluate(&value)) - turns(a.evaluate(&at))).abs();
+        prop_assert!(apart.min(1.0 - apart) < ROUNDING);
+        prop_assert_eq!(a.turned(q - 3), &a + &Angle::quarters(q - 3));
+        prop_assert_eq!(&(&a - &b) + &b, a);
+    }
+}
+
 #[test]
 fn powers_of_a_cosine_come_in_multiples() {
     // cos⁴ φ = (3 + 4 cos 2φ + cos 4φ)/8.

@@ -71,6 +71,26 @@ fn sums() {
     assert_eq!(Series::zero().text(&Pair), "0");
 }
 
+/// Parameters, reactions, coordinates by order; a function has nothing below it.
+#[test]
+fn factors_stand_in_order() {
+    let reaction = symbol(Symbol::Reaction(0));
+    let factors = [symbol(Symbol::acceleration(0)), symbol(PHI_RATE), symbol(Y), reaction, symbol(L)];
+    let third = symbol(Symbol::Coordinate { index: 0, order: 3 });
+    let product: Series = factors.iter().fold(third, |product, factor| product * factor);
+    assert_eq!(product.text(&Pair), "l N_P y φ̇ φ̈ φ⃛");
+    let ratio = symbol(M) * symbol(L).recip_monomial().unwrap();
+    let mut names = Shorthand::of(&Pair);
+    let short = names.shortened(&((Series::cos(&angle(1, -1, 0)) - Series::cos(&angle(1, 1, 0))) * &ratio));
+    assert_eq!(short.text(&names), "2 (m/l) sin φ sin ψ");
+    assert_eq!(ratio.text(&Pair), "m/l");
+    let below = (symbol(M) * symbol(L)).recip_monomial().unwrap();
+    assert_eq!((symbol(Y) * below).text(&Pair), "y/(m l)");
+    assert_eq!((symbol(M) * (symbol(Y) + symbol(L))).text(&Pair), "m (y + l)");
+    let over = (symbol(PHI) + symbol(PSI)) * symbol(L).recip_monomial().unwrap();
+    assert_eq!(over.text(&Pair), "(φ + ψ)/l");
+}
+
 #[test]
 fn quotients() {
     let n = Series::one() - cosine().pow(3);
