@@ -66,9 +66,10 @@ impl Collector {
 
 /// The sum of two sorted lists, each without equal terms.
 pub(super) fn merge(left: Vec<Entry>, right: Vec<Entry>) -> Vec<Entry> {
-    let mut lists = [left, right];
-    lists.sort_by_key(Vec::len);
-    let [short, long] = lists;
+    let (short, long) = match left.len().cmp(&right.len()) {
+        Ordering::Less => (left, right),
+        _ => (right, left),
+    };
     if SPARSE * short.len() <= long.len() {
         return insert(long, short);
     }

@@ -19,11 +19,12 @@ fn expanded(series: &Series, names: &Shorthand) -> Series {
     })
 }
 
+/// Sums of products of two waves.
 fn waves() -> impl Strategy<Value = Series> {
     let parts = prop::sample::select(vec![Series::one(), symbol(M), symbol(L)]);
-    let term = (-3..=3_i64, -2..=2, -2..=2, 0..4_i64, parts)
-        .prop_map(|(c, k, n, q, part)| (part * Series::cos(&angle(k, n, q))).scale(c.into()));
-    vec(term, 0..8).prop_map(|terms| terms.iter().sum())
+    let wave = || (-2..=2, -2..=2, 0..4_i64).prop_map(|(k, n, q)| Series::cos(&angle(k, n, q)));
+    let term = (-3..=3_i64, wave(), wave(), parts).prop_map(|(c, a, b, part)| (part * a * b).scale(c.into()));
+    vec(term, 0..4).prop_map(|terms| terms.iter().sum())
 }
 
 proptest! {
@@ -71,6 +72,25 @@ fn the_square_of_fewer_signs_and_smaller_numbers_is_taken() {
     let mixed = (&m + &l).scale(5.into()) + (&m - &l.scale(3.into())) * doubled();
     let found = text(&mixed);
     assert!(found.contains("sin² φ") && !found.contains("cos² φ"), "{found}");
+}
+
+#[test]
+fn a_product_that_returns_is_the_same() {
+    let [sin, cos] = [Series::sin, Series::cos].map(|wave| [PHI, PSI].map(|s| wave(&Angle::of(s))));
+    let (sines, cosines, y) = (&sin[0] * &sin[1], &cos[0] * &cos[1], symbol(Y));
+    let series = &sines + &(&y * &cosines) + y.pow(2) * sines.scale(3.into());
+    let mut names = Shorthand::of(&Pair);
+    let short = names.shortened(&series);
+    assert_eq!((short.len(), names.products.len()), (3, 2));
+    assert_eq!(expanded(&short, &names), series);
+}
+
+/// Of one symbol, low multiples first.
+#[test]
+fn factors_of_products_stand_in_order() {
+    assert_eq!(text(&(Series::cos(&angle(1, 0, 0)) + Series::cos(&angle(3, 0, 0)))), "2 cos φ cos 2φ");
+    assert_eq!(text(&(Series::sin(&angle(1, 0, 0)) + Series::sin(&angle(3, 0, 0)))), "2 cos φ sin 2φ");
+    assert_eq!(text(&(Series::sin(&angle(3, 0, 0)) - Series::sin(&angle(1, 0, 0)))), "2 sin φ cos 2φ");
 }
 
 /// 46 waves of 46 angles, and two that make a product; with another one nothing is tried.

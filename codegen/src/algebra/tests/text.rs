@@ -52,6 +52,12 @@ fn waves() {
 }
 
 #[test]
+fn angles() {
+    let text = |turns| angle(-1, 2, turns).math(&Pair).to_string();
+    assert_eq!([0, 1, 2, 3].map(text), ["2ψ − φ", "2ψ − φ + ½π", "2ψ − φ + π", "2ψ − φ − ½π"]);
+}
+
+#[test]
 fn sums() {
     let (m, l, rate, y_rate) = (symbol(M), symbol(L), symbol(PHI_RATE), symbol(Symbol::rate(2)));
     let t = &m * (y_rate.pow(2) - &y_rate * &l * &rate * cosine() + (&l * &rate).pow(2).scale(r(1, 3)));
