@@ -5,7 +5,7 @@ use super::quotient::expand;
 use super::{Quotient, Series, Symbol};
 use std::iter::Sum;
 use std::num::NonZeroU32;
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 impl Quotient {
     /// ∂/∂symbol, all other symbols held.
@@ -94,6 +94,12 @@ impl Sub for Quotient {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
         self + -other
+    }
+}
+
+impl AddAssign for Quotient {
+    fn add_assign(&mut self, other: Self) {
+        *self = &*self + other;
     }
 }
 

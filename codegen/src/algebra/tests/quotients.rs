@@ -26,7 +26,10 @@ proptest! {
     fn field_laws(a in quotient(), b in quotient(), c in quotient()) {
         prop_assert!(((&a + &b) * &c).equals(&(&a * &c + &b * &c)));
         prop_assert!((&a * &b / &b).equals(&a));
-        prop_assert!((&a - &a).is_zero());
+        prop_assert!((&a - &a).is_zero() && (&a + &-&a).is_zero());
+        let mut sum = a.clone();
+        sum += b.clone();
+        prop_assert!(sum.equals(&(&a + &b)));
         let value = point(5);
         let (x, y) = (a.evaluate(&value), b.evaluate(&value));
         // Values are of order 10 and below, denominators at the point of order 0.1 and above.
