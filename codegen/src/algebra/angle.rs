@@ -52,6 +52,11 @@ impl Angle {
         }
     }
 
+    /// The angle and n·π/2.
+    pub fn turned(&self, n: i64) -> Self {
+        Self { terms: self.terms.clone(), quarters: (i64::from(self.quarters) + n).rem_euclid(4) as u8 }
+    }
+
     /// The angle with `value` in place of `symbol`.
     pub fn substitute(&self, symbol: Symbol, value: &Self) -> Self {
         let rest =

@@ -7,7 +7,7 @@ use std::cmp::Ordering;
 type Entry = (Term, Rational);
 
 /// Terms merged at once, at least; more when the sum has grown larger.
-const BATCH: usize = 1024;
+pub(super) const BATCH: usize = 1024;
 
 /// From this ratio of lengths on, the shorter list is inserted into the longer term by term.
 const SPARSE: usize = 16;
@@ -16,7 +16,7 @@ const SPARSE: usize = 16;
 #[derive(Default)]
 pub(super) struct Collector {
     sorted: Vec<Entry>,
-    pending: Vec<Entry>,
+    pub(super) pending: Vec<Entry>,
     overflow: bool,
 }
 
@@ -50,16 +50,14 @@ impl Collector {
 
     fn flush(&mut self) {
         let mut batch = std::mem::take(&mut self.pending);
-        if batch.len() > 1 {
-            batch.sort_unstable_by(|a, b| a.0.cmp(&b.0));
-            batch.dedup_by(|next, kept| {
-                let same = next.0 == kept.0;
-                if same {
-                    kept.1 += next.1;
-                }
-                same
-            });
-        }
+        batch.sort_unstable_by(|a, b| a.0.cmp(&b.0));
+        batch.dedup_by(|next, kept| {
+            let same = next.0 == kept.0;
+            if same {
+                kept.1 += next.1;
+            }
+            same
+        });
         batch.retain(|entry| !entry.1.is_zero());
         self.sorted = merge(std::mem::take(&mut self.sorted), batch);
         self.overflow |= self.sorted.iter().any(|entry| entry.1.is_overflow());
@@ -68,7 +66,10 @@ impl Collector {
 
 /// The sum of two sorted lists, each without equal terms.
 pub(super) fn merge(left: Vec<Entry>, right: Vec<Entry>) -> Vec<Entry> {
-    let (long, short) = if left.len() < right.len() { (right, left) } else { (left, right) };
+    let (short, long) = match left.len().cmp(&right.len()) {
+        Ordering::Less => (left, right),
+        _ => (right, left),
+    };
     if SPARSE * short.len() <= long.len() {
         return insert(long, short);
     }
@@ -91,7 +92,7 @@ fn insert(mut long: Vec<Entry>, short: Vec<Entry>) -> Vec<Entry> {
 }
 
 fn interleave(left: Vec<Entry>, right: Vec<Entry>) -> Vec<Entry> {
-    let mut merged = Vec::with_capacity(left.len() + right.len());
+    let mut merged = Vec::with_capacity(left.len());
     let mut right = right.into_iter();
     let mut waiting = right.next();
     for mut entry in left {

@@ -49,7 +49,7 @@ impl Series {
     }
 
     fn split(&self, mut number: Rational, monomial: Monomial) -> (Rational, Monomial, Self) {
-        if self.entries().first().is_some_and(|(_, c)| c.signum() < 0) {
+        if self.entries().first().is_some_and(|(_, c)| c.is_negative()) {
             number = -number;
         }
         let primitive = self.over(number, &monomial).unwrap_or_else(Self::overflow);
@@ -62,7 +62,7 @@ impl Monomial {
     pub fn over_parameters(&self) -> (Self, Self) {
         let (mut above, mut below) = (Powers::ZERO, Powers::ZERO);
         for &(symbol, k) in self.factors() {
-            if k > 0 { above.push(symbol, k) } else { below.push(symbol, k.saturating_neg()) }
+            if k.is_positive() { above.push(symbol, k) } else { below.push(symbol, k.saturating_neg()) }
         }
         (Self(above), Self(below))
     }

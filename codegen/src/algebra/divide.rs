@@ -35,7 +35,7 @@ impl Series {
     fn divide_monomial(&self, monomial: &Monomial) -> Option<Self> {
         let (_, common) = self.content();
         let (_, rest) = Monomial(common.0.minus(&monomial.0)?).split_units();
-        let allowed = rest.factors().iter().all(|&(_, k)| k > 0);
+        let allowed = rest.factors().iter().all(|(_, k)| k.is_positive());
         let inverse = monomial.0.times(-1).filter(|_| allowed)?;
         Some(self.times_monomial(super::Rational::ONE, &Monomial(inverse)))
     }
@@ -118,11 +118,7 @@ fn quotient_ranges(numerator: &Ranges, divisor: &Ranges) -> Option<Ranges> {
     proper.then_some(ranges)
 }
 
+/// Whether every entry lies in its range; remainders have no symbols but those of numerator and divisor, which all have one.
 fn within(ranges: &Ranges, powers: &Powers) -> bool {
-    let known = powers.iter().all(|(symbol, _)| ranges.contains_key(symbol));
-    known
-        && ranges.iter().all(|(symbol, (least, greatest))| {
-            let k = powers.get(*symbol);
-            *least <= k && k <= *greatest
-        })
+    ranges.iter().all(|(symbol, (least, greatest))| (*least..=*greatest).contains(&powers.get(*symbol)))
 }

@@ -46,7 +46,7 @@ impl Series {
             for ((monomial, k), c) in exponential {
                 match k.first() {
                     None => push_wave(sum, monomial, false, Some(Powers::ZERO), c.re),
-                    Some(&(_, first)) if first > 0 => {
+                    Some(&(_, first)) if first.is_positive() => {
                         push_wave(sum, monomial, false, Some(k.clone()), c.re + c.re);
                         push_wave(sum, monomial, true, Some(k.clone()), -(c.im + c.im));
                     }

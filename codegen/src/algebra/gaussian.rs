@@ -22,7 +22,7 @@ impl Gaussian {
     }
 
     pub(super) fn is_overflow(self) -> bool {
-        self.re.is_overflow() || self.im.is_overflow()
+        [self.re, self.im].iter().any(|part| part.is_overflow())
     }
 
     /// 1/(a + b i) = (a − b i)/(a² + b²).

@@ -7,7 +7,7 @@
 use super::{Rational, Series, Symbol, Term, work};
 use std::collections::BTreeMap;
 
-const P: u64 = 998_244_353;
+pub(super) const P: u64 = 998_244_353;
 const I: u64 = 86_583_718;
 const HALF: u64 = P.div_ceil(2);
 
@@ -126,7 +126,7 @@ impl Image {
             let value = point(variable);
             (value, inverse(value))
         });
-        power(if k < 0 { inverse } else { value }, k.unsigned_abs().into())
+        power(if k.is_negative() { inverse } else { value }, k.unsigned_abs().into())
     }
 }
 
@@ -153,9 +153,9 @@ fn inverse(a: u64) -> u64 {
     power(a, P - 2)
 }
 
+/// baseᵏ of a base below p.
 fn power(mut base: u64, mut k: u64) -> u64 {
     let mut product = 1;
-    base %= P;
     while k > 0 {
         if k & 1 == 1 {
             product = product * base % P;

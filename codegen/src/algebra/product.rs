@@ -54,7 +54,7 @@ impl Series {
         if let Some((c, monomial)) = self.as_monomial() {
             return other.times_monomial(c, monomial);
         }
-        let mut sum = Collector::with_capacity(2 * self.len().saturating_mul(other.len()));
+        let mut sum = Collector::with_capacity(self.len().saturating_mul(other.len()));
         for (a, c) in self.entries() {
             if work::is_spent() {
                 return Self::overflow();

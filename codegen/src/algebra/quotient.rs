@@ -86,14 +86,6 @@ impl Quotient {
         self.numerator.evaluate(value) / denominator
     }
 
-    /// self / divisor; overflow for 0.
-    pub fn divide(&self, divisor: &Series) -> Self {
-        let mut quotient = self.clone();
-        quotient.divide_by(divisor, 1);
-        quotient.reduce();
-        quotient
-    }
-
     /// 1/self; overflow for 0.
     pub fn recip(&self) -> Self {
         Self::new(self.denominator(), self.numerator.clone())
@@ -107,7 +99,7 @@ impl Quotient {
 
     /// Divides by divisorᵏ: its unit goes into the numerator, what is left joins the factors.
     fn divide_by(&mut self, divisor: &Series, k: u32) {
-        let (Ok(power), false) = (i32::try_from(k), divisor.is_zero() || divisor.is_overflow()) else {
+        let (Ok(power), false) = (i32::try_from(k), divisor.is_zero()) else {
             *self = Self::from(Series::overflow());
             return;
         };
@@ -152,15 +144,12 @@ impl Quotient {
                 return self.divide_by(&rest, exponent);
             }
         }
-        let at = self.factors.partition_point(|(present, _)| *present < factor);
+        let (Ok(at) | Err(at)) = self.factors.binary_search_by(|(present, _)| present.cmp(&factor));
         self.factors.insert(at, (factor, k));
     }
 
-    /// Divides out the factors that divide the numerator.
+    /// Divides out the factors that divide the numerator, every one where that is zero or overflow.
     fn reduce(&mut self) {
-        if self.numerator.is_zero() || self.numerator.is_overflow() {
-            self.factors.clear();
-        }
         for (factor, k) in &mut self.factors {
             while *k > 0 {
                 let Some(quotient) = self.numerator.divide_exact(factor) else {

@@ -4,6 +4,7 @@ use super::ops::by_reference;
 use super::quotient::expand;
 use super::{Quotient, Series, Symbol};
 use std::iter::Sum;
+use std::num::NonZeroU32;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 impl Quotient {
@@ -41,8 +42,8 @@ impl Quotient {
 fn excess(of: &[(Series, u32)], than: &[(Series, u32)]) -> Vec<(Series, u32)> {
     let missing = of.iter().filter_map(|(factor, k)| {
         let present = than.iter().find(|(other, _)| other == factor);
-        let k = k.saturating_sub(present.map_or(0, |(_, k)| *k));
-        (k > 0).then(|| (factor.clone(), k))
+        let k = NonZeroU32::new(k.saturating_sub(present.map_or(0, |(_, k)| *k)))?;
+        Some((factor.clone(), k.get()))
     });
     missing.collect()
 }

@@ -31,7 +31,7 @@ impl Rational {
         if d == 0 || n == i128::MIN || d == i128::MIN {
             return Self::OVERFLOW;
         }
-        let g = gcd(n, d) * d.signum();
+        let g = if d.is_negative() { -gcd(n, d) } else { gcd(n, d) };
         Self { numerator: n / g, denominator: d / g }
     }
 
@@ -73,6 +73,11 @@ impl Rational {
         self.numerator.signum() as i32
     }
 
+    /// Whether it is less than 0; false for overflow.
+    pub const fn is_negative(self) -> bool {
+        self.numerator.is_negative()
+    }
+
     /// 1/self; overflow for 0.
     pub fn recip(self) -> Self {
         Self::new(self.denominator, self.numerator)
@@ -85,7 +90,7 @@ impl Rational {
 
     /// selfᵏ; 0 to a negative power is overflow.
     pub fn pow(self, k: i32) -> Self {
-        let base = if k < 0 { self.recip() } else { self };
+        let base = if k.is_negative() { self.recip() } else { self };
         let magnitude = k.unsigned_abs();
         let (Some(n), Some(d)) =
             (base.numerator.checked_pow(magnitude), base.denominator.checked_pow(magnitude))
@@ -100,7 +105,7 @@ impl Rational {
 
     /// The rational r ≥ 0 with r² = self, if there is one.
     pub fn sqrt_exact(self) -> Option<Self> {
-        if self.is_overflow() || self.numerator < 0 {
+        if self.is_overflow() || self.is_negative() {
             return None;
         }
         let (n, d) = (self.numerator.isqrt(), self.denominator.isqrt());
@@ -109,10 +114,7 @@ impl Rational {
 
     /// The greatest positive rational that divides both an integer number of times; |other| for 0.
     pub(super) fn gcd(self, other: Self) -> Self {
-        if self.is_overflow() || other.is_overflow() {
-            return Self::OVERFLOW;
-        }
-        let common = gcd(self.denominator, other.denominator);
+        let common = common_denominator(self, other);
         match (self.denominator / common).checked_mul(other.denominator) {
             Some(d) => Self::new(gcd(self.numerator, other.numerator), d),
             None => Self::OVERFLOW,
@@ -127,10 +129,15 @@ impl Rational {
     }
 }
 
+/// The greatest common divisor of both denominators; 1 for two overflows, so that one may divide by it and a denominator 0 stays 0.
+fn common_denominator(a: Rational, b: Rational) -> i128 {
+    gcd(a.denominator, b.denominator).max(1)
+}
+
 /// Euclid on magnitudes, in machine words where they suffice; gcd(0, b) = |b|.
 fn gcd(a: i128, b: i128) -> i128 {
     let (mut a, mut b) = (a.unsigned_abs(), b.unsigned_abs());
-    while b > u128::from(u64::MAX) {
+    while u64::try_from(b).is_err() {
         (a, b) = (b, a % b);
     }
     if b == 0 {

@@ -94,7 +94,7 @@ impl Series {
         if self.overflow {
             return Self::overflow();
         }
-        let mut sum = Collector::with_capacity(2 * self.terms.len());
+        let mut sum = Collector::with_capacity(self.terms.len());
         emit(&mut sum);
         sum.finish()
     }

@@ -27,11 +27,10 @@ impl Series {
     pub fn substitute_angle(&self, symbol: Symbol, value: &Angle) -> Self {
         let waves: Self = self.entries().iter().map(|(term, c)| term.with_angle(*c, symbol, value)).sum();
         let mut result = if self.is_overflow() { Self::overflow() } else { waves };
-        let (mut order, mut derivative) = (Some(symbol), value.linear());
-        while let Some(current) = order {
-            result = result.substitute(current, &derivative);
-            derivative = if current == symbol { value.rate() } else { derivative.rate() };
-            order = current.derivative().filter(|_| derivative_present(self, current));
+        for current in self.symbols() {
+            if let Some(order) = order(symbol, current) {
+                result = result.substitute(current, &value.derivative(order));
+            }
         }
         result
     }
@@ -43,21 +42,21 @@ impl Series {
 
     fn integer_power(&self, k: i16) -> Self {
         let magnitude = u32::from(k.unsigned_abs());
-        if k >= 0 {
-            return self.pow(magnitude);
+        if k.is_negative() {
+            return self.recip_monomial().map_or_else(Self::overflow, |inverse| inverse.pow(magnitude));
         }
-        self.recip_monomial().map_or_else(Self::overflow, |inverse| inverse.pow(magnitude))
+        self.pow(magnitude)
     }
 }
 
-/// Whether a higher derivative of a coordinate than `current` occurs.
-fn derivative_present(series: &Series, current: Symbol) -> bool {
-    let Symbol::Coordinate { index, order } = current else {
-        return false;
-    };
-    series.symbols().iter().any(
-        |symbol| matches!(symbol, Symbol::Coordinate { index: i, order: k } if *i == index && *k > order),
-    )
+/// Which time derivative of `symbol`, if any, the other one is: of a coordinate any, of others themselves only.
+fn order(symbol: Symbol, other: Symbol) -> Option<u8> {
+    match (symbol, other) {
+        (Symbol::Coordinate { index, .. }, Symbol::Coordinate { index: i, order }) if i == index => {
+            Some(order)
+        }
+        _ => (other == symbol).then_some(0),
+    }
 }
 
 impl Term {
@@ -74,6 +73,14 @@ impl Term {
 }
 
 impl Angle {
+    /// Its time derivative of that order as a series.
+    fn derivative(&self, order: u8) -> Series {
+        match order {
+            0 => self.linear(),
+            _ => (1..order).fold(self.rate(), |derivative, _| derivative.rate()),
+        }
+    }
+
     /// Σ kᵢ·symbolᵢ as a series; overflow where quarter turns, multiples of π, are left.
     fn linear(&self) -> Series {
         if self.quarter_turns() != 0 || self.multipliers().is_none() {

@@ -1,6 +1,6 @@
 //! One term of a Poisson series without its coefficient: monomial · sin|cos(argument).
 
-use super::{Powers, Symbol};
+use super::{Angle, Powers, Symbol};
 
 /// A product of integer powers of symbols; only parameters may have negative exponents.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -53,11 +53,16 @@ impl Wave {
         self.argument.is_empty()
     }
 
+    /// What it is the sine or cosine of.
+    pub fn angle(&self) -> Angle {
+        Angle::from_multipliers(self.argument.clone())
+    }
+
     /// The canonical wave equal to ± the given one, true where it is the negative; `None` for sin 0.
     pub(super) fn canonical(sine: bool, argument: Powers) -> Option<(bool, Self)> {
         match argument.first() {
             None => (!sine).then_some((false, Self::ONE)),
-            Some(&(_, first)) if first > 0 => Some((false, Self { argument, sine })),
+            Some(&(_, first)) if first.is_positive() => Some((false, Self { argument, sine })),
             Some(_) => {
                 let argument = argument.times(-1)?;
                 Some((sine, Self { argument, sine }))

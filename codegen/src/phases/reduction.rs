@@ -6,7 +6,7 @@ use crate::algebra::{Angle, Quotient, Rational, Series, Symbol};
 use crate::motion::{ClosedSet, Dense, Motion, OpaqueTerm};
 
 /// A phase with an expression of more terms than this is left to the projected form.
-const TERMS: usize = 200;
+pub(super) const TERMS: usize = 200;
 
 /// `None` where an expression outgrows [`TERMS`] or overflows.
 pub(super) fn reduce(
@@ -30,19 +30,20 @@ pub(super) fn reduce(
         velocity_terms: dense.velocity_terms.iter().map(|h| substitution.apply(h)).collect(),
         forces: forces(motion, dense, set).iter().map(|q| substitution.apply(q)).collect(),
     };
-    if !eliminated.is_empty() && !full.is_small() {
+    let Full { mass, velocity_terms, forces } = if eliminated.is_empty() {
+        full.clone()
+    } else if full.is_small() {
+        full.project(&moving, &rates, &accelerations)
+    } else {
         return None;
-    }
-    let projected = (!eliminated.is_empty()).then(|| full.project(&moving, &rates, &accelerations));
-    let Full { mass, velocity_terms, forces } = projected.unwrap_or_else(|| full.clone());
+    };
     // Without inertia nothing follows from this set: the run names it.
     if (0..moving.len()).any(|k| mass[k][k].is_zero()) {
         return None;
     }
     let reactions = full.reactions(motion, set, &substitution, &accelerations)?;
     // What sticks to a moving surface has its velocity, whether that depends on time or not.
-    let carried = || rates.iter().any(|rate| !without_rates(rate, &moving).is_zero());
-    let kinetic = match motion.is_timed() || carried() {
+    let kinetic = match rates.iter().any(|rate| !without_rates(rate, &moving).is_zero()) {
         true => kinetic(&full.mass, &rates),
         false => kinetic(&mass, &own_rates(&moving)),
     };
@@ -93,11 +94,11 @@ impl Phase {
         let reactions = self.reactions.iter().map(|(_, reaction)| reaction);
         let all = self.mass.iter().flatten().chain(&self.velocity_terms).chain(&self.forces).chain(reactions);
         let all = all.chain(&self.rates).chain(&self.accelerations).chain([&self.kinetic, &self.potential]);
-        all.into_iter().any(Quotient::is_overflow) || self.pivots.iter().any(Series::is_overflow)
+        all.map(Quotient::numerator).chain(&self.pivots).any(Series::is_overflow)
     }
 }
 
-fn is_small(quotient: &Quotient) -> bool {
+pub(super) fn is_small(quotient: &Quotient) -> bool {
     quotient.numerator().len() <= TERMS && !quotient.is_overflow()
 }
 
@@ -191,7 +192,7 @@ pub(super) fn solve(matrix: &mut [Vec<Quotient>], right: &mut [Quotient]) -> Opt
             .min_by_key(|&i| (matrix[i][k].numerator().len(), i))?;
         matrix.swap(k, pivot);
         right.swap(k, pivot);
-        let inverse = inverse(&matrix[k][k])?;
+        let inverse = matrix[k][k].recip();
         for entry in &mut matrix[k] {
             *entry = &*entry * &inverse;
         }
@@ -205,18 +206,12 @@ pub(super) fn solve(matrix: &mut [Vec<Quotient>], right: &mut [Quotient]) -> Opt
                 matrix[i][j] = &matrix[i][j] - &(&factor * &matrix[k][j]);
             }
             right[i] = &right[i] - &(&factor * &right[k]);
-            if right[i].numerator().len() > TERMS {
+            if !is_small(&right[i]) {
                 return None;
             }
         }
     }
     Some(())
-}
-
-fn inverse(quotient: &Quotient) -> Option<Quotient> {
-    let denominator: Series =
-        quotient.factors().iter().fold(Series::one(), |product, (f, k)| &product * &f.pow(*k));
-    (!quotient.is_zero()).then(|| Quotient::new(denominator, quotient.numerator().clone()))
 }
 
 /// β: what remains of an acceleration when the kept ones vanish.
@@ -245,7 +240,7 @@ fn kinetic(mass: &[Vec<Quotient>], rates: &[Quotient]) -> Quotient {
 }
 
 fn dot<'a>(a: &'a [Quotient], b: impl IntoIterator<Item = &'a Quotient>) -> Quotient {
-    sum(a.iter().zip(b).filter(|(a, b)| !a.is_zero() && !b.is_zero()).map(|(a, b)| a * b))
+    sum(a.iter().zip(b).filter(|(a, b)| ![a, b].iter().any(|factor| factor.is_zero())).map(|(a, b)| a * b))
 }
 
 /// The sum, series among the terms all at once.

@@ -1,10 +1,9 @@
 //! The rules by which a row is solved for one coordinate or rate.
 
-use core::f64::consts::PI;
 use std::collections::BTreeMap;
 
 use super::elimination::{Branch, Elimination, Value};
-use crate::algebra::{Angle, Quotient, Series, Symbol, Term};
+use crate::algebra::{Angle, Quotient, Series, Symbol};
 use crate::kinematics::Kinematics;
 
 /// Angles that differ by less are taken for equal: far above the rounding of a figure's numbers.
@@ -104,17 +103,16 @@ pub(super) fn equal_waves(
     let terms: Vec<_> = gap.terms().collect();
     let branches = match terms[..] {
         [(a, _)] => {
-            let zero = Angle::quarters(if a.wave.sine { 0 } else { 1 });
-            [&phase(a) - &zero, &(&phase(a) - &zero) - &Angle::quarters(2)]
+            let zero = a.wave.angle().turned(if a.wave.sine { 0 } else { 3 });
+            [zero.clone(), zero.turned(2)]
         }
         [(a, p), (b, r)] => {
             let alike = a.monomial == b.monomial && a.wave.sine == b.wave.sine && (p == r || p == -r);
             if !alike {
                 return None;
             }
-            let half_turn = Angle::quarters(if p == r { 2 } else { 0 });
-            let (alpha, beta) = (phase(a), &phase(b) + &half_turn);
-            let other = if a.wave.sine { &Angle::quarters(2) - &beta } else { -&beta };
+            let (alpha, beta) = (a.wave.angle(), b.wave.angle().turned(if p == r { 2 } else { 0 }));
+            let other = if a.wave.sine { -beta.turned(2) } else { -&beta };
             [&alpha - &beta, &alpha - &other]
         }
         _ => return None,
@@ -125,16 +123,17 @@ pub(super) fn equal_waves(
 }
 
 /// The branch that is the nearer at every sample, and whether by how much depends on the parameters.
-fn nearest([a, b]: [Angle; 2], samples: &[BTreeMap<Symbol, f64>]) -> Option<(Branch, bool)> {
-    let farther = |values| wrapped_value(&b, values).abs() - wrapped_value(&a, values).abs();
+pub(super) fn nearest([a, b]: [Angle; 2], samples: &[BTreeMap<Symbol, f64>]) -> Option<(Branch, bool)> {
+    let snapped = |x: f64| if x.abs() < NEAR { 0.0 } else { x };
+    let farther = |values| snapped(wrapped_value(&b, values).abs() - wrapped_value(&a, values).abs());
     let by: Vec<f64> = samples.iter().map(farther).collect();
     let known =
         [&a, &b].into_iter().flat_map(Angle::terms).all(|(symbol, _)| samples[0].contains_key(symbol));
-    let open = known && by.iter().any(|x| (x - by[0]).abs() > NEAR);
-    if by.iter().all(|x| *x >= -NEAR) {
+    let open = known && by.iter().any(|x| snapped(x - by[0]) != 0.0);
+    if by.iter().all(|x| *x >= 0.0) {
         Some((Branch { zero: a, other: b }, open))
     } else {
-        by.iter().all(|x| *x <= NEAR).then_some((Branch { zero: b, other: a }, open))
+        by.iter().all(|x| *x <= 0.0).then_some((Branch { zero: b, other: a }, open))
     }
 }
 
@@ -148,14 +147,7 @@ fn solve_angle(kinematics: &Kinematics, row: usize, zero: &Angle) -> Option<Elim
     Some(Elimination { coordinate, row, value, pivot: None, branch: None })
 }
 
-fn phase(term: &Term) -> Angle {
-    term.wave
-        .argument
-        .iter()
-        .fold(Angle::zero(), |sum, &(symbol, k)| &sum + &Angle::of(symbol).scale(i32::from(k)))
-}
-
 fn wrapped_value(angle: &Angle, values: &BTreeMap<Symbol, f64>) -> f64 {
     let value = angle.evaluate(&|symbol| values.get(&symbol).copied().unwrap_or(0.0));
-    (value + PI).rem_euclid(2.0 * PI) - PI
+    value.sin().atan2(value.cos())
 }

@@ -1,6 +1,8 @@
 //! The reduced equations against the full ones, at random states; which rows have a closed form, and on which branch.
 
+mod branches;
 mod laws;
+mod limits;
 mod rules;
 
 use super::Phase;

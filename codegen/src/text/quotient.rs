@@ -45,17 +45,11 @@ impl Writer<'_> {
     }
 
     fn argument(&self, wave: &Wave) -> Option<Math> {
-        match Series::cos(&angle_of(wave)).math(self) {
+        match Series::cos(&wave.angle()).math(self) {
             Math::Apply { argument, .. } => Some(*argument),
             _ => None,
         }
     }
-}
-
-fn angle_of(wave: &Wave) -> Angle {
-    wave.argument
-        .iter()
-        .fold(Angle::zero(), |sum, &(symbol, k)| &sum + &Angle::of(symbol).scale(i32::from(k)))
 }
 
 fn single_cosine(factor: &Series) -> Option<&Wave> {
@@ -101,7 +95,7 @@ fn multiple(wave: &Wave, base: &Wave) -> Option<usize> {
         return Some(0);
     }
     let k = wave.argument.first()?.1 / base.argument.first()?.1;
-    let scaled = angle_of(base).scale(k.into());
+    let scaled = base.angle().scale(k.into());
     (k > 0 && scaled.terms() == &wave.argument[..]).then_some(k.unsigned_abs().into())
 }
 

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::Writer;
 use super::writer::MASS;
-use crate::algebra::{Angle, Monomial, Names, Rational, Series, Shorthand, Symbol, Term, Wave, lead, rank};
+use crate::algebra::{Monomial, Names, Rational, Series, Shorthand, Symbol, Term, Wave, lead, rank};
 use crate::math::Math;
 
 /// Coefficients (functions of parameters) by what they multiply.
@@ -160,10 +160,7 @@ fn common_factor(collected: &Collected) -> Option<(Series, Series)> {
 }
 
 fn wave_times(monomial: &Monomial, wave: &Wave) -> Series {
-    let angle = wave
-        .argument
-        .iter()
-        .fold(Angle::zero(), |sum, &(symbol, k)| &sum + &Angle::of(symbol).scale(i32::from(k)));
+    let angle = wave.angle();
     let wave = if wave.sine { Series::sin(&angle) } else { Series::cos(&angle) };
     &Series::monomial(Rational::ONE, monomial.clone()) * &wave
 }

@@ -1,6 +1,6 @@
 //! + − · ÷ on rationals, common divisors taken out before multiplying so that little overflows.
 
-use super::{Rational, gcd};
+use super::{Rational, common_denominator, gcd};
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 impl Add for Rational {
@@ -12,10 +12,7 @@ impl Add for Rational {
                 None => Self::OVERFLOW,
             };
         }
-        if self.is_overflow() || other.is_overflow() {
-            return Self::OVERFLOW;
-        }
-        let common = gcd(self.denominator, other.denominator);
+        let common = common_denominator(self, other);
         let (left, right) = (other.denominator / common, self.denominator / common);
         let sum = match (self.numerator.checked_mul(left), other.numerator.checked_mul(right)) {
             (Some(a), Some(b)) => a.checked_add(b),

@@ -30,6 +30,20 @@ proptest! {
     }
 }
 
+proptest! {
+    #[test]
+    fn angles_take_the_values_of_their_symbols(k in -4..4, n in -4..4, r in -4..4, q in 0..4_i64, seed in 0..99_u32) {
+        let (a, b, value) = (angle(k, n, q), angle(r, 1, 1), point(seed));
+        let phi = b.evaluate(&value);
+        let at = |s| if s == PHI { phi } else { value(s) };
+        let turns = |x: f64| (x / std::f64::consts::TAU).rem_euclid(1.0);
+        let apart = (turns(a.substitute(PHI, &b).evaluate(&value)) - turns(a.evaluate(&at))).abs();
+        prop_assert!(apart.min(1.0 - apart) < ROUNDING);
+        prop_assert_eq!(a.turned(q - 3), &a + &Angle::quarters(q - 3));
+        prop_assert_eq!(&(&a - &b) + &b, a);
+    }
+}
+
 #[test]
 fn powers_of_a_cosine_come_in_multiples() {
     // cos⁴ φ = (3 + 4 cos 2φ + cos 4φ)/8.
@@ -88,4 +102,21 @@ fn queries() {
     assert!(
         f.as_monomial().is_none() && f.recip_monomial().is_none() && symbol(Y).recip_monomial().is_none()
     );
+}
+
+/// A number in front is not written where it, or what it leaves, has five digits.
+#[test]
+fn long_numbers_are_not_divided() {
+    let of = |number: Rational, left: i64| {
+        let series = symbol(Y).scale(left.into()) + symbol(PHI);
+        series.scale(number).written_content().0
+    };
+    let [third, two_thirds, two] = [Rational::new(1, 3), Rational::new(2, 3), Rational::integer(2)];
+    assert_eq!(
+        [4999, 9999, 10_000].map(|left| of(two_thirds, left)),
+        [two_thirds, two_thirds, Rational::ONE]
+    );
+    assert_eq!([9999, 10_000].map(|left| of(third, left)), [third, Rational::ONE]);
+    assert_eq!(of(two, 10_000), two);
+    assert_eq!(of(Rational::new(20_000, 3), 5), Rational::ONE);
 }

@@ -26,7 +26,10 @@ proptest! {
     fn field_laws(a in quotient(), b in quotient(), c in quotient()) {
         prop_assert!(((&a + &b) * &c).equals(&(&a * &c + &b * &c)));
         prop_assert!((&a * &b / &b).equals(&a));
-        prop_assert!((&a - &a).is_zero());
+        prop_assert!((&a - &a).is_zero() && (&a + &-&a).is_zero());
+        let mut sum = a.clone();
+        sum += b.clone();
+        prop_assert!(sum.equals(&(&a + &b)));
         let value = point(5);
         let (x, y) = (a.evaluate(&value), b.evaluate(&value));
         // Values are of order 10 and below, denominators at the point of order 0.1 and above.
@@ -97,6 +100,33 @@ fn powers_of_composite_factors_are_split() {
         let mut found = split.factors().to_vec();
         found.sort_by_key(|(_, k)| std::cmp::Reverse(*k));
         assert_eq!(found, expected);
+    }
+}
+
+/// cos 2φ + 1 = 2 cos² φ, y² l = y · y · l.
+#[test]
+fn powers_of_powers_multiply() {
+    let double = Series::one() + Series::cos(&angle(2, 0, 0));
+    let cubed = Quotient::over(Series::one(), &[(double, 3), (symbol(Y).pow(2) * symbol(L), 3)]);
+    assert_eq!(cubed.factors(), &[(cosine(), 6), (symbol(Y), 6)]);
+    let unit = symbol(L).recip_monomial().unwrap().pow(3).scale(Rational::new(1, 8));
+    assert_eq!(cubed.numerator(), &unit);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+    /// y at its value a/b, in a numerator, in a denominator and in its square.
+    #[test]
+    fn what_replaces_a_symbol_is_its_value(q in quotient(), d in small(), a in quotient()) {
+        let value = point(7);
+        let y = a.evaluate(&value);
+        let at = |s| if s == Y { y } else { value(s) };
+        let shifted = d + symbol(Y).pow(2) + symbol(M);
+        for q in [q.clone(), Quotient::over(Series::one(), &[(shifted, 2)]) * q] {
+            let (found, expected) = (q.substitute_quotient(Y, &a).evaluate(&value), q.evaluate(&at));
+            // Values of up to some 10⁴ with denominators that may be as small as 10⁻³.
+            prop_assert!(!expected.is_finite() || (found - expected).abs() <= 1e-8 * (1.0 + expected.abs()), "{found} {expected}");
+        }
     }
 }
 

@@ -14,6 +14,13 @@ proptest! {
         prop_assert_eq!(a.cmp(&b), (a - b).signum().cmp(&0));
         prop_assert_eq!((a * a).sqrt_exact(), Some(a.abs()));
         prop_assert!(a.is_zero() || a.pow(-3) * a.pow(3) == Rational::ONE);
+        let common = a.gcd(b);
+        if !common.is_zero() {
+            let [n, d] = [a / common, b / common];
+            prop_assert!(common > Rational::ZERO && [n, d].iter().all(|whole| whole.denominator() == 1));
+            let divides = |k: i128| n.numerator() % k == 0 && d.numerator() % k == 0;
+            prop_assert!((2..100).all(|k| !divides(k)));
+        }
     }
 }
 
@@ -51,4 +58,15 @@ fn overflow_absorbs() {
         assert!(lost.to_f64().is_nan() && lost.sqrt_exact().is_none());
     }
     assert!((huge - huge).is_zero());
+}
+
+#[test]
+fn one_overflow_of_two_is_enough() {
+    let lost = Rational::OVERFLOW;
+    for other in [Rational::ZERO, Rational::ONE, Rational::HALF, -Rational::new(7, 3), lost] {
+        let pairs = [(lost, other), (other, lost)];
+        let all = pairs.map(|(a, b)| [a + b, a - b, a * b, a / b, a.gcd(b)]);
+        assert_eq!(all, [[lost; 5]; 2], "{other}");
+        assert!(!lost.is_negative() && other <= lost);
+    }
 }

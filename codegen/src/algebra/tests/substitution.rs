@@ -75,3 +75,17 @@ fn equal_angles_merge() {
     assert_eq!(merged, symbol(PHI_RATE));
     assert!(symbol(PHI).substitute_angle(PHI, &Angle::quarters(1)).is_overflow());
 }
+
+/// φ = 2φ + ψ in φ⃛ and in φ, with no derivative between them; ψ⃛ stays.
+#[test]
+fn derivatives_of_any_order_are_replaced() {
+    let third = |index| symbol(super::super::Symbol::Coordinate { index, order: 3 });
+    let found = (third(0) * symbol(PHI) + third(1)).substitute_angle(PHI, &angle(2, 1, 0));
+    let turned = third(0).scale(2.into()) + third(1);
+    assert_eq!(found, turned * (symbol(PHI).scale(2.into()) + symbol(PSI)) + third(1));
+    let slope = Angle::of(L).scale(3);
+    assert_eq!(
+        (Series::sin(&Angle::of(M)) + symbol(M)).substitute_angle(M, &slope),
+        Series::sin(&slope) + symbol(L).scale(3.into())
+    );
+}

@@ -2,7 +2,7 @@ use super::super::{Angle, Names, Quotient, Rational, Series, Shorthand, Symbol};
 use super::random::*;
 use crate::math::Math;
 
-struct Pair;
+pub(super) struct Pair;
 
 impl Names for Pair {
     fn parameter(&self, index: u16) -> Math {
@@ -52,6 +52,12 @@ fn waves() {
 }
 
 #[test]
+fn angles() {
+    let text = |turns| angle(-1, 2, turns).math(&Pair).to_string();
+    assert_eq!([0, 1, 2, 3].map(text), ["2ψ − φ", "2ψ − φ + ½π", "2ψ − φ + π", "2ψ − φ − ½π"]);
+}
+
+#[test]
 fn sums() {
     let (m, l, rate, y_rate) = (symbol(M), symbol(L), symbol(PHI_RATE), symbol(Symbol::rate(2)));
     let t = &m * (y_rate.pow(2) - &y_rate * &l * &rate * cosine() + (&l * &rate).pow(2).scale(r(1, 3)));
@@ -69,6 +75,26 @@ fn sums() {
     assert_eq!((symbol(PSI) - symbol(Symbol::acceleration(0))).text(&Pair), "ψ − φ̈");
     assert_eq!(Series::integer(-2).text(&Pair), "−2");
     assert_eq!(Series::zero().text(&Pair), "0");
+}
+
+/// Parameters, reactions, coordinates by order; a function has nothing below it.
+#[test]
+fn factors_stand_in_order() {
+    let reaction = symbol(Symbol::Reaction(0));
+    let factors = [symbol(Symbol::acceleration(0)), symbol(PHI_RATE), symbol(Y), reaction, symbol(L)];
+    let third = symbol(Symbol::Coordinate { index: 0, order: 3 });
+    let product: Series = factors.iter().fold(third, |product, factor| product * factor);
+    assert_eq!(product.text(&Pair), "l N_P y φ̇ φ̈ φ⃛");
+    let ratio = symbol(M) * symbol(L).recip_monomial().unwrap();
+    let mut names = Shorthand::of(&Pair);
+    let short = names.shortened(&((Series::cos(&angle(1, -1, 0)) - Series::cos(&angle(1, 1, 0))) * &ratio));
+    assert_eq!(short.text(&names), "2 (m/l) sin φ sin ψ");
+    assert_eq!(ratio.text(&Pair), "m/l");
+    let below = (symbol(M) * symbol(L)).recip_monomial().unwrap();
+    assert_eq!((symbol(Y) * below).text(&Pair), "y/(m l)");
+    assert_eq!((symbol(M) * (symbol(Y) + symbol(L))).text(&Pair), "m (y + l)");
+    let over = (symbol(PHI) + symbol(PSI)) * symbol(L).recip_monomial().unwrap();
+    assert_eq!(over.text(&Pair), "(φ + ψ)/l");
 }
 
 #[test]

@@ -31,7 +31,7 @@ pub(super) fn denominator(factors: Vec<Math>) -> Math {
 pub(super) fn numbered(c: Rational, factors: Vec<Math>) -> Math {
     let number =
         Math::Number { numerator: c.numerator().unsigned_abs(), denominator: c.denominator().unsigned_abs() };
-    Math::product([number].into_iter().chain(factors)).signed(c.signum() < 0)
+    Math::product([number].into_iter().chain(factors)).signed(c.is_negative())
 }
 
 /// The factors of a monomial; parameters with negative exponents make one fraction of parameters.
@@ -98,14 +98,14 @@ fn multiple(k: i16, symbol: Math) -> Math {
         1 => symbol,
         n => Math::Multiple(Box::new(Math::integer(n.into())), Box::new(symbol)),
     };
-    multiple.signed(k < 0)
+    multiple.signed(k.is_negative())
 }
 
 impl Angle {
     /// The angle as it is written: integer multiples of symbols, then of ½π.
     pub fn math(&self, names: &dyn Names) -> Math {
         let mut terms = self.terms().to_vec();
-        lead(&mut terms, |(_, k)| *k > 0);
+        lead(&mut terms, |(_, k)| k.is_positive());
         let terms = terms.into_iter().map(|(s, k)| multiple(k, symbol(s, names)));
         let half = || Math::Number { numerator: 1, denominator: 2 };
         let pi = || Math::symbol("pi");

@@ -24,7 +24,7 @@ const MOST: usize = 48;
 /// Names that know the products of waves too.
 pub struct Shorthand<'a> {
     names: &'a dyn Names,
-    products: Vec<[Wave; 2]>,
+    pub(in crate::algebra) products: Vec<[Wave; 2]>,
 }
 
 /// Coefficients, made of parameters, of the waves that one monomial of coordinates and rates is multiplied by.
@@ -38,15 +38,15 @@ impl<'a> Shorthand<'a> {
 
     /// The series with products of waves in place of sums, where fewer terms are left.
     pub fn shortened(&mut self, series: &Series) -> Series {
+        if series.is_overflow() {
+            return series.clone();
+        }
         let mut groups: BTreeMap<Monomial, Waves> = BTreeMap::new();
         for (term, coefficient) in series.terms() {
             let (parameters, rest) = term.monomial.split_units();
             let waves = groups.entry(rest).or_default();
             *waves.entry(term.wave.clone()).or_insert_with(Series::zero) +=
                 Series::monomial(coefficient, parameters);
-        }
-        if series.is_overflow() || groups.values().all(|waves| waves.len() < 2 || waves.len() > MOST) {
-            return series.clone();
         }
         let written = groups
             .into_iter()
@@ -69,7 +69,6 @@ impl<'a> Shorthand<'a> {
                 let symbol = factors.map_or(Series::one(), |factors| Series::symbol(self.symbol(factors)));
                 written += &coefficient * &symbol;
             }
-            waves.retain(|_, coefficient| !coefficient.is_zero());
         }
         let rest = waves.into_iter().map(|(wave, coefficient)| {
             &coefficient * &Series::term(Rational::ONE, Term { monomial: Monomial::ONE, wave })
@@ -133,10 +132,9 @@ fn pairs(waves: &Waves) -> Vec<Pair> {
     let mut pairs = Vec::new();
     for (i, first) in waves.iter().enumerate() {
         for second in waves.iter().skip(i + 1) {
+            // 1 comes before all waves.
             if first.0.is_one() {
                 pairs.extend(squares(second, first.1));
-            } else if second.0.is_one() {
-                pairs.extend(squares(first, second.1));
             } else {
                 pairs.extend(product(first, second));
             }
@@ -194,7 +192,7 @@ fn product((alpha, p): (&Wave, &Series), (beta, q): (&Wave, &Series)) -> Option<
 /// Terms, signs among them, and the sum of their numbers over the greatest that they have in common.
 fn measure(parts: [&Series; 2]) -> (usize, i128, i128) {
     let numbers: Vec<Rational> = parts.iter().flat_map(|part| part.terms().map(|(_, c)| c)).collect();
-    let negative = numbers.iter().filter(|c| c.signum() < 0).count();
+    let negative = numbers.iter().filter(|c| c.is_negative()).count();
     let common = numbers.iter().fold(Rational::ZERO, |common, c| common.gcd(*c));
     let sum = numbers.iter().map(|c| (*c * common.recip()).numerator().abs());
     let signs = if negative == numbers.len() { 0 } else { negative as i128 };
@@ -203,7 +201,7 @@ fn measure(parts: [&Series; 2]) -> (usize, i128, i128) {
 
 /// Half of an angle, where that is a whole multiple of symbols.
 fn halved(argument: &Powers) -> Option<Powers> {
-    let whole = !argument.is_empty() && argument.iter().all(|(_, k)| k % 2 == 0);
+    let whole = argument.iter().all(|(_, k)| k % 2 == 0);
     whole.then(|| {
         argument.iter().fold(Powers::ZERO, |mut half, &(symbol, k)| {
             half.push(symbol, k / 2);

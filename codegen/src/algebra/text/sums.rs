@@ -45,8 +45,8 @@ impl Series {
     /// The content with a sign, and the rest with a positive term.
     fn factored(&self) -> (Rational, super::super::Monomial, Self) {
         let (number, monomial, rest) = self.written();
-        let all_negative = self.entries().iter().all(|(_, c)| c.signum() < 0);
-        if number.signum() < 0 && !all_negative {
+        let all_negative = self.entries().iter().all(|(_, c)| c.is_negative());
+        if number.is_negative() && !all_negative {
             return (-number, monomial, -rest);
         }
         (number, monomial, rest)
@@ -55,7 +55,7 @@ impl Series {
     fn terms_in_order(&self, names: &dyn Names) -> Math {
         let mut terms: Vec<_> = self.entries().iter().collect();
         terms.sort_by_cached_key(|(term, _)| rank(term));
-        lead(&mut terms, |(_, c)| c.signum() > 0);
+        lead(&mut terms, |(_, c)| !c.is_negative());
         Math::sum(terms.into_iter().map(|(each, c)| term(*c, each, names)))
     }
 
