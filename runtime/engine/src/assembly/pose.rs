@@ -35,11 +35,11 @@ impl Pose {
         Self { values: layout.names_of_state().zip(state.iter().copied()).collect() }
     }
 
-    /// The coordinates and the rates given, in their places; zero where none is.
-    pub(crate) fn values(&self, layout: &Layout) -> Result<[Vec<f64>; 2], StartError> {
+    /// The coordinates and the rates given, in their places; elsewhere what they are nominally, and zero.
+    pub(crate) fn values(&self, layout: &Layout, nominal: &[f64]) -> Result<[Vec<f64>; 2], StartError> {
         let Given { positions, rates } = self.resolve(layout)?;
-        let or_zero = |given: Vec<Option<f64>>| given.into_iter().map(Option::unwrap_or_default).collect();
-        Ok([positions, rates].map(or_zero))
+        let positions = positions.iter().zip(nominal).map(|(given, nominal)| given.unwrap_or(*nominal));
+        Ok([positions.collect(), rates.into_iter().map(Option::unwrap_or_default).collect()])
     }
 
     pub(super) fn resolve(&self, layout: &Layout) -> Result<Given, StartError> {

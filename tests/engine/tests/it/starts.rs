@@ -100,3 +100,27 @@ fn a_pose_that_would_be_turned_onto_its_contacts_is_refused() {
     let run = begun(1.0, -1e-6).unwrap().run().unwrap();
     assert!(run.events()[0].state[0].abs() < 1e-6 && run.audit().is_clean(), "{:?}", run.events());
 }
+
+/// A marble in a bowl.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[particle(P, mass = m)]
+#[support(P = bowl((0, 0), r))]
+#[figure(P = (3 * r / 5, -4 * r / 5))]
+#[coordinate(x = x(P))]
+#[coordinate(y = y(P))]
+struct Bowl {
+    m: f64,
+    r: f64,
+    g: f64,
+}
+
+/// Near the bottom the height hardly depends on x, and is that of the bowl all the same.
+#[test]
+fn a_height_near_the_bottom_of_a_bowl_is_that_of_the_bowl() {
+    for x in [1e-9, 1e-5, 1e-4, 5e-4, 1e-3, 1e-2, -1e-4] {
+        let run = Simulation::new(&Bowl { m: 1.0, r: 1.0, g: 9.81 }).unwrap();
+        let state = run.start(Pose::at("x", x)).unwrap().start_state().unwrap();
+        assert!((state[1] + (1.0 - x * x).sqrt()).abs() < 1e-10, "{x}: {}", state[1]);
+    }
+}
