@@ -10,6 +10,7 @@
 //! leave columns without a pivot; of the reactions the least-norm ones are returned. A singular system
 //! gives NaN, which the integrator refuses. Nothing allocates.
 
+mod balance;
 mod elimination;
 mod emitted;
 mod lever;
