@@ -1,10 +1,13 @@
-//! Coordinates that a pose leaves open: g(q) = 0 over the joints and the contacts that touch in the nominal figure, by
-//! Gauss–Newton along a straight path of the given coordinates from their nominal values, so that the branch is kept.
+//! Coordinates that a pose leaves open: g(q) = 0 over the joints and the contacts that touch in the nominal figure, on the path
+//! of the given coordinates from their nominal values, so that the branch is kept.
 //! Contacts that the given coordinates contradict are dropped, as few as possible.
+
+use core::f64::consts::TAU;
 
 use nalgebra::{DMatrix, DVector};
 
 use super::fold::settle_on_fold;
+use super::path::{Path, steps};
 use super::problem::AssemblyProblem;
 use super::{CLOSED, largest, worst};
 use crate::decomposition::svd;
@@ -13,10 +16,7 @@ use crate::model::ContactSet;
 
 /// Contacts of the nominal figure touch within this, relative to the natural length.
 const NOMINAL: f64 = 1e-9;
-/// The most steps along the path, each of no more than 11°, or a fifth of the natural length, where so many suffice.
-const PATH: usize = 16;
-const STEP: f64 = core::f64::consts::PI / PATH as f64;
-/// How near to its contacts the path is followed before its end.
+/// How near to its contacts a step ends where the nominal figure does not determine a path.
 const NEAR: f64 = 1e-4;
 const ITERATIONS: usize = 40;
 
@@ -54,7 +54,11 @@ fn within(assembly: &AssemblyProblem<'_>, q: &[f64], [deep, high]: [f64; 2]) -> 
 
 /// What is wrong with the pose even if no contact is assumed closed.
 fn diagnose(assembly: &AssemblyProblem<'_>, given: &[Option<f64>]) -> StartError {
-    let q = homotopy(assembly, given, ContactSet::EMPTY);
+    let Some(q) = completed(assembly, given, ContactSet::EMPTY) else {
+        let coordinates = assembly.layout().coordinates.iter().zip(given);
+        let given = coordinates.filter(|(_, given)| given.is_some()).map(|(of, _)| of.name);
+        return StartError::Unreached { given: given.collect::<Vec<_>>().join(", ") };
+    };
     let gap = assembly.rows(&q).gap;
     let missed = |row: usize| gap[row].abs() / assembly.unit(row);
     let worst =
@@ -71,49 +75,59 @@ fn diagnose(assembly: &AssemblyProblem<'_>, given: &[Option<f64>]) -> StartError
     }
 }
 
-/// The end of the path, if the rows of `set` are satisfied there, or the contacts in the way.
+/// The completed pose, if the rows of `set` are satisfied there, or the contacts in the way.
 fn reach(
     assembly: &AssemblyProblem<'_>,
     given: &[Option<f64>],
     set: ContactSet,
 ) -> Result<Vec<f64>, ContactSet> {
-    let q = homotopy(assembly, given, set);
+    let q = completed(assembly, given, set).ok_or(set)?;
     let gap = assembly.rows(&q).gap;
     let missed = |row: usize| gap[row].abs() / assembly.unit(row);
     let all = assembly.closed(set).into_iter().all(|row| missed(row) <= CLOSED);
     if all { Ok(q) } else { Err(worst(set, missed, CLOSED)) }
 }
 
-fn homotopy(assembly: &AssemblyProblem<'_>, given: &[Option<f64>], set: ContactSet) -> Vec<f64> {
+/// The pose with the rows of `set` as nearly closed as they can be, if a path leads there.
+fn completed(assembly: &AssemblyProblem<'_>, given: &[Option<f64>], set: ContactSet) -> Option<Vec<f64>> {
     let nominal = &assembly.context.model.nominal;
-    let mut q = nominal.to_vec();
-    let steps = path(assembly, given);
-    for step in 1..=steps {
-        let fraction = step as f64 / steps as f64;
-        for (i, value) in given.iter().enumerate() {
-            if let Some(value) = value {
-                let from = nominal[i];
-                q[i] = if step == steps { *value } else { from + fraction * (value - from) };
-            }
-        }
-        gauss_newton(assembly, given, set, if step == steps { f64::EPSILON } else { NEAR }, &mut q);
-    }
-    let (free, unit) = left_open(assembly, given);
+    let (open, unit) = left_open(assembly, given);
     let closed = assembly.closed(set);
-    if !free.is_empty() && !closed.is_empty() {
-        settle_on_fold(assembly, (&closed, &free), &unit, &mut q);
+    let at = |q: &[f64]| given.iter().zip(q).map(|(given, q)| given.unwrap_or(*q)).collect::<Vec<f64>>();
+    if open.is_empty() || closed.is_empty() {
+        return Some(at(nominal));
     }
-    q
+    let ways = ways(assembly, given);
+    let unknown = (&closed[..], &open[..]);
+    let mut begin = nominal.clone();
+    nearest(assembly, unknown, f64::EPSILON, &mut begin);
+    let mut q = match Path::from(begin, assembly, unknown) {
+        Some(path) => at(&ways.iter().find_map(|moves| path.end(moves))?),
+        None => at(&stepwise(assembly, &ways[0], unknown)),
+    };
+    nearest(assembly, unknown, f64::EPSILON, &mut q);
+    settle_on_fold(assembly, (&closed, &open), &unit, &mut q);
+    Some(q)
 }
 
-/// Steps from the nominal values of the given coordinates to what they are to be.
-fn path(assembly: &AssemblyProblem<'_>, given: &[Option<f64>]) -> usize {
-    let (coordinates, scales) = (assembly.layout().coordinates, &assembly.context.scales);
+/// By how much the given coordinates move from their nominal values: as they are given, and where no path leads there,
+/// angles to the same position on the shorter way, and on the other.
+fn ways(assembly: &AssemblyProblem<'_>, given: &[Option<f64>]) -> Vec<Vec<f64>> {
+    let coordinates = assembly.layout().coordinates.iter();
     let moves = given.iter().zip(&assembly.context.model.nominal).zip(coordinates);
-    let farthest = moves.fold(0.0, |most: f64, ((given, from), coordinate)| {
-        given.map_or(most, |given| most.max((given - from).abs() / scales.coordinate(coordinate)))
+    let moves = moves.map(|((given, from), of)| (given.map_or(0.0, |to| to - from), of.is_angle));
+    let turned = |turn: fn(f64) -> f64| -> Vec<f64> {
+        moves.clone().map(|(by, is_angle)| if is_angle { turn(by) } else { by }).collect()
+    };
+    let straight = turned(|by| by);
+    let shorter = turned(|by| by - TAU * (by / TAU).round());
+    let longer = turned(|by| {
+        let shorter = by - TAU * (by / TAU).round();
+        shorter - TAU.copysign(shorter)
     });
-    (farthest / STEP).ceil().clamp(1.0, PATH as f64) as usize
+    let mut ways = vec![straight, shorter, longer];
+    ways.dedup();
+    ways
 }
 
 /// The coordinates that are not given, and their units.
@@ -123,27 +137,29 @@ fn left_open(assembly: &AssemblyProblem<'_>, given: &[Option<f64>]) -> (Vec<usiz
     free.map(|i| (i, scales.coordinate(&layout.coordinates[i]))).unzip()
 }
 
-/// Gauss–Newton on the free coordinates to gaps of so many natural lengths; least-norm where they are not determined.
-fn gauss_newton(
-    assembly: &AssemblyProblem<'_>,
-    given: &[Option<f64>],
-    set: ContactSet,
-    near: f64,
-    q: &mut [f64],
-) {
-    let (free, unit) = left_open(assembly, given);
-    let closed = assembly.closed(set);
-    if free.is_empty() || closed.is_empty() {
-        return;
+/// The position behind moves of the given coordinates, where rows are more than coordinates left open, or not independent.
+fn stepwise(assembly: &AssemblyProblem<'_>, moves: &[f64], unknown: (&[usize], &[usize])) -> Vec<f64> {
+    let mut q = assembly.context.model.nominal.clone();
+    let steps = steps(assembly, moves);
+    for _ in 0..steps {
+        q.iter_mut().zip(moves).for_each(|(q, by)| *q += by / steps as f64);
+        nearest(assembly, unknown, NEAR, &mut q);
     }
+    q
+}
+
+/// Gauss–Newton on the open coordinates to gaps of so many natural lengths; least-norm where they are not determined.
+fn nearest(assembly: &AssemblyProblem<'_>, (closed, open): (&[usize], &[usize]), near: f64, q: &mut [f64]) {
+    let scales = &assembly.context.scales;
+    let unit = |k: usize| scales.coordinate(&assembly.layout().coordinates[open[k]]);
     for _ in 0..ITERATIONS {
         let rows = assembly.rows(q);
         let gap = DVector::from_fn(closed.len(), |i, _| rows.gap[closed[i]] / assembly.unit(closed[i]));
         if gap.amax() <= near {
             return;
         }
-        let jacobian = DMatrix::from_fn(closed.len(), free.len(), |i, k| {
-            rows.jacobian[(closed[i], free[k])] * unit[k] / assembly.unit(closed[i])
+        let jacobian = DMatrix::from_fn(closed.len(), open.len(), |i, k| {
+            rows.jacobian[(closed[i], open[k])] * unit(k) / assembly.unit(closed[i])
         });
         // A singular value below this is a branch point, as sin α = 1; there the direction stays as it is.
         let cutoff = 1e-13 * jacobian.amax();
@@ -151,8 +167,8 @@ fn gauss_newton(
         if change.iter().any(|x| !x.is_finite()) {
             return;
         }
-        for (k, &i) in free.iter().enumerate() {
-            q[i] -= change[k].clamp(-0.5, 0.5) * unit[k];
+        for (k, &i) in open.iter().enumerate() {
+            q[i] -= change[k].clamp(-0.5, 0.5) * unit(k);
         }
     }
 }

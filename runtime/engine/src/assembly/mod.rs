@@ -3,6 +3,7 @@
 mod complete;
 mod energy;
 mod fold;
+mod path;
 mod pose;
 mod problem;
 mod rates;

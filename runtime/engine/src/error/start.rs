@@ -69,6 +69,14 @@ pub enum StartError {
         /// Its gap.
         gap: f64,
     },
+    /// The bars do not reach the pose without a jump from the nominal figure.
+    #[error(
+        "from the nominal figure no path of the bars leads to this {given}: give other coordinates, or more of them"
+    )]
+    Unreached {
+        /// The coordinates that are given.
+        given: String,
+    },
     /// The rates open or close a joint.
     #[error("the rates break {joint} at {speed:.3e}")]
     BreaksJoint {

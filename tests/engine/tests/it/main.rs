@@ -19,6 +19,7 @@ mod falling_pair;
 mod fast_guards;
 mod figures;
 mod flow;
+mod four_bars;
 mod friction;
 mod gate;
 mod grooves;
