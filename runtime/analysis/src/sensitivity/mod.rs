@@ -9,6 +9,7 @@
 //! computed once more on dual numbers, times of events among them, so that both follow from arithmetic; four directions at once.
 //! How the start depends on them is found by differences, since it is solved to rounding.
 
+mod differences;
 mod direction;
 mod start;
 
