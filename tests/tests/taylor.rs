@@ -9,6 +9,7 @@ use liftoff::integrate::{Expansion, PhaseExpansion};
 use liftoff::model::{Array, ContactSet, Form, KernelView, Phase, PhaseSeries, PhaseVisitor};
 use liftoff::prelude::*;
 use liftoff::scalar::Jet;
+use liftoff::system::Model;
 use liftoff_models::*;
 use liftoff_tests::random::Source;
 
@@ -19,6 +20,9 @@ const K: usize = 13;
 /// terms cancel or a divisor is small; the worst of all below is
 /// 2e-14 of the largest of its and lower orders.
 const TOLERANCE: f64 = 2e-13;
+
+/// The elimination of a random system loses more.
+const PROJECTED_TOLERANCE: f64 = 1e-11;
 
 /// Coefficients 0 … K − 1 of the state, 0 … K − 2 of each reaction, gap and foot.
 struct Series {
@@ -140,4 +144,40 @@ models! {
     toppling_rod: TopplingRod { m: 1.3, l: 0.7, g: 9.81 };
     forced: Forced { m: 1.3, l: 0.7, b: 0.4, w: 1.1, g: 9.81 };
     zigzag_thread: ZigzagThread { m1: 0.4, m2: 0.9, l: 0.7, s: 1.1, g: 9.81 };
+}
+
+/// The series of the full equations of phases that keep all coordinates, against the elimination on jets.
+fn check_projected<M: BarSystem>(model: &M, sets: &[u64]) {
+    let mut source = Source::new(12);
+    let system = Model::of(model).system;
+    for &set in sets {
+        let set = ContactSet::from_bits(set);
+        let state = M::State::from_fn(|_| source.range(-1.2, 1.2));
+        let phase = system.clone().phase(set, Form::Projected);
+        let mut expansion = phase.series().expect("series");
+        expansion.expand(state.as_ref(), 1.0, K - 1);
+        let entries = state.as_ref().len();
+        let series = expansion.series();
+        let state = (0..entries).map(|i| core::array::from_fn(|k| series[k * entries + i])).collect();
+        let (contacts, feet) = (M::LAYOUT.contacts.len(), M::LAYOUT.feet());
+        let padded = |terms: &[f64]| core::array::from_fn(|k| terms.get(k).copied().unwrap_or(0.0));
+        let guards = expansion.guards(1.0).expect("guards");
+        let guards = [
+            (0..contacts).map(|i| padded(guards.reaction(i))).collect(),
+            (0..contacts).map(|i| padded(guards.gap(i))).collect(),
+            (0..2 * feet).map(|i| padded(guards.foot(i / 2, i % 2))).collect(),
+        ];
+        let series = Series { state, guards };
+        let worst = M::phase(set, Form::Projected, ByJets { model, series: &series });
+        assert!(worst < PROJECTED_TOLERANCE, "{} {set:?}: {worst:e}", M::LAYOUT.name);
+    }
+}
+
+/// Loops, free and driven, threads, contacts that lean on one another, and those of which other sets have closed forms.
+#[test]
+fn phases_without_a_closed_form_have_the_series_of_the_full_equations() {
+    check_projected(&SliderCrank { a: 1.0, b: 0.5, c: 2.0, r: 0.4, l: 0.9, omega: 1.3 }, &[0]);
+    check_projected(&Parallelogram { m: 1.3, l: 0.7, c: 0.8, d: 1.1, g: 9.81 }, &[0]);
+    check_projected(&NFourBar { m: 1.3, l: 0.7, g: 9.81 }, &[0]);
+    check_projected(&ZigzagThread { m1: 0.4, m2: 0.9, l: 0.7, s: 1.1, g: 9.81 }, &[1, 2, 4, 3, 5]);
 }

@@ -217,41 +217,50 @@ pub(super) fn energies(results: &[TokenStream]) -> TokenStream {
 }
 
 fn kernel(analysis: &Analysis, constants: &Constants, all: Entries) -> TokenStream {
+    let outputs = kernel_outputs(analysis);
+    body(analysis, constants, all, &outputs, |results| kernel_of(analysis, results))
+}
+
+/// What a kernel is written from, in the order of [`kernel_of`].
+pub(super) fn kernel_outputs(analysis: &Analysis) -> Vec<Id> {
     let kernel = &analysis.functions.kernel;
-    let (n, rows) = (kernel.force.len(), kernel.gap.len());
-    let mut outputs = kernel.mass.written(n);
-    let entries = outputs.len();
+    let mut outputs = kernel.mass.written(kernel.force.len());
     outputs.extend(kernel.force.iter().chain(&kernel.gap));
     outputs.extend(kernel.jacobian.iter().flatten().chain(&kernel.bias).chain(&kernel.drift));
     outputs.extend(&kernel.friction);
-    body(analysis, constants, all, &outputs, |results| {
-        let (mass, rest) = results.split_at(entries);
-        let (force, rest) = rest.split_at(n);
-        let (gap, rest) = rest.split_at(rows);
-        let (jacobian, rest) = rest.split_at(rows * n);
-        let (bias, rest) = rest.split_at(rows);
-        let (drift, friction) = rest.split_at(rows);
-        let grid = |entries: &[TokenStream]| {
-            let rows = entries.chunks(n.max(1)).map(|row| quote!([#(#row),*]));
-            quote!([#(#rows),*])
-        };
-        let jacobian = grid(jacobian);
-        let mass = match &kernel.mass {
-            Mass::Entries(_) => grid(mass),
-            Mass::Paths(paths) => by_paths(analysis, paths, mass),
-        };
-        quote! {
-            Kernel {
-                mass: #mass,
-                force: [#(#force),*],
-                gap: [#(#gap),*],
-                jacobian: #jacobian,
-                bias: [#(#bias),*],
-                drift: [#(#drift),*],
-                friction: [#(#friction),*],
-            }
+    outputs
+}
+
+/// A kernel of these values.
+pub(super) fn kernel_of(analysis: &Analysis, results: &[TokenStream]) -> TokenStream {
+    let kernel = &analysis.functions.kernel;
+    let (n, rows) = (kernel.force.len(), kernel.gap.len());
+    let (mass, rest) = results.split_at(kernel.mass.written(n).len());
+    let (force, rest) = rest.split_at(n);
+    let (gap, rest) = rest.split_at(rows);
+    let (jacobian, rest) = rest.split_at(rows * n);
+    let (bias, rest) = rest.split_at(rows);
+    let (drift, friction) = rest.split_at(rows);
+    let grid = |entries: &[TokenStream]| {
+        let rows = entries.chunks(n.max(1)).map(|row| quote!([#(#row),*]));
+        quote!([#(#rows),*])
+    };
+    let jacobian = grid(jacobian);
+    let mass = match &kernel.mass {
+        Mass::Entries(_) => grid(mass),
+        Mass::Paths(paths) => by_paths(analysis, paths, mass),
+    };
+    quote! {
+        Kernel {
+            mass: #mass,
+            force: [#(#force),*],
+            gap: [#(#gap),*],
+            jacobian: #jacobian,
+            bias: [#(#bias),*],
+            drift: [#(#drift),*],
+            friction: [#(#friction),*],
         }
-    })
+    }
 }
 
 /// The products that a long tree's mass matrix is made of.

@@ -62,7 +62,10 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
             has_series(phase).then(|| series::implementation(analysis, constants, phase, (name, entries)));
         quote!(#functions #closed #series)
     });
-    let phases: TokenStream = phases.chain(joint_solution(analysis, constants)).collect();
+    let phases: TokenStream = phases
+        .chain(joint_solution(analysis, constants))
+        .chain(series::of_kernel(analysis, constants))
+        .collect();
     (selection, phases)
 }
 

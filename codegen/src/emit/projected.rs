@@ -39,8 +39,12 @@ pub(super) fn projected(analysis: &Analysis) -> TokenStream {
             }
         },
     };
+    let visit = match &analysis.functions.projected {
+        None => quote!(visit::<#n>),
+        Some(_) => quote!(visit_projected::<#n, FullSeries>),
+    };
     quote! {
-        visitor.visit::<#n>(Phase {
+        visitor.#visit(Phase {
             set,
             form: Form::Projected,
             coordinates: #coordinates,

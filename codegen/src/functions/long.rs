@@ -2,10 +2,9 @@
 
 use super::tree::{Geometry, Inverse, energy, joints, momenta, paths, points, recursion};
 use super::{Chain, Functions, Mass, PhaseFunctions, full, kinks};
-use crate::algebra::Symbol;
 use crate::kinematics::Kinematics;
-use crate::motion::{ClosedSet, Motion, Tree};
-use crate::program::{Id, Lowering, Program};
+use crate::motion::{Motion, Tree};
+use crate::program::{Lowering, Program};
 use crate::system::System;
 
 pub(super) fn functions(system: &System, kinematics: &Kinematics, motion: &Motion, tree: &Tree) -> Functions {
@@ -32,7 +31,8 @@ pub(super) fn functions(system: &System, kinematics: &Kinematics, motion: &Motio
         feet.flat_map(|foot| [&foot.from_first, &foot.from_last]).map(|s| lowering.series(s)).collect();
     let figure = system.figure.iter().flatten().map(|s| lowering.series(s)).collect();
     let chain = Chain::of(&mut lowering, system, kinematics, motion);
-    let phases = vec![PhaseFunctions { chain, ..free(lowering.program(), motion, accelerations, energy) }];
+    let free = PhaseFunctions::of_all(lowering.program(), motion, accelerations, energy);
+    let phases = vec![PhaseFunctions { chain, ..free }];
     let kinks = kinks::kinks(&program, &kernel);
     Functions {
         program,
@@ -43,31 +43,10 @@ pub(super) fn functions(system: &System, kinematics: &Kinematics, motion: &Motio
         slips,
         phases,
         joint_solution: None,
+        projected: None,
         figure,
         quantities,
         together,
         kinks,
-    }
-}
-
-/// The tree without contacts.
-fn free(program: &mut Program, motion: &Motion, accelerations: Vec<Id>, energy: [Id; 2]) -> PhaseFunctions {
-    let all: Vec<usize> = (0..motion.n).collect();
-    let rates: Vec<Id> = all.iter().map(|&i| program.input(Symbol::rate(i))).collect();
-    let coordinates = all.iter().map(|&i| program.input(Symbol::coordinate(i)));
-    let embedding = coordinates.collect::<Vec<Id>>().into_iter().chain(rates.iter().copied()).collect();
-    let reactions = vec![program.integer(0); motion.contacts.len() + motion.frictions().count()];
-    let (kept, moving) = (all.clone(), all);
-    PhaseFunctions {
-        set: ClosedSet::default(),
-        kept,
-        moving,
-        rates,
-        accelerations,
-        chain: None,
-        reactions,
-        embedding,
-        pivots: Vec::new(),
-        energy,
     }
 }

@@ -15,7 +15,7 @@ mod tree;
 
 use core::ops::Range;
 
-use crate::algebra::Series;
+use crate::algebra::{Series, Symbol};
 use crate::kinematics::Kinematics;
 use crate::motion::{ClosedSet, Dense, Motion, Quantity, Tree, UNROLLED};
 use crate::phases::Phase;
@@ -111,6 +111,35 @@ pub struct PhaseFunctions {
     pub energy: [Id; 2],
 }
 
+impl PhaseFunctions {
+    /// Those of all coordinates, without closed contacts.
+    fn of_all(program: &mut Program, motion: &Motion, accelerations: Vec<Id>, energy: [Id; 2]) -> Self {
+        let all: Vec<usize> = (0..motion.n).collect();
+        let rates: Vec<Id> = all.iter().map(|&i| program.input(Symbol::rate(i))).collect();
+        let coordinates: Vec<Id> = all.iter().map(|&i| program.input(Symbol::coordinate(i))).collect();
+        let reactions = vec![program.integer(0); motion.contacts.len() + motion.frictions().count()];
+        Self {
+            set: ClosedSet::default(),
+            kept: all.clone(),
+            moving: all,
+            embedding: [coordinates, rates.clone()].concat(),
+            rates,
+            accelerations,
+            chain: None,
+            reactions,
+            pivots: Vec::new(),
+            energy,
+        }
+    }
+}
+
+/// Whether no contact or a single one leaves a phase without a closed form, whose series are those of the full equations.
+fn needs_projected_series(motion: &Motion, phases: &[PhaseFunctions]) -> bool {
+    let sets = core::iter::once(0).chain((0..motion.contacts.len().min(64)).map(|i| 1 << i));
+    let has_form = |closed: u64| phases.iter().any(|phase| phase.set.closed == closed);
+    motion.n <= UNROLLED && !motion.has_hinges() && !sets.into_iter().all(has_form)
+}
+
 /// The functions of a model.
 #[derive(Clone, Debug)]
 pub struct Functions {
@@ -130,6 +159,8 @@ pub struct Functions {
     pub phases: Vec<PhaseFunctions>,
     /// The accelerations that the joints leave where no contact is closed, if they have an emitted form.
     pub joint_solution: Option<JointSolution>,
+    /// The full state as a phase, for the Taylor series of the full equations, where phases need them.
+    pub projected: Option<PhaseFunctions>,
     /// The nominal figure: x and y of each point.
     pub figure: Vec<Id>,
     /// Forces, couples and momenta by name; they read the accelerations of all coordinates and the multipliers of all rows.
@@ -179,6 +210,8 @@ impl Functions {
         } else {
             joint_solution::joint_solution(&mut program, system, kinematics, motion, &kernel)
         };
+        let projected = needs_projected_series(motion, &phases)
+            .then(|| PhaseFunctions::of_all(&mut program, motion, Vec::new(), energy));
         let kinks = kinks::kinks(&program, &kernel);
         Self {
             program,
@@ -189,11 +222,24 @@ impl Functions {
             slips,
             phases,
             joint_solution,
+            projected,
             figure,
             quantities,
             together: 0..0,
             kinks,
         }
+    }
+
+    /// The entries of M and of J that vary, row and column of each.
+    pub fn varying(&self) -> [Vec<[usize; 2]>; 2] {
+        let Kernel { mass, force, jacobian, .. } = &self.kernel;
+        let mass: Vec<Vec<Id>> =
+            mass.written(force.len()).chunks(force.len().max(1)).map(<[Id]>::to_vec).collect();
+        [&mass, jacobian].map(|rows| {
+            let entries = (0..).zip(rows).flat_map(|(i, row)| (0..).zip(row).map(move |(j, &id)| (i, j, id)));
+            let varying = entries.filter(|&(.., id)| !self.program.is_constant(id));
+            varying.map(|(i, j, _)| [i, j]).collect()
+        })
     }
 
     /// The same for a long tree, each function by a recursion over its bodies.

@@ -1,4 +1,5 @@
-//! The Taylor series of a closed form: one function that serves every order, `PhaseSeries::order`.
+//! The Taylor series of a closed form, and of the full equations: one function that serves every order, `PhaseSeries::order` and
+//! `KernelSeries::order`.
 
 mod waves;
 mod writer;
@@ -7,9 +8,10 @@ use proc_macro2::{Ident, TokenStream};
 
 use super::constants::Constants;
 use super::count;
-use super::functions::{Entries, State, pattern};
+use super::functions::{Entries, State, kernel_of, kernel_outputs, pattern};
 use crate::Analysis;
 use crate::functions::{PhaseFunctions, Scope};
+use crate::program::Id;
 use writer::{Written, write};
 
 /// `PhaseSeries` for the phase of this name.
@@ -53,6 +55,45 @@ pub(super) fn implementation(
             }
         }
     }
+}
+
+/// `KernelSeries`, where phases need it.
+pub(super) fn of_kernel(analysis: &Analysis, constants: &Constants) -> Option<TokenStream> {
+    let phase = analysis.functions.projected.as_ref()?;
+    let entries = Entries { kept: &phase.kept, moving: &phase.moving, motion: &analysis.motion };
+    let state = State { analysis, constants };
+    let scope = Scope { phase, program: &analysis.functions.program };
+    let kernel = kernel_outputs(analysis);
+    let outputs: Vec<Id> = kernel.iter().chain(&analysis.functions.feet).copied().collect();
+    let Written { statements, results, inputs, columns } = write(&scope, &state, &outputs);
+    let (kernel, feet) = results.split_at(kernel.len());
+    let kernel = kernel_of(analysis, kernel);
+    let pattern = (!inputs.is_empty()).then(|| {
+        let pattern = pattern(&state, entries.symbols(1), &inputs);
+        quote!(let #pattern = *state;)
+    });
+    let [mass, jacobian] = analysis.functions.varying().map(|entries| {
+        entries.into_iter().map(|[i, j]| [i, j].map(count)).map(|[i, j]| quote!([#i, #j])).collect::<Vec<_>>()
+    });
+    let (model, n, blocks) = (super::model(), count(entries.len()), count(columns.div_ceil(LANES)));
+    Some(quote! {
+        enum FullSeries {}
+
+        impl KernelSeries<#model, #n> for FullSeries {
+            const VARYING: Varying<'static> = Varying { mass: &[#(#mass),*], jacobian: &[#(#jacobian),*] };
+            type Tape<S: Real> = Tape<S, #blocks>;
+            #[inline(always)]
+            fn order<S: Real, O: SeriesOps<S>>(
+                k: &Constants<S>,
+                order: &mut O,
+                state: &[S; #n],
+            ) -> (<#model as BarSystem>::Kernel<S>, <#model as BarSystem>::Feet<S>) {
+                #pattern
+                #statements
+                (#kernel, [#(#feet),*])
+            }
+        }
+    })
 }
 
 /// Columns of one block of a tape, `liftoff::series::LANES`.

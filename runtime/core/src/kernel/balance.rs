@@ -5,7 +5,7 @@ use crate::scalar::Scalar;
 
 /// Writes factors that make the diagonal of M one, then the largest entry of each closed row of J.
 #[inline(always)]
-pub(super) fn balance<S: Scalar>(kernel: &impl KernelView<S>, closed: &[usize], scale: &mut [S]) {
+pub(crate) fn balance<S: Scalar>(kernel: &(impl KernelView<S> + ?Sized), closed: &[usize], scale: &mut [S]) {
     let n = kernel.force().len();
     scale.fill(S::ratio(1, 1));
     for j in 0..n {

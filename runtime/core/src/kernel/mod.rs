@@ -16,8 +16,12 @@ mod emitted;
 mod lever;
 mod refinement;
 
+#[cfg(feature = "std")]
+pub(crate) use balance::balance;
 pub use elimination::{Room, Workspace};
 pub use lever::lever;
+#[cfg(feature = "std")]
+pub(crate) use refinement::{Shape, factorise};
 
 pub use emitted::{are_trusted, mass_by_paths, trusted, write_mass};
 

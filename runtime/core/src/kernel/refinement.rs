@@ -11,9 +11,9 @@ use crate::scalar::{Real, Scalar};
 
 /// So many rows and columns, the rows `width` apart.
 #[derive(Clone, Copy)]
-pub(super) struct Shape {
-    pub(super) size: usize,
-    pub(super) width: usize,
+pub(crate) struct Shape {
+    pub(crate) size: usize,
+    pub(crate) width: usize,
 }
 
 /// Writes the solution and takes the right-hand side for it, where every column has a pivot above `rounding`; whether it has.
@@ -46,7 +46,12 @@ pub(super) fn refined<S: Scalar>(
 }
 
 /// P K₀ = L U in place, with partial pivoting; whether each pivot is above `rounding`.
-fn factorise<S: Scalar>(shape: Shape, factors: &mut [S], rounding: f64, swaps: &mut [usize]) -> bool {
+pub(crate) fn factorise<S: Scalar>(
+    shape: Shape,
+    factors: &mut [S],
+    rounding: f64,
+    swaps: &mut [usize],
+) -> bool {
     let Shape { size, width } = shape;
     for column in 0..size {
         let weight = |row: usize| factors[row * width + column].to_f64().abs();

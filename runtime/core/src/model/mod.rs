@@ -28,7 +28,7 @@ pub use layout::{
 pub use measure::{Measure, MeasureKind};
 pub use phase::{ClosedForm, Energy, Form, InSet, OfState, Phase, PhaseVisitor, least};
 pub use quantity::{Quantity, QuantityKind};
-pub use series::{PhaseSeries, Terms, TermsOf};
+pub use series::{KernelSeries, PhaseSeries, Terms, TermsOf, Varying};
 
 use crate::scalar::{Real, Scalar};
 

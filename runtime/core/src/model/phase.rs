@@ -1,6 +1,6 @@
 //! The equations of one contact set.
 
-use super::{BarSystem, ContactSet, PhaseSeries};
+use super::{BarSystem, ContactSet, KernelSeries, PhaseSeries};
 use crate::scalar::{Real, Scalar};
 
 /// How a phase is integrated.
@@ -71,6 +71,14 @@ pub trait PhaseVisitor<M: BarSystem, S: Scalar> {
     type Output;
     /// Called once with the selected phase.
     fn visit<const N: usize>(self, phase: Phase<M, S, N>) -> Self::Output;
+    /// Called instead with a phase that keeps all coordinates, where the Taylor series of the full equations are `Q`; what does not
+    /// use them need not say so, and nothing of them is compiled.
+    fn visit_projected<const N: usize, Q: KernelSeries<M, N>>(self, phase: Phase<M, S, N>) -> Self::Output
+    where
+        Self: Sized,
+    {
+        self.visit(phase)
+    }
     /// Called instead with a phase in closed form, whose equations on any number are `Q`; what does not use them need not say
     /// so.
     fn visit_closed<const N: usize, Q: ClosedForm<M, N>>(self, phase: Phase<M, S, N>) -> Self::Output

@@ -1,4 +1,4 @@
-//! The Taylor series of a closed form.
+//! The Taylor series of a closed form, and of the full equations.
 
 use super::{BarSystem, ClosedForm};
 use crate::scalar::Real;
@@ -34,4 +34,29 @@ pub trait PhaseSeries<M: BarSystem, const N: usize>: ClosedForm<M, N> {
         order: &mut O,
         state: &[S; N],
     ) -> TermsOf<M, S, N>;
+}
+
+/// The entries of M and of J that vary along a motion: row, column.
+#[derive(Clone, Copy, Debug)]
+pub struct Varying<'a> {
+    /// Of M.
+    pub mass: &'a [[usize; 2]],
+    /// Of J.
+    pub jacobian: &'a [[usize; 2]],
+}
+
+/// The full equations on Taylor series, for the phases that keep all coordinates; implemented by the derive macro, where there
+/// are such.
+pub trait KernelSeries<M: BarSystem, const Y: usize>: 'static {
+    /// What varies of their matrices.
+    const VARYING: Varying<'static>;
+    /// A tape with a column for each convolution.
+    type Tape<S: Real>: TaylorTape<S>;
+    /// Coefficient n of the equations and of the distances of the feet from coefficient n of the full state, once those below n
+    /// have been computed.
+    fn order<S: Real, O: SeriesOps<S>>(
+        constants: &M::Constants<S>,
+        order: &mut O,
+        state: &[S; Y],
+    ) -> (M::Kernel<S>, M::Feet<S>);
 }

@@ -9,6 +9,7 @@ mod lanes;
 mod lifted;
 mod model;
 mod phase;
+mod projected;
 mod series;
 
 pub use equations::Equations;
@@ -16,6 +17,7 @@ pub use lanes::{LaneConstructor, LaneEnd, LaneGroup, LaneStart, lanes};
 pub use model::{Model, ModelOn, precise, varied};
 pub use phase::PhaseInfo;
 pub(crate) use phase::to_array;
+pub use projected::{KernelOrders, ProjectedExpansion, TakeOrder};
 pub use series::{SeriesEquations, TIME_ORDERS, TimeSeries};
 
 use std::sync::Arc;

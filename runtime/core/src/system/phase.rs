@@ -1,15 +1,19 @@
 //! A phase of a compiled model, its dimension forgotten.
 
+use core::marker::PhantomData;
 use std::sync::Arc;
 
 use super::jacobian::{self, JacobianOf};
 use super::lifted::Lifted;
+use super::projected::{KernelOrders, ProjectedExpansion, TakeOrder};
 use super::{Jacobian, Phase, System};
 use crate::integrate::{PhaseExpansion, SeriesExpansion};
 use crate::model::{
-    self, Array, BarSystem, ClosedForm, ContactSet, Energy, Form, OfState, PhaseSeries, PhaseVisitor,
+    self, Array, BarSystem, ClosedForm, ContactSet, Energy, Form, KernelSeries, OfState, PhaseSeries,
+    PhaseVisitor, Varying,
 };
 use crate::scalar::{DoubleDouble, Dual4, Scalar};
+use crate::series::TaylorTape;
 
 /// What a phase is and how large.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -68,6 +72,18 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for WithSeries<M> {
         Arc::new(LiftedPhase { jacobian, ..LiftedPhase::new(self.0, phase) })
     }
 
+    fn visit_projected<const N: usize, Q: KernelSeries<M, N>>(
+        self,
+        phase: model::Phase<M, f64, N>,
+    ) -> Self::Output {
+        let jacobian = jacobian::of_projected::<M, N>();
+        let series: SeriesOf<M, f64> = |constants, set| {
+            let orders = OrdersOf::<M, Q, N> { constants, tape: Box::default(), series: PhantomData };
+            Some(Box::new(ProjectedExpansion::of(M::LAYOUT, set, Box::new(orders))?))
+        };
+        Arc::new(LiftedPhase { jacobian, series: Some(series), ..LiftedPhase::new(self.0, phase) })
+    }
+
     fn visit_closed<const N: usize, Q: ClosedForm<M, N>>(
         self,
         phase: model::Phase<M, f64, N>,
@@ -81,7 +97,8 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for WithSeries<M> {
         phase: model::Phase<M, f64, N>,
     ) -> Self::Output {
         let (reduced, jacobian) = (Reduced::<M, f64, N>::of::<Q>(), jacobian::of_closed::<M, Q, N>());
-        let series: SeriesOf<M, f64> = |constants| Box::new(PhaseExpansion::<M, Q, N>::new(constants));
+        let series: SeriesOf<M, f64> =
+            |constants, _| Some(Box::new(PhaseExpansion::<M, Q, N>::new(constants)));
         Arc::new(LiftedPhase { reduced, jacobian, series: Some(series), ..LiftedPhase::new(self.0, phase) })
     }
 }
@@ -96,7 +113,30 @@ impl<M: BarSystem, S: Liftable> PhaseVisitor<M, S> for Plain<M, S> {
     }
 }
 
-type SeriesOf<M, S> = for<'a> fn(&'a <M as BarSystem>::Constants<S>) -> Box<dyn SeriesExpansion + 'a>;
+type SeriesOf<M, S> =
+    for<'a> fn(&'a <M as BarSystem>::Constants<S>, ContactSet) -> Option<Box<dyn SeriesExpansion + 'a>>;
+
+/// The full equations of a compiled model, order by order.
+struct OrdersOf<'a, M: BarSystem, Q: KernelSeries<M, N>, const N: usize> {
+    constants: &'a M::Constants<f64>,
+    tape: Box<Q::Tape<f64>>,
+    series: PhantomData<Q>,
+}
+
+impl<M: BarSystem, Q: KernelSeries<M, N>, const N: usize> KernelOrders for OrdersOf<'_, M, Q, N> {
+    fn varying(&self) -> Varying<'_> {
+        Q::VARYING
+    }
+
+    fn order(&mut self, n: usize, state: &[f64], take: &mut TakeOrder<'_>) {
+        let state = to_array(state);
+        let (kernel, feet) = match n {
+            0 => Q::order(self.constants, &mut self.tape.values(), &state),
+            _ => Q::order(self.constants, &mut self.tape.coefficients(n), &state),
+        };
+        take(&kernel, feet.as_ref());
+    }
+}
 
 struct LiftedPhase<M: BarSystem, S: Scalar, const N: usize> {
     system: Arc<Lifted<M, S>>,
@@ -182,7 +222,7 @@ impl<M: BarSystem, S: Liftable, const N: usize> Phase<S> for LiftedPhase<M, S, N
     }
 
     fn series(&self) -> Option<Box<dyn SeriesExpansion + '_>> {
-        self.series.map(|series| series(&self.system.constants))
+        self.series.and_then(|series| series(&self.system.constants, self.phase.set))
     }
 
     fn jacobian(&self) -> Option<Jacobian<'_>> {

@@ -92,7 +92,7 @@ impl Values {
 
 impl SeriesCode {
     /// An order n > 0.
-    fn higher_order(&self, n: usize, tape: &mut TapeOf<f64>, registers: &mut [f64]) {
+    pub(super) fn higher_order(&self, n: usize, tape: &mut TapeOf<f64>, registers: &mut [f64]) {
         #[cfg(feature = "jit")]
         if let Some(native) = self.native.get(|| crate::native::Order::of(self)) {
             return native.call(registers, tape.row(n), n);

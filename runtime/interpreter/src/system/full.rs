@@ -8,6 +8,7 @@ use liftoff_codegen::functions::{Functions, Mass};
 use liftoff_codegen::program::Id;
 
 use crate::code::{Code, Lowering, Source};
+use crate::series::KernelCode;
 
 /// The functions of the full state.
 #[derive(Debug)]
@@ -28,6 +29,8 @@ pub(crate) struct FullCode {
     pub quantity_codes: Vec<Code>,
     /// Where no contact is closed: rates and accelerations, then of each joint an entry with its pivot.
     pub joint_solution: Option<Code>,
+    /// The series of the kernel, where phases need them.
+    pub series: Option<KernelCode>,
 }
 
 /// What the mass matrix is made of.
@@ -79,6 +82,7 @@ impl FullCode {
             quantities,
             quantity_codes: groups.iter().map(|ids| code(entries + n + rows, ids)).collect(),
             joint_solution,
+            series: KernelCode::of(analysis, constants, &kernel, &source),
         }
     }
 }

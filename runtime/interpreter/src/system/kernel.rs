@@ -7,7 +7,7 @@ use super::full::{FullCode, MassForm};
 use crate::pool::{Lent, Number};
 
 /// What code has computed of the equations: f, g, b, ∂g/∂t, σμ, J, M.
-pub(super) struct Kernel<S: Number> {
+pub(crate) struct Kernel<S: Number> {
     values: Lent<S>,
     n: usize,
     rows: usize,
@@ -32,6 +32,11 @@ impl<S: Number> Kernel<S> {
             }
         }
         Self { values, n, rows }
+    }
+
+    /// Of what has been computed, M entry by entry.
+    pub fn of(code: &FullCode, values: Lent<S>) -> Self {
+        Self { values, n: code.coordinates, rows: code.rows }
     }
 
     fn column(&self, k: usize) -> &[S] {

@@ -8,4 +8,5 @@ mod phase;
 
 pub(crate) use evaluator::Evaluator;
 pub(crate) use full::FullCode;
+pub(crate) use kernel::Kernel;
 pub(crate) use phase::PhaseCode;

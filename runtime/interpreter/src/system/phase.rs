@@ -11,13 +11,13 @@ use liftoff_core::integrate::SeriesExpansion;
 use liftoff_core::kernel::are_trusted;
 use liftoff_core::model::{ContactSet, Energy, Form};
 use liftoff_core::scalar::{DoubleDouble, Dual4};
-use liftoff_core::system::{Jacobian, Phase, PhaseInfo, System};
+use liftoff_core::system::{Jacobian, Phase, PhaseInfo, ProjectedExpansion, System};
 
 use super::evaluator::Evaluator;
 use super::jacobian;
 use crate::code::{Code, Lowering, Source};
 use crate::pool::{Lent, Number};
-use crate::series::{Expansion, SeriesCode};
+use crate::series::{Expansion, Orders, SeriesCode};
 
 /// The functions of a closed form as code.
 #[derive(Debug)]
@@ -242,8 +242,12 @@ impl Phase for InterpretedPhase<f64> {
     }
 
     fn series(&self) -> Option<Box<dyn SeriesExpansion + '_>> {
-        let code = self.code()?.series.as_ref()?;
-        Some(Box::new(Expansion::new(code, &self.system.constants, self.system.model.layout)))
+        let (system, layout) = (&self.system, self.system.model.layout);
+        if let Some(code) = self.code() {
+            return Some(Box::new(Expansion::new(code.series.as_ref()?, &system.constants, layout)));
+        }
+        let orders = Orders::new(system.full().series.as_ref()?, system.full(), &system.constants);
+        Some(Box::new(ProjectedExpansion::of(layout, self.info.set, Box::new(orders))?))
     }
 
     fn jacobian(&self) -> Option<Jacobian<'_>> {

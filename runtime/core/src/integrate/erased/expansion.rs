@@ -2,7 +2,7 @@
 
 use super::InitialValueProblem;
 use crate::integrate::{Expansion, Guards, PhaseExpansion};
-use crate::model::{BarSystem, PhaseSeries};
+use crate::model::{BarSystem, Form, PhaseSeries};
 use crate::series::ORDERS;
 use crate::system::to_array;
 
@@ -48,7 +48,13 @@ pub(super) struct Padded<'a, const N: usize> {
 impl<'a, const N: usize> Padded<'a, N> {
     /// None where the phase has no series.
     pub(super) fn of(problem: &InitialValueProblem<'a>) -> Option<Self> {
-        let inner = problem.phase.series()?;
+        let mut inner = problem.phase.series()?;
+        if problem.phase.info().form == Form::Projected {
+            let mut rates = vec![0.0; problem.len()];
+            inner.rates(problem.start, &mut rates);
+            // Rows that repeat each other leave no factors.
+            rates.iter().all(|rate| rate.is_finite()).then_some(())?;
+        }
         let rows = if inner.series().len() < N * ORDERS { ORDERS } else { 0 };
         Some(Self { inner, problem: *problem, filled: vec![[0.0; N]; rows] })
     }

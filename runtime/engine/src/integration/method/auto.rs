@@ -3,14 +3,18 @@
 use super::stiffness::{damping, watched};
 use super::{Dop853, Method, Problem, Radau, StartedStepper, Taylor, Tsit5};
 use crate::integrate::erased;
+use crate::model::Form;
 
 /// Damping is stiff where −tr ∂f/∂y exceeds this per natural time: what it damps has decayed long before anything else moves.
 pub(super) const STIFF: f64 = 1e3;
 /// Tolerances looser than this are met by a pair of order 5 with less work.
 const LOOSE: f64 = 1e-5;
+/// At tighter tolerances DOP853 takes so many steps that the series of the full equations take less time.
+const TIGHT: f64 = 1e-11;
 
 /// Chooses for each phase, and says why in [`Segment::choice`](crate::Segment::choice): [`Radau`] where damping is
-/// stiff at its start, −tr ∂f/∂y ≫ 1 in natural times; else [`Taylor`] where there is a closed form; else [`Dop853`], or
+/// stiff at its start, −tr ∂f/∂y ≫ 1 in natural times; else [`Taylor`] where there are series
+/// that are worth their time; else [`Dop853`], or
 /// [`Tsit5`] at loose tolerances. Where damping becomes stiff on the way, or is so no longer, it changes the method, and logs
 /// that.
 #[derive(Debug, Clone, Copy, Default)]
@@ -35,17 +39,25 @@ impl Method for Auto {
                 }
             };
         }
-        let begun = if let Some(stepper) = erased::taylor(&problem.problem) {
-            Some(
-                StartedStepper::asked(&Taylor, stepper).because("it has a closed form, and so Taylor series"),
-            )
+        let begun = if !series_pay(problem) {
+            Dop853.begin(problem).map(because("its Taylor series would take longer"))
+        } else if let Some(stepper) = erased::taylor(&problem.problem) {
+            Some(StartedStepper::asked(&Taylor, stepper).because("it has Taylor series"))
         } else if problem.problem.relative > LOOSE {
-            Tsit5.begin(problem).map(because("it has no closed form, and the tolerance is loose"))
+            Tsit5.begin(problem).map(because("it has no Taylor series, and the tolerance is loose"))
         } else {
-            Dop853.begin(problem).map(because("it has no closed form"))
+            Dop853.begin(problem).map(because("it has no Taylor series"))
         };
         begun.map(|begun| watched(begun, problem))
     }
+}
+
+/// Whether Taylor's method is the faster one, if there are series: those of the full equations, where there is nothing to watch, are
+/// only at tight tolerances.
+fn series_pay(Problem { problem, .. }: &Problem) -> bool {
+    let is_closed_form = problem.phase.info().form == Form::Closed;
+    let has_contacts = !problem.phase.system().layout().contacts.is_empty();
+    is_closed_form || has_contacts || problem.relative < TIGHT
 }
 
 /// Whether there is damping and −tr ∂f/∂y exceeds [`STIFF`] per natural time.

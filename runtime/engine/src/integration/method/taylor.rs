@@ -3,7 +3,7 @@
 use super::{Dop853, Method, Problem, StartedStepper};
 use crate::integrate::erased;
 
-/// Taylor's method of variable order, [`crate::integrate::Taylor`], for the phases in closed form; DOP853 for the others.
+/// Taylor's method of variable order, [`crate::integrate::Taylor`], for the phases that have series, in closed form or of the full equations without sliding contacts; DOP853 for the others.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Taylor;
 
@@ -19,9 +19,7 @@ impl Method for Taylor {
     fn begin<'a>(&self, problem: &Problem<'a>) -> Option<StartedStepper<'a>> {
         match erased::taylor(&problem.problem) {
             Some(stepper) => Some(StartedStepper::asked(self, stepper)),
-            None => Dop853
-                .begin(problem)
-                .map(|begun| begun.because("the phase has no closed form, and so no Taylor series")),
+            None => Dop853.begin(problem).map(|begun| begun.because("the phase has no Taylor series")),
         }
     }
 }
