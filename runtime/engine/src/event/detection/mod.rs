@@ -318,7 +318,7 @@ impl<'a> EventDetector<'a> {
             let is_followed =
                 is_condition || contact.is_some_and(|i| self.layout.contacts[i].kind.is_drive());
             if watch.at_root || is_followed || watch.flight.is_some() {
-                let value = self.value(step, watch, 1.0);
+                let value = watch.end.take().unwrap_or_else(|| self.value(step, watch, 1.0));
                 let within = |theta: &f64| self.is_zero(watch, step, *theta);
                 let at_root = watch.at_root && WITHIN.iter().all(within);
                 let flight = watch.flight.filter(|_| self.is_low(value)).zip(contact);

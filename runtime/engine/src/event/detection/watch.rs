@@ -89,6 +89,10 @@ pub(super) struct Watch {
     pub(super) reads: Vec<Variable>,
     /// Whether a condition arms or disarms: what holds or not on either side of a pole is then there or not.
     pub(super) is_state: bool,
+    /// Of a condition, whether series of its sides show by their size how well they converge.
+    pub(super) is_entire: bool,
+    /// Of a condition, its difference at the end of the step, if its series is known there to be beyond its bound.
+    pub(super) end: Cell<Option<f64>>,
     /// How often a condition is evaluated in a step at most.
     pub(super) patience: Cell<u32>,
 }
@@ -118,6 +122,8 @@ impl Watch {
             is_noisy: false,
             reads: if let Guard::Condition(k) = guard { conditions[k].reads() } else { Vec::new() },
             is_state: false,
+            is_entire: matches!(guard, Guard::Condition(k) if conditions[k].is_entire()),
+            end: Cell::new(None),
             patience: Cell::new(PATIENCE),
         }
     }
