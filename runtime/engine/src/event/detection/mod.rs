@@ -27,10 +27,11 @@ use std::cell::{Cell, RefCell};
 
 use crate::event::root_isolation::{GuardError, NODES};
 use crate::expression::{Condition, Relation};
+use crate::integration::phase_point::Numbers;
 use crate::model::{ContactSet, Layout, Side, Slip};
 use known::Known;
 use memo::Memo;
-use step::Values;
+use step::{Kinds, Values};
 use watch::{Watch, guards};
 
 /// The fraction of a flight's height that counts as zero.
@@ -206,8 +207,17 @@ impl<'a> EventDetector<'a> {
         if self.list.iter().all(|watch| watch.guard != Guard::Grip) {
             self.known.begin(start, self.values.get_mut());
         }
+        let kinds = Kinds::of(self.list.iter().map(|watch| watch.guard));
+        if kinds.any() {
+            start.sample(0.0, kinds, self.values.get_mut());
+        }
+        let known = self.values.get_mut();
+        let values: Numbers = self.list.iter().map(|watch| known.get(watch.guard)).collect();
         for k in 0..self.list.len() {
-            let value = self.value(start, &self.list[k], 0.0);
+            let value = match self.list[k].guard {
+                Guard::Condition(_) => self.value(start, &self.list[k], 0.0),
+                _ => values[k],
+            };
             self.list[k].limit = start.limit(self.list[k].guard, self.values.get_mut());
             if let Some(height) = &mut self.list[k].height {
                 // A flight that begins so deep has its ground there.
@@ -290,6 +300,11 @@ impl<'a> EventDetector<'a> {
             let Some(contact) = watch.guard.gap() else { continue };
             if self.layout.contacts[contact].foot.is_none() || watch.is_clear {
                 self.list[k].passed = false;
+                continue;
+            }
+            if self.is_above(watch, step, end) {
+                self.list[k].passed = false;
+                self.list[k].passes.set(None);
                 continue;
             }
             let value = self.value(step, watch, end);

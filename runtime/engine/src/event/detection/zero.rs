@@ -116,6 +116,13 @@ impl EventDetector<'_> {
         )
     }
 
+    /// Whether the series of a guard tells that it is above its bound.
+    pub(super) fn is_above(&self, watch: &Watch, step: &StepView<'_>, theta: f64) -> bool {
+        let series = watch.series(step).filter(|_| watch.has_series);
+        let at = |c: &[f64]| c.iter().rev().fold(0.0, |sum, c| sum * theta + c);
+        series.is_some_and(|c| at(c) > self.bound(watch, step, &[]))
+    }
+
     /// Whether the foot of a contact is under its bar, if it has one.
     pub(super) fn under_bar(&self, step: &StepView<'_>, contact: usize, theta: f64) -> bool {
         self.margin(step, contact, theta) >= -self.end()
