@@ -214,16 +214,16 @@ impl<'a> EventDetector<'a> {
         let known = self.values.get_mut();
         let values: Numbers = self.list.iter().map(|watch| known.get(watch.guard)).collect();
         for k in 0..self.list.len() {
-            let value = match self.list[k].guard {
-                Guard::Condition(_) => self.value(start, &self.list[k], 0.0),
-                _ => values[k],
-            };
+            let value = values[k];
             self.list[k].limit = start.limit(self.list[k].guard, self.values.get_mut());
             if let Some(height) = &mut self.list[k].height {
                 // A flight that begins so deep has its ground there.
                 *height = height.max(2.0 * (-value).max(0.0) / LOW);
             }
-            self.list[k].at_root = value.abs() <= self.bound(&self.list[k], start, &[0.0]);
+            self.list[k].at_root = match self.list[k].guard {
+                Guard::Condition(condition) => self.is_met_at_start(condition, start),
+                _ => value.abs() <= self.bound(&self.list[k], start, &[]),
+            };
         }
     }
 

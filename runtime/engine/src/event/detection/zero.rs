@@ -94,6 +94,12 @@ impl EventDetector<'_> {
         watch.height.map_or(usual, |height| usual.min(height * LOW))
     }
 
+    /// Whether the difference of a condition's sides counts as zero at the start of a phase.
+    pub(super) fn is_met_at_start(&self, k: usize, start: &StepView<'_>) -> bool {
+        let (value, size) = start.difference(0.0, &self.conditions[k], &mut self.values.borrow_mut());
+        value.abs() <= self.bounds.relative * size || value.abs() <= self.rounding(k, start, &[0.0])
+    }
+
     /// The least rounding of a condition at the given times: it grows beyond all bounds towards poles.
     pub(super) fn rounding(&self, k: usize, step: &StepView<'_>, at: &[f64]) -> f64 {
         let values = &self.values;

@@ -81,7 +81,7 @@ impl<'a> Series<'a> {
     }
 
     fn size(&self) -> f64 {
-        self.terms.iter().map(|a| a.abs()).sum()
+        sizes(self.terms)
     }
 
     pub(super) fn at(&self, theta: f64) -> f64 {
@@ -149,7 +149,7 @@ impl Slope {
     }
 
     fn size(&self) -> f64 {
-        self.terms().iter().map(|c| c.abs()).sum()
+        sizes(self.terms())
     }
 
     fn rounding(&self) -> f64 {
@@ -169,7 +169,14 @@ impl Slope {
 /// nearly all steps have.
 pub fn stays_above(c: &[f64], delta: f64) -> bool {
     let [least, _] = Series::new(c, Start::Free).reach();
-    least > delta && least > c.iter().map(|a| a.abs()).sum::<f64>() * SUMMED
+    least > delta && least > sizes(c) * SUMMED
+}
+
+/// Σ |cₖ|, four at once.
+fn sizes(c: &[f64]) -> f64 {
+    let (fours, last) = c.as_chunks::<4>();
+    let sums = fours.iter().fold([0.0; 4], |sums, four| core::array::from_fn(|k| sums[k] + four[k].abs()));
+    sums.iter().sum::<f64>() + last.iter().map(|a| a.abs()).sum::<f64>()
 }
 
 /// Up to the last coefficient that is not zero.
@@ -187,11 +194,10 @@ pub fn tail(c: &[f64]) -> f64 {
     if last == 0.0 {
         return 0.0;
     }
-    let rounding = f64::EPSILON * largest(rest);
-    if last <= rounding {
+    let ratio = last / before;
+    if ratio > 0.5 && last <= f64::EPSILON * largest(rest) {
         return 2.0 * last;
     }
-    let ratio = last / before;
     if ratio < 1.0 { 2.0 * last * ratio / (1.0 - ratio) } else { f64::INFINITY }
 }
 
