@@ -29,7 +29,9 @@ impl<'a> Series<'a> {
     pub(super) fn new(c: &'a [f64], start: Start) -> Self {
         let c = &c[..c.len().min(TERMS)];
         let order = if let Start::Order(m) = start { m.min(c.len()) } else { 0 };
-        Self { order, terms: &c[order..] }
+        let terms = &c[order..];
+        let length = without_zeros(terms).len().max(1);
+        Self { order, terms: &terms[..length.min(terms.len())] }
     }
 
     /// What the divided series must stay above: `delta`, or zero behind a known root.
