@@ -216,10 +216,9 @@ impl<'a> EventDetector<'a> {
         for k in 0..self.list.len() {
             let value = values[k];
             self.list[k].limit = start.limit(self.list[k].guard, self.values.get_mut());
-            if let Some(height) = &mut self.list[k].height {
-                // A flight that begins so deep has its ground there.
-                *height = height.max(2.0 * (-value).max(0.0) / LOW);
-            }
+            // A flight that begins so deep has its ground there.
+            let height = &mut self.list[k].height;
+            *height = height.max(2.0 * (-value).max(0.0) / LOW);
             self.list[k].at_root = match self.list[k].guard {
                 Guard::Condition(condition) => self.is_met_at_start(condition, start),
                 _ => value.abs() <= self.bound(&self.list[k], start, &[]),

@@ -54,8 +54,9 @@ impl ContactStatus<'_> {
 /// A guard.
 pub(super) struct Watch {
     pub(super) guard: Guard,
-    /// The bound below which it counts as zero where that is tighter than for its kind: in a low flight.
-    pub(super) height: Option<f64>,
+    /// How high it will be in a low flight, whose bound is tighter than for its kind; else infinite. No `Option`: what that has in
+    /// place of a value may be a subnormal, which compilers multiply all the same, and processors slowly.
+    pub(super) height: f64,
     /// A corner beyond the end of its bar, which does not close before it has come back.
     pub(super) off: bool,
     /// A corner below its bar, which it has come to from beyond the end: it closes only after it has come back.
@@ -105,7 +106,7 @@ impl Watch {
         let order = contact.and_then(|i| roles.orders.iter().find(|(k, _)| *k == i)).map(|(_, m)| *m);
         Self {
             guard,
-            height: height.map(|(_, height)| *height),
+            height: height.map_or(f64::INFINITY, |(_, height)| *height),
             off: contact.is_some_and(|i| roles.off.contains(i)),
             passed: contact.is_some_and(|i| roles.passed.contains(i)),
             passes: Cell::new(None),

@@ -94,7 +94,7 @@ impl EventDetector<'_> {
                     middle(at.iter().map(size).collect()).map_or(least, |size| size.max(least))
                 }
             };
-        watch.height.map_or(usual, |height| usual.min(height * LOW))
+        usual.min(watch.height * LOW)
     }
 
     /// Whether the difference of a condition's sides counts as zero at the start of a phase.
