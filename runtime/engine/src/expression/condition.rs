@@ -63,9 +63,7 @@ impl Condition {
             return Err(OutputError::Constant { condition: text.to_owned() });
         }
         let sides = match (relation, sides) {
-            (Relation::Equal, [left, Expression::Number(0.0)]) => {
-                [left.vanishing(), Expression::Number(0.0)]
-            }
+            (Relation::Equal, [left, Expression::Number(0.0)]) => [left.vanishing(), Expression::Number(0.0)],
             (Relation::Equal, [Expression::Number(0.0), right]) => {
                 [Expression::Number(0.0), right.vanishing()]
             }

@@ -64,8 +64,7 @@ impl EventDetector<'_> {
             let last = if is_equation(watch) { theta + TOGETHER } else { theta };
             decisive.iter().any(|(at, guard)| *guard == watch.guard && (theta..=last).contains(at))
         };
-        let is_zero =
-            |watch: &Watch| !self.is_above(watch, step, theta) && self.is_zero(watch, step, theta);
+        let is_zero = |watch: &Watch| !self.is_above(watch, step, theta) && self.is_zero(watch, step, theta);
         let zero = |watch: &&Watch| is_met(watch) || !watch.at_root && is_zero(watch);
         self.list.iter().filter(zero).map(|watch| watch.guard).collect()
     }
