@@ -43,6 +43,7 @@ impl Model {
     }
 
     /// Names of everything.
+    #[inline]
     pub fn layout(&self) -> &'static Layout {
         self.system.layout()
     }

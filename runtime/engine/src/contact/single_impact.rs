@@ -19,7 +19,9 @@ impl Collision {
     pub(super) fn of_single(&self) -> Option<Outcome> {
         let (row, restitution, law) = self.single()?;
         let jacobian = self.jacobian.row(row).transpose();
-        let (approach, size) = (self.speed(&self.rates)[row], self.speed_size()[row]);
+        let terms = || jacobian.iter().zip(&self.rates).map(|(entry, rate)| entry * rate);
+        let approach = terms().sum::<f64>() + self.drift[row];
+        let size = terms().map(f64::abs).sum::<f64>() + self.drift[row].abs();
         let factor = Cholesky::new(self.mass.clone())?;
         let pivots = factor.l_dirty().diagonal().map(|pivot| pivot * pivot);
         let is_regular = pivots.iter().zip(self.mass.diagonal().iter()).all(|(pivot, m)| *pivot > CLEAR * m);

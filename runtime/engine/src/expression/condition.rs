@@ -1,6 +1,7 @@
 //! Conditions that end a run: `a = b`, `a < b`, `a > b`, or an expression that becomes zero.
 
 use core::fmt;
+use std::sync::Arc;
 
 use super::environment::{self, Environment};
 use super::parse::Parser;
@@ -14,12 +15,15 @@ use crate::model::Layout;
 const ROUNDED: f64 = 64.0 * f64::EPSILON;
 
 /// A condition on a motion; it is met when it becomes true, not where a run starts with it.
+///
+/// Shared, as runs and events keep it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Condition {
-    text: String,
+    text: Arc<str>,
     relation: Relation,
-    left: Expression,
-    right: Expression,
+    sides: Arc<[Expression; 2]>,
+    /// The right side, where it is a number.
+    constant: Option<f64>,
 }
 
 /// How the sides are compared.
@@ -44,24 +48,29 @@ impl Condition {
         };
         let right = if relation.is_some() { parser.sum()? } else { Expression::Number(0.0) };
         parser.end()?;
-        Self { text: text.trim().to_owned(), relation: relation.unwrap_or(Relation::Equal), left, right }
-            .refined()
+        Self::refined(text.trim(), relation.unwrap_or(Relation::Equal), [left, right])
     }
 
     /// Refuses what cannot become true; a side that is to become zero is taken in the form that changes its sign there.
-    fn refined(self) -> Result<Self, OutputError> {
-        if self.left.reads_history() || self.right.reads_history() {
-            return Err(OutputError::History { condition: self.text });
+    fn refined(text: &str, relation: Relation, sides: [Expression; 2]) -> Result<Self, OutputError> {
+        let [left, right] = &sides;
+        if left.reads_history() || right.reads_history() {
+            return Err(OutputError::History { condition: text.to_owned() });
         }
-        let fixed = self.left.is_fixed() && self.right.is_fixed() || self.left == self.right;
-        if fixed || self.time(&[]).is_some_and(|at| !(at >= 0.0 && at.is_finite())) {
-            return Err(OutputError::Constant { condition: self.text });
+        let fixed = left.is_fixed() && right.is_fixed() || left == right;
+        let at = Self::named_time(relation, &sides, &[]);
+        if fixed || at.is_some_and(|at| !(at >= 0.0 && at.is_finite())) {
+            return Err(OutputError::Constant { condition: text.to_owned() });
         }
-        Ok(match (self.relation, &self.left, &self.right) {
-            (Relation::Equal, _, Expression::Number(0.0)) => Self { left: self.left.vanishing(), ..self },
-            (Relation::Equal, Expression::Number(0.0), _) => Self { right: self.right.vanishing(), ..self },
-            _ => self,
-        })
+        let sides = match (relation, sides) {
+            (Relation::Equal, [left, Expression::Number(0.0)]) => [left.vanishing(), Expression::Number(0.0)],
+            (Relation::Equal, [Expression::Number(0.0), right]) => {
+                [Expression::Number(0.0), right.vanishing()]
+            }
+            (_, sides) => sides,
+        };
+        let constant = sides[1].constant(&[]).filter(|value| value.is_finite());
+        Ok(Self { text: text.into(), relation, sides: sides.into(), constant })
     }
 
     /// The condition that it does not hold, but for where its sides are equal.
@@ -71,7 +80,8 @@ impl Condition {
             Relation::Less => (Relation::Greater, ['<', '>']),
             Relation::Greater => (Relation::Less, ['>', '<']),
         };
-        Self { text: self.text.replace(sign[0], &sign[1].to_string()), relation, ..self.clone() }
+        let text = self.text.replace(sign[0], &sign[1].to_string()).into();
+        Self { text, relation, ..self.clone() }
     }
 
     pub(crate) fn relation(&self) -> Relation {
@@ -80,8 +90,9 @@ impl Condition {
 
     /// Left side less right side, and the larger of their sizes.
     pub(crate) fn difference(&self, context: &RunContext, point: &PhasePoint) -> (f64, f64) {
-        let a = evaluate::evaluate(&self.left, context, point);
-        let b = evaluate::evaluate(&self.right, context, point);
+        let [left, right] = &*self.sides;
+        let a = evaluate::evaluate(left, context, point);
+        let b = self.constant.unwrap_or_else(|| evaluate::evaluate(right, context, point));
         (a - b, a.abs().max(b.abs()))
     }
 
@@ -107,25 +118,31 @@ impl Condition {
 
     /// The left side, and the right one where nothing moves it.
     pub(super) fn against_constant(&self, parameters: &[f64]) -> Option<(&Expression, f64)> {
-        Some((&self.left, self.right.constant(parameters)?))
+        let [left, right] = &*self.sides;
+        Some((left, self.constant.or_else(|| right.constant(parameters))?))
     }
 
     /// The left side and the right one.
     pub fn values<E: Environment>(&self, environment: &E) -> Result<[E::Value; 2], E::Error> {
-        let left = environment::evaluate(&self.left, environment)?;
-        Ok([left, environment::evaluate(&self.right, environment)?])
+        let [left, right] = &*self.sides;
+        let left = environment::evaluate(left, environment)?;
+        Ok([left, environment::evaluate(right, environment)?])
     }
 
     /// Whether series of its sides show by their size how well they converge: nothing in them has poles or kinks, which may lie
     /// within a step although the first terms are small.
     pub(crate) fn is_entire(&self) -> bool {
-        self.left.is_entire() && self.right.is_entire()
+        self.sides.iter().all(Expression::is_entire)
     }
 
     /// The time that it names with these parameters, s, if it is an equation for nothing else.
     pub fn time(&self, parameters: &[f64]) -> Option<f64> {
-        match (&self.left, self.relation, &self.right) {
-            (Expression::Time, Relation::Equal, value) | (value, Relation::Equal, Expression::Time) => {
+        Self::named_time(self.relation, &self.sides, parameters)
+    }
+
+    fn named_time(relation: Relation, sides: &[Expression; 2], parameters: &[f64]) -> Option<f64> {
+        match (relation, sides) {
+            (Relation::Equal, [Expression::Time, value] | [value, Expression::Time]) => {
                 value.constant(parameters)
             }
             _ => None,

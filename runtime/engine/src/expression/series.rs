@@ -28,8 +28,12 @@ pub(crate) type Source<'a> = &'a dyn Fn(Known, &mut [f64; TERMS]) -> Option<()>;
 /// The sides of a condition.
 pub(crate) struct Sides {
     difference: [f64; TERMS],
+    /// How many of these count; the others are zero.
+    length: usize,
     tail: f64,
     size: f64,
+    /// The difference at the end of the step.
+    end: f64,
 }
 
 impl Sides {
@@ -40,19 +44,22 @@ impl Sides {
             Term::Varying(series) => (0..TERMS).for_each(|k| difference[k] -= series.coefficient(k)),
         }
         let tail = sides.iter().map(Term::tail).sum();
-        Self { difference, tail, size: sides.iter().map(Term::size).fold(0.0, f64::max) }
+        let size = sides.iter().map(Term::size).fold(0.0, f64::max);
+        Self { difference, length: TERMS, tail, size, end: end(&difference) }
     }
 
     /// Of a series and a constant.
     fn against(mut terms: [f64; TERMS], value: f64) -> Self {
-        let (tail, size) = (root_isolation::tail(&terms), size(&terms).max(value.abs()));
+        let (tail, end) = (root_isolation::tail(&terms), end(&terms));
+        let size = terms[0].abs().max(end.abs()).max(value.abs());
         terms[0] -= value;
-        Self { difference: terms, tail, size }
+        let length = root_isolation::without_zeros(&terms).len().max(1);
+        Self { difference: terms, length, tail, size, end: end - value }
     }
 
     /// Left side less right side.
-    pub(crate) fn difference(&self) -> &[f64; TERMS] {
-        &self.difference
+    pub(crate) fn difference(&self) -> &[f64] {
+        &self.difference[..self.length]
     }
 
     /// What the terms left out of both sides may sum to; infinite where they do not shrink, and then nothing that follows from
@@ -65,14 +72,18 @@ impl Sides {
     pub(crate) fn size(&self) -> f64 {
         self.size
     }
+
+    /// Left side less right side at the end of the step.
+    pub(crate) fn end(&self) -> f64 {
+        self.end
+    }
 }
 
-/// The larger value of a series at both ends of the step.
-fn size(terms: &[f64; TERMS]) -> f64 {
+/// The value of a series at the end of the step.
+fn end(terms: &[f64; TERMS]) -> f64 {
     let (fours, last) = terms.as_chunks::<4>();
     let sums = fours.iter().fold([0.0; 4], |sums, four| core::array::from_fn(|k| sums[k] + four[k]));
-    let end: f64 = sums.iter().chain(last).sum();
-    terms[0].abs().max(end.abs())
+    sums.iter().chain(last).sum()
 }
 
 impl Condition {
@@ -134,7 +145,10 @@ impl Term {
     fn size(&self) -> f64 {
         match self {
             Self::Constant(value) => value.abs(),
-            Self::Varying(_) => size(&self.coefficients()),
+            Self::Varying(_) => {
+                let terms = self.coefficients();
+                terms[0].abs().max(end(&terms).abs())
+            }
         }
     }
 

@@ -192,6 +192,7 @@ fn a_side_that_is_constant_is_subtracted() {
     let end = (1.0 - 0.6_f64.powi(33)) / 0.4;
     for sides in [own, other] {
         assert!((sides.size() - end).abs() < 1e-14, "{}", sides.size());
+        assert!((sides.end() - (end - 2.0)).abs() < 1e-14, "{}", sides.end());
         let tail = 0.6_f64.powi(33) / 0.4;
         assert!((1.0..4.0).contains(&(sides.tail() / tail)), "{} {tail}", sides.tail());
     }

@@ -190,7 +190,10 @@ impl<E: Expansion<N>, const N: usize> Stepper<f64, N> for Taylor<E, N> {
         let Last { t0, t1, ratio, y1, dense, is_dense } = &mut self.last;
         if !*is_dense {
             let mut power = 1.0;
-            let terms = self.expansion.series()[..=self.step_size.order].iter().map(|c| {
+            let series = &self.expansion.series()[..=self.step_size.order];
+            // Of a flight under gravity alone few are there.
+            let last = series.iter().rposition(|c| c.iter().any(|c| *c != 0.0)).unwrap_or(0).max(1);
+            let terms = series[..=last].iter().map(|c| {
                 // Zero stays zero where the power overflows.
                 let term = c.map(|c| if c == 0.0 { 0.0 } else { c * power });
                 power *= *ratio;

@@ -48,6 +48,8 @@ fn a_polynomial_is_one_step() {
     }
     // The first step's unit is a guess that may be some hundred times too short.
     assert!(solver.step_state().counts().accepted <= 2);
+    // Its coefficients and no zeros behind them.
+    assert_eq!(solver.dense().coefficients().len(), 4);
     // A few roundings of the largest.
     assert!(distance(*solver.step_state().state(), [3.0, 4.5, 4.5]) < 4.0 * 4.5 * f64::EPSILON);
 }

@@ -45,8 +45,10 @@ impl EventDetector<'_> {
     ) -> Result<Option<f64>, GuardError> {
         let condition = &self.conditions[k];
         let of_series = |sides: &Sides| self.bounds.relative * sides.size();
-        let sides = condition.is_entire().then(|| step.sides(condition)).flatten();
+        let sides = watch.is_entire.then(|| step.sides(condition)).flatten();
         let exact = sides.filter(|sides| sides.tail() <= EXACT * of_series(sides));
+        let is_told = |sides: &&Sides| sides.end().abs() > of_series(sides);
+        watch.end.set(exact.as_ref().filter(is_told).map(Sides::end));
         let start = match watch.sign {
             _ if watch.at_root => Start::Root,
             Some(positive) if condition.relation() == Relation::Equal => Start::Continues { positive },

@@ -134,7 +134,7 @@ impl EventDetector<'_> {
                 }
             }
             let mut fall = self.first_downcrossing(watch, step, from, touches)?;
-            if fall.is_none() && watch.height.is_some() && value(1.0) < -rounding {
+            if fall.is_none() && watch.height.is_finite() && value(1.0) < -rounding {
                 // The end of a low flight is known much better than to its bound.
                 let start = if watch.at_root && from == 0.0 { Start::Root } else { Start::Free };
                 fall = trace.first_root(from, start, (0.0, rounding))?;

@@ -27,10 +27,11 @@ use std::cell::{Cell, RefCell};
 
 use crate::event::root_isolation::{GuardError, NODES};
 use crate::expression::{Condition, Relation};
+use crate::integration::phase_point::Numbers;
 use crate::model::{ContactSet, Layout, Side, Slip};
 use known::Known;
 use memo::Memo;
-use step::Values;
+use step::{Kinds, Values};
 use watch::{Watch, guards};
 
 /// The fraction of a flight's height that counts as zero.
@@ -206,14 +207,22 @@ impl<'a> EventDetector<'a> {
         if self.list.iter().all(|watch| watch.guard != Guard::Grip) {
             self.known.begin(start, self.values.get_mut());
         }
+        let kinds = Kinds::of(self.list.iter().map(|watch| watch.guard));
+        if kinds.any() {
+            start.sample(0.0, kinds, self.values.get_mut());
+        }
+        let known = self.values.get_mut();
+        let values: Numbers = self.list.iter().map(|watch| known.get(watch.guard)).collect();
         for k in 0..self.list.len() {
-            let value = self.value(start, &self.list[k], 0.0);
+            let value = values[k];
             self.list[k].limit = start.limit(self.list[k].guard, self.values.get_mut());
-            if let Some(height) = &mut self.list[k].height {
-                // A flight that begins so deep has its ground there.
-                *height = height.max(2.0 * (-value).max(0.0) / LOW);
-            }
-            self.list[k].at_root = value.abs() <= self.bound(&self.list[k], start, &[0.0]);
+            // A flight that begins so deep has its ground there.
+            let height = &mut self.list[k].height;
+            *height = height.max(2.0 * (-value).max(0.0) / LOW);
+            self.list[k].at_root = match self.list[k].guard {
+                Guard::Condition(condition) => self.is_met_at_start(condition, start),
+                _ => value.abs() <= self.bound(&self.list[k], start, &[]),
+            };
         }
     }
 
@@ -292,6 +301,11 @@ impl<'a> EventDetector<'a> {
                 self.list[k].passed = false;
                 continue;
             }
+            if self.is_above(watch, step, end) {
+                self.list[k].passed = false;
+                self.list[k].passes.set(None);
+                continue;
+            }
             let value = self.value(step, watch, end);
             let deep = value < -self.bound(watch, step, &[]);
             let came =
@@ -318,7 +332,7 @@ impl<'a> EventDetector<'a> {
             let is_followed =
                 is_condition || contact.is_some_and(|i| self.layout.contacts[i].kind.is_drive());
             if watch.at_root || is_followed || watch.flight.is_some() {
-                let value = self.value(step, watch, 1.0);
+                let value = watch.end.take().unwrap_or_else(|| self.value(step, watch, 1.0));
                 let within = |theta: &f64| self.is_zero(watch, step, *theta);
                 let at_root = watch.at_root && WITHIN.iter().all(within);
                 let flight = watch.flight.filter(|_| self.is_low(value)).zip(contact);

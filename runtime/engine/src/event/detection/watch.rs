@@ -54,8 +54,9 @@ impl ContactStatus<'_> {
 /// A guard.
 pub(super) struct Watch {
     pub(super) guard: Guard,
-    /// The bound below which it counts as zero where that is tighter than for its kind: in a low flight.
-    pub(super) height: Option<f64>,
+    /// How high it will be in a low flight, whose bound is tighter than for its kind; else infinite. No `Option`: what that has in
+    /// place of a value may be a subnormal, which compilers multiply all the same, and processors slowly.
+    pub(super) height: f64,
     /// A corner beyond the end of its bar, which does not close before it has come back.
     pub(super) off: bool,
     /// A corner below its bar, which it has come to from beyond the end: it closes only after it has come back.
@@ -89,6 +90,10 @@ pub(super) struct Watch {
     pub(super) reads: Vec<Variable>,
     /// Whether a condition arms or disarms: what holds or not on either side of a pole is then there or not.
     pub(super) is_state: bool,
+    /// Of a condition, whether series of its sides show by their size how well they converge.
+    pub(super) is_entire: bool,
+    /// Of a condition, its difference at the end of the step, if its series is known there to be beyond its bound.
+    pub(super) end: Cell<Option<f64>>,
     /// How often a condition is evaluated in a step at most.
     pub(super) patience: Cell<u32>,
 }
@@ -101,7 +106,7 @@ impl Watch {
         let order = contact.and_then(|i| roles.orders.iter().find(|(k, _)| *k == i)).map(|(_, m)| *m);
         Self {
             guard,
-            height: height.map(|(_, height)| *height),
+            height: height.map_or(f64::INFINITY, |(_, height)| *height),
             off: contact.is_some_and(|i| roles.off.contains(i)),
             passed: contact.is_some_and(|i| roles.passed.contains(i)),
             passes: Cell::new(None),
@@ -118,6 +123,8 @@ impl Watch {
             is_noisy: false,
             reads: if let Guard::Condition(k) = guard { conditions[k].reads() } else { Vec::new() },
             is_state: false,
+            is_entire: matches!(guard, Guard::Condition(k) if conditions[k].is_entire()),
+            end: Cell::new(None),
             patience: Cell::new(PATIENCE),
         }
     }

@@ -1,5 +1,6 @@
 //! What of a guard counts as zero, and which guards are zero together.
 
+use super::guard_source::EXACT;
 use super::step::Kinds;
 use super::{EventDetector, Guard, LOW, StepView, Watch};
 use crate::expression::Relation;
@@ -63,7 +64,8 @@ impl EventDetector<'_> {
             let last = if is_equation(watch) { theta + TOGETHER } else { theta };
             decisive.iter().any(|(at, guard)| *guard == watch.guard && (theta..=last).contains(at))
         };
-        let zero = |watch: &&Watch| is_met(watch) || !watch.at_root && self.is_zero(watch, step, theta);
+        let is_zero = |watch: &Watch| !self.is_above(watch, step, theta) && self.is_zero(watch, step, theta);
+        let zero = |watch: &&Watch| is_met(watch) || !watch.at_root && is_zero(watch);
         self.list.iter().filter(zero).map(|watch| watch.guard).collect()
     }
 
@@ -91,7 +93,13 @@ impl EventDetector<'_> {
                     middle(at.iter().map(size).collect()).map_or(least, |size| size.max(least))
                 }
             };
-        watch.height.map_or(usual, |height| usual.min(height * LOW))
+        usual.min(watch.height * LOW)
+    }
+
+    /// Whether the difference of a condition's sides counts as zero at the start of a phase.
+    pub(super) fn is_met_at_start(&self, k: usize, start: &StepView<'_>) -> bool {
+        let (value, size) = start.difference(0.0, &self.conditions[k], &mut self.values.borrow_mut());
+        value.abs() <= self.bounds.relative * size || value.abs() <= self.rounding(k, start, &[0.0])
     }
 
     /// The least rounding of a condition at the given times: it grows beyond all bounds towards poles.
@@ -114,6 +122,13 @@ impl EventDetector<'_> {
                 values.get(watch.guard)
             },
         )
+    }
+
+    /// Whether the series of a guard tells that it is above its bound, however much of that its error takes.
+    pub(super) fn is_above(&self, watch: &Watch, step: &StepView<'_>, theta: f64) -> bool {
+        let series = watch.series(step).filter(|_| watch.has_series);
+        let at = |c: &[f64]| c.iter().rev().fold(0.0, |sum, c| sum * theta + c);
+        series.is_some_and(|c| at(c) > (1.0 + EXACT) * self.bound(watch, step, &[]))
     }
 
     /// Whether the foot of a contact is under its bar, if it has one.

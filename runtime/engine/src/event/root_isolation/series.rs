@@ -29,7 +29,9 @@ impl<'a> Series<'a> {
     pub(super) fn new(c: &'a [f64], start: Start) -> Self {
         let c = &c[..c.len().min(TERMS)];
         let order = if let Start::Order(m) = start { m.min(c.len()) } else { 0 };
-        Self { order, terms: &c[order..] }
+        let terms = &c[order..];
+        let length = without_zeros(terms).len().max(1);
+        Self { order, terms: &terms[..length.min(terms.len())] }
     }
 
     /// What the divided series must stay above: `delta`, or zero behind a known root.
@@ -81,7 +83,7 @@ impl<'a> Series<'a> {
     }
 
     fn size(&self) -> f64 {
-        self.terms.iter().map(|a| a.abs()).sum()
+        sizes(self.terms)
     }
 
     pub(super) fn at(&self, theta: f64) -> f64 {
@@ -149,7 +151,7 @@ impl Slope {
     }
 
     fn size(&self) -> f64 {
-        self.terms().iter().map(|c| c.abs()).sum()
+        sizes(self.terms())
     }
 
     fn rounding(&self) -> f64 {
@@ -169,7 +171,14 @@ impl Slope {
 /// nearly all steps have.
 pub fn stays_above(c: &[f64], delta: f64) -> bool {
     let [least, _] = Series::new(c, Start::Free).reach();
-    least > delta && least > c.iter().map(|a| a.abs()).sum::<f64>() * SUMMED
+    least > delta && least > sizes(c) * SUMMED
+}
+
+/// Σ |cₖ|, four at once.
+fn sizes(c: &[f64]) -> f64 {
+    let (fours, last) = c.as_chunks::<4>();
+    let sums = fours.iter().fold([0.0; 4], |sums, four| core::array::from_fn(|k| sums[k] + four[k].abs()));
+    sums.iter().sum::<f64>() + last.iter().map(|a| a.abs()).sum::<f64>()
 }
 
 /// Up to the last coefficient that is not zero.
@@ -187,11 +196,10 @@ pub fn tail(c: &[f64]) -> f64 {
     if last == 0.0 {
         return 0.0;
     }
-    let rounding = f64::EPSILON * largest(rest);
-    if last <= rounding {
+    let ratio = last / before;
+    if ratio > 0.5 && last <= f64::EPSILON * largest(rest) {
         return 2.0 * last;
     }
-    let ratio = last / before;
     if ratio < 1.0 { 2.0 * last * ratio / (1.0 - ratio) } else { f64::INFINITY }
 }
 

@@ -289,10 +289,7 @@ impl<'a> PhaseRun<'a> {
         if let Some(theta) = self.detector.undecided() {
             self.note_once(at(theta), LoggedDecision::ConditionUndecided);
         }
-        recording.end_at(match &first {
-            Some((theta, _)) if *theta < 1.0 => at(*theta),
-            _ => t1,
-        });
+        recording.end_at(if end < 1.0 { at(end) } else { t1 });
         let known = touches.len();
         touches.extend(touched.into_iter().map(|(theta, guard)| {
             let (state, reactions, gaps) = recording.shown_at(self.context, at(theta));

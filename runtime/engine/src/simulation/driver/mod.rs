@@ -20,7 +20,7 @@ pub(crate) use plan::{Action, Scheduled, Trigger};
 
 use std::sync::Arc;
 
-use zeno::{BounceHistory, ZenoClosure};
+use zeno::{BounceHistory, Rise, ZenoClosure};
 
 use crate::contact::{ContactError, are_determined, refuse_singular};
 use crate::error::{RunCause, RunError};
@@ -73,6 +73,8 @@ pub(crate) struct Driver<'a> {
     /// Which entries of the plan have happened.
     done: Vec<bool>,
     bounces: BounceHistory,
+    /// Contacts that rise at the start of the phase that follows, with those that bear it, until it is integrated.
+    risen: Option<(ContactSet, Vec<Rise>)>,
     settling: Vec<ZenoClosure>,
     allowance: Allowance,
     /// Kinetic and potential energy at the start of the phase, and the state there.
@@ -111,6 +113,7 @@ impl<'a> Driver<'a> {
                 .collect(),
             done: vec![false; setup.plan.len()],
             bounces: BounceHistory::new(setup.layout().contacts.len()),
+            risen: None,
             settling: Vec::new(),
             trajectory: Trajectory::empty(setup.context.clone(), setup.tolerance, (setup.begin, last)),
             form: setup.form,

@@ -184,6 +184,26 @@ fn the_tail_of_a_series() {
     assert!(tail(&[1.0, 2.0, 3.0, 1e-17, -1e-17, 1e-17]) <= 2e-17);
 }
 
+/// Coefficients that are zero at the end of a series change nothing, whatever is before them: a root on the way, at a start of known
+/// order, none, or nothing at all.
+#[test]
+fn zeros_at_the_end_of_a_series_say_nothing() {
+    let series: [&[f64]; 5] = [&[0.3, 0.2, -1.0], &[0.0, 0.0, 0.4, -1.0], &[1.0, -0.25], &[-0.3], &[0.0]];
+    for c in series {
+        for start in [Start::Free, Start::Root, Start::Order(2), Start::Continues { positive: true }] {
+            let mut long = [0.0; TERMS];
+            long[..c.len()].copy_from_slice(c);
+            assert_eq!(watch_series(&long, start, 1e-9), watch_series(c, start, 1e-9), "{c:?} {start:?}");
+            let roots = [&long, c].map(|c| first_root_series(c, start, 1e-9));
+            assert_eq!(roots[0], roots[1], "{c:?} {start:?}");
+        }
+    }
+    assert_eq!(
+        first_root_series(&[0.3, 0.2, -1.0, 0.0], Start::Free, 1e-9).map(|root| root.is_some()),
+        Ok(true)
+    );
+}
+
 fn sine_of(omega: f64) -> [f64; 40] {
     let mut long = [0.0; 40];
     long[..TERMS].copy_from_slice(&sine(omega, 0.0));

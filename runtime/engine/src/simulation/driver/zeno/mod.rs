@@ -37,7 +37,7 @@ const FALLS: f64 = 1e-6;
 const CONVERGED: f64 = 1e-2;
 
 /// A contact that leaves its support and falls back.
-struct Rise {
+pub(super) struct Rise {
     contact: usize,
     /// ġ and −g̈ of its gap.
     rate: f64,
@@ -179,18 +179,19 @@ impl Driver<'_> {
             let mut ends = sequence.best().into_iter().chain(sequence.of_fastest());
             *i == contact || ends.any(|(other, by)| (other - end).abs() <= same.max(by))
         };
-        let near = self.near(&self.gaps()).into_iter();
-        ZenoClosure { end, error, set: near.filter(joins).collect() }
+        let near = self.near(&self.gaps());
+        ZenoClosure { end, error, set: near.iter().filter(joins).collect() }
     }
 
     /// Open contacts with the heights that they are to reach: those that bounce, and those that rise within the bound of their
     /// gap, where their fall would be lost.
-    pub(super) fn low_flights(&self) -> Vec<(usize, f64)> {
+    pub(super) fn low_flights(&mut self) -> Vec<(usize, f64)> {
+        let known = self.risen.take().filter(|(bearing, _)| *bearing == self.bearing);
+        let rising = known.map_or_else(|| self.rising(), |(_, rising)| rising);
         let mut flights = self.bounces.heights.clone();
         // One that is no higher than the rounding of its gap cannot be followed.
         let resolved = RESOLVED * self.setup.context.scales.length;
-        let rising = self.rising().into_iter().filter(|rise| rise.height > resolved);
-        for Rise { contact, height, .. } in rising {
+        for Rise { contact, height, .. } in rising.into_iter().filter(|rise| rise.height > resolved) {
             if flights.iter().all(|(known, _)| *known != contact) {
                 flights.push((contact, height));
             }
@@ -206,12 +207,17 @@ impl Driver<'_> {
             let falls = rise.fall > FALLS * scales.acceleration();
             rise.rate > 0.0 && falls && rise.height <= RESOLVED * scales.length && e(rise.contact) < 1.0
         };
-        let low = self.rising().into_iter().filter(unseen).map(|Rise { contact, rate, fall, .. }| {
+        let rising = self.rising();
+        let low = rising.iter().filter(|rise| unseen(rise)).map(|&Rise { contact, rate, fall, .. }| {
             let rest = 2.0 * rate / fall / (1.0 - e(contact));
             ZenoClosure { end: self.t + rest, error: 0.0, set: ContactSet::EMPTY.with(contact) }
         });
         let low: Vec<ZenoClosure> = low.collect();
-        if low.is_empty() { Ok(()) } else { self.settle(low) }
+        if !low.is_empty() {
+            return self.settle(low);
+        }
+        self.risen = Some((self.bearing, rising));
+        Ok(())
     }
 
     pub(super) fn gaps(&self) -> Numbers {
@@ -221,7 +227,7 @@ impl Driver<'_> {
     }
 
     /// Contacts within the bound of their gaps. A foot that has slid off the end of its bar has nothing to fall back on.
-    fn near(&self, gaps: &[f64]) -> Vec<usize> {
+    fn near(&self, gaps: &[f64]) -> ContactSet {
         let bound = self.relative_bound() * self.setup.context.scales.length;
         let away = self.removed.union(self.beyond_end());
         (0..gaps.len()).filter(|i| gaps[*i].abs() <= bound && !away.contains(*i)).collect()
@@ -230,8 +236,7 @@ impl Driver<'_> {
     /// Open contacts within the bound of their gaps, above their bars, that do not approach their supports but will fall back.
     fn rising(&self) -> Vec<Rise> {
         let (gaps, n) = (self.gaps(), self.layout().coordinates.len());
-        let mut near = self.near(&gaps);
-        near.retain(|i| !self.closed.contains(*i));
+        let near = self.near(&gaps).difference(self.closed);
         if near.is_empty() {
             return Vec::new();
         }
@@ -243,6 +248,6 @@ impl Driver<'_> {
             let height = gaps[contact].max(0.0) + 0.5 * rate * rate / fall;
             Rise { contact, rate, fall, height }
         };
-        near.into_iter().map(rise).filter(|rise| rise.rate >= 0.0 && rise.fall > 0.0).collect()
+        near.iter().map(rise).filter(|rise| rise.rate >= 0.0 && rise.fall > 0.0).collect()
     }
 }

@@ -3,10 +3,12 @@
 //! before t∞ ends with v = 0.
 
 use nalgebra::DVector;
+use smallvec::smallvec;
 
 use crate::contact::impulse::{Collision, CollisionError, Outcome};
 use crate::error::RunCause;
 use crate::event::{EventKind, Note};
+use crate::integration::phase_point::Numbers;
 use crate::model::{ContactSet, Slip};
 use crate::simulation::driver::Driver;
 use crate::simulation::driver::collide::allowed_gain;
@@ -125,9 +127,9 @@ impl Driver<'_> {
     }
 
     /// Those with a set closed.
-    pub(in super::super) fn accelerations(&self, state: &[f64], set: ContactSet) -> Vec<f64> {
-        let mut a = vec![0.0; self.layout().coordinates.len()];
-        let mut multipliers = vec![0.0; self.layout().rows()];
+    pub(in super::super) fn accelerations(&self, state: &[f64], set: ContactSet) -> Numbers {
+        let mut a: Numbers = smallvec![0.0; self.layout().coordinates.len()];
+        let mut multipliers: Numbers = smallvec![0.0; self.layout().rows()];
         self.setup.context.system().solve(state, set, &mut a, &mut multipliers);
         a
     }
