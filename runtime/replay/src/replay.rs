@@ -11,7 +11,7 @@ use crate::{Number, ReplayError};
 use liftoff::event::{Event, EventKind};
 use liftoff::model::ContactSet;
 use liftoff::system::ModelOn;
-use liftoff::{AppliedImpulse, Segment, Trajectory};
+use liftoff::{AppliedImpulse, LoggedDecision, Segment, Trajectory};
 
 /// The first step, in natural times.
 const FIRST: f64 = 0.05;
@@ -95,6 +95,7 @@ impl<'a, S: Number> Replay<'a, S> {
         if let Some(settle) = events.find(|event| event.kind == EventKind::Settle) {
             return Err(ReplayError::Settles { t: settle.t });
         }
+        refuse_singular_positions::<S>(run, until)?;
         let t = S::from_f64(first.t);
         let state = (0..model.layout().entries()).map(|i| start.get(i).copied().unwrap_or(t)).collect();
         let (readings, values) = (Vec::new(), Vec::new());
@@ -262,6 +263,16 @@ impl<'a, S: Number> Replay<'a, S> {
         let rates = rates.ok_or(ReplayError::Impact { t: event.t })?;
         self.state[n..2 * n].copy_from_slice(rates);
         Ok(())
+    }
+}
+
+/// Refuses derivatives through a singular position of a loop, across which the run was continued along its branch.
+fn refuse_singular_positions<S: Number>(run: &Trajectory, until: f64) -> Result<(), ReplayError> {
+    let passed = |decision: &LoggedDecision| *decision == LoggedDecision::SingularPosition;
+    let until = until.min(run.end_time());
+    match run.log().iter().find(|entry| passed(&entry.decision) && entry.t <= until) {
+        Some(entry) if S::infinitesimal().is_some() => Err(ReplayError::Singular { t: entry.t }),
+        _ => Ok(()),
     }
 }
 
