@@ -24,7 +24,7 @@ const APART: f64 = 1e-6;
 pub struct Replayed<S> {
     /// The time of each event; none of touches, which are double roots.
     pub times: Vec<Option<S>>,
-    /// Coordinates and rates behind each event.
+    /// Coordinates and rates behind each event; at the time of a touch, which is fixed.
     pub states: Vec<Vec<S>>,
     /// Coordinates and rates at the end.
     pub end: Vec<S>,
@@ -139,11 +139,11 @@ impl<'a, S: Number> Replay<'a, S> {
         let readings: Vec<_> = self.readings.iter().filter(|of| of.segment == k).copied().collect();
         for of in readings.iter().filter(|of| of.part != Part::End) {
             if of.part == Part::Within {
-                self.go(S::from_f64(of.t), &mut reduced, &mut integrator)?;
+                self.go(of.t, &phase, &mut reduced, &mut integrator)?;
             }
             self.take(of, &phase, &reduced)?;
         }
-        self.go(S::from_f64(segment.t1), &mut reduced, &mut integrator)?;
+        self.go(segment.t1, &phase, &mut reduced, &mut integrator)?;
         let guards = self.run.ended_by(k);
         if !guards.is_empty() {
             let conditions = self.run.conditions();
@@ -162,17 +162,38 @@ impl<'a, S: Number> Replay<'a, S> {
         Ok(())
     }
 
-    /// On within a phase to a time.
+    /// On within a phase to a time, by way of what touches.
     fn go(
         &mut self,
-        to: S,
+        to: f64,
+        phase: &ReplayPhase<S>,
         reduced: &mut [S],
         integrator: &mut Extrapolation<'_, S>,
     ) -> Result<(), ReplayError> {
         integrator.evaluations = 0;
-        integrator.advance(reduced, to - self.t).map_err(|failure| failed(failure, to.to_f64()))?;
-        self.t = to;
+        while let Some(touch) = self.next_event().filter(|e| e.kind == EventKind::Touch && e.t < to) {
+            self.advance(touch.t, reduced, integrator)?;
+            self.times.push(None);
+            self.states.push(phase.embed(reduced)[..2 * self.model.layout().coordinates.len()].to_vec());
+        }
+        self.advance(to, reduced, integrator)
+    }
+
+    fn advance(
+        &mut self,
+        to: f64,
+        reduced: &mut [S],
+        integrator: &mut Extrapolation<'_, S>,
+    ) -> Result<(), ReplayError> {
+        let fixed = S::from_f64(to);
+        integrator.advance(reduced, fixed - self.t).map_err(|failure| failed(failure, to))?;
+        self.t = fixed;
         Ok(())
+    }
+
+    /// The first event that is not passed yet.
+    fn next_event(&self) -> Option<&'a Event> {
+        self.run.events().get(self.times.len())
     }
 
     /// What is read here.
@@ -208,7 +229,7 @@ impl<'a, S: Number> Replay<'a, S> {
     /// The events up to and at the time `t` of the run, where a phase ended.
     fn pass_events(&mut self, t: f64, next: ContactSet) -> Result<(), ReplayError> {
         let events = self.run.events();
-        while let Some(event) = events.get(self.times.len()).filter(|event| event.t <= t) {
+        while let Some(event) = self.next_event().filter(|event| event.t <= t) {
             let touch = event.kind == EventKind::Touch;
             self.times.push((!touch).then_some(self.t));
             let follows = events.get(self.times.len()).filter(|next| next.t == event.t);

@@ -35,6 +35,46 @@ fn entry(run: &Trajectory, name: &str) -> usize {
     run.layout().names_of_state().position(|known| known == name).expect("a name")
 }
 
+/// A rod about a rough point on the floor.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = l)]
+#[support(A = floor, rough)]
+#[figure(A = (0, 0), B = (3 * l / 5, 4 * l / 5))]
+#[coordinate(phi = angle(AB), from = vertical)]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+struct Rod {
+    m: f64,
+    l: f64,
+    g: f64,
+}
+
+/// From φ₀ with the energy of rest upright φ̇² = (3g/l) (1 − cos φ): the reaction touches zero where cos φ = 1/3. φ is a function of √(g/l) t,
+/// so that at a fixed time 2g ∂φ/∂g = t φ̇ and 2g ∂φ̇/∂g = φ̇ + t φ̈, with φ̈ = (3g/2l) sin φ; and those by l are opposite.
+#[test]
+fn derivatives_at_a_touch_are_those_at_its_time() {
+    let [m, l, g] = [1.3, 0.8, 9.0_f64];
+    let simulation = |p: &[f64]| {
+        let rate = (3.0 * p[2] / p[1] * (1.0 - 1.0_f64.cos())).sqrt();
+        let rod = Rod { m: p[0], l: p[1], g: p[2] };
+        Simulation::new(&rod).unwrap().start(Pose::at("phi", 1.0).with("phi'", rate)).unwrap()
+    };
+    let run = simulation(&[m, l, g]).limit(0.2).tolerance(1e-13).run().unwrap();
+    let found = by_parameters::<Rod>(&run, |p| simulation(p).start_state().unwrap()).unwrap();
+    let k = run.events().iter().position(|event| event.kind == EventKind::Touch).expect("a touch");
+    let touch = &run.events()[k];
+    assert!((touch["phi"].cos() - 1.0 / 3.0).abs() < 1e-6 && touch.t < 0.15, "{touch}");
+    assert!(found.events[k].time.is_none());
+    let (t, rate) = (touch.t, touch["phi'"]);
+    let acceleration = 1.5 * g / l * touch["phi"].sin();
+    for (name, expected) in [("phi", t * rate), ("phi'", rate + t * acceleration)] {
+        let row = &found.events[k].state[entry(&run, name)];
+        let told = [row[0], 2.0 * l * row[1] + expected, 2.0 * g * row[2] - expected];
+        assert!(told.iter().all(|x| x.abs() < 1e-9 * expected), "{name}: {row:?}, {expected}: {told:?}");
+    }
+}
+
 /// A bar on two equal cranks, which flattens where they point along the line of their pins.
 #[derive(BarSystem)]
 #[gravity(g)]
