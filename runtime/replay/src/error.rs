@@ -44,7 +44,8 @@ pub enum ReplayError {
         /// When.
         t: f64,
     },
-    /// Events at one time that come apart with what is varied: which of them is first depends on the way.
+    /// Events at one time that come apart with what is varied, or an event at a given time beside one whose time varies: which of them is
+    /// first depends on the way.
     #[error("events at t = {t} come apart: what follows has derivatives to one side only")]
     Simultaneous {
         /// When.

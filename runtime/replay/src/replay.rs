@@ -6,9 +6,9 @@ use crate::friction;
 use crate::instant::Instant;
 use crate::model::{ReplayModel, ReplayPhase};
 use crate::reading::{Located, Part, Reading, located};
-use crate::root::EventRefinement;
+use crate::root::{EventRefinement, TOGETHER};
 use crate::{Number, ReplayError};
-use liftoff::event::{Event, EventKind};
+use liftoff::event::{Event, EventKind, Guard};
 use liftoff::model::ContactSet;
 use liftoff::system::ModelOn;
 use liftoff::{AppliedImpulse, LoggedDecision, Segment, Trajectory};
@@ -151,6 +151,7 @@ impl<'a, S: Number> Replay<'a, S> {
             let (after, found) = event.find(guards, &mut integrator)?;
             self.t = self.t + after;
             reduced = found;
+            self.refuse_fixed_beside(guards, segment.t1)?;
         }
         for of in readings.iter().filter(|of| of.part == Part::End) {
             self.take(of, &phase, &reduced)?;
@@ -194,6 +195,22 @@ impl<'a, S: Number> Replay<'a, S> {
     /// The first event that is not passed yet.
     fn next_event(&self) -> Option<&'a Event> {
         self.run.events().get(self.times.len())
+    }
+
+    /// Refuses what happens at a given time together with an event whose time varies: to one side it comes first.
+    fn refuse_fixed_beside(&self, guards: &[Guard], t: f64) -> Result<(), ReplayError> {
+        let varies = |k: usize| self.t.part(k).abs() > TOGETHER * self.model.time;
+        let on_condition = guards.iter().any(|guard| matches!(guard, Guard::Condition(_)));
+        let is_fixed = |event: &Event| match event.kind {
+            EventKind::End | EventKind::Impulse => true,
+            EventKind::Stop | EventKind::Release | EventKind::Cut => !on_condition,
+            _ => false,
+        };
+        let mut here = self.run.events()[self.times.len()..].iter().take_while(|event| event.t <= t);
+        if (1..S::PARTS).any(varies) && here.any(is_fixed) {
+            return Err(ReplayError::Simultaneous { t });
+        }
+        Ok(())
     }
 
     /// What is read here.

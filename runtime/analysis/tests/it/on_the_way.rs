@@ -117,3 +117,45 @@ fn a_singular_position_is_named_and_derivatives_end_there() {
     let told = found.end[entry(&before, "phi")][4];
     assert!((told / expected - 1.0).abs() < 1e-3, "{told} or {expected}");
 }
+
+/// A ball on a floor.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[particle(P, mass = m)]
+#[support(P = floor, restitution = e)]
+#[figure(P = (0, h))]
+#[coordinate(y = y(P))]
+#[coordinate(x = x(P))]
+struct Ball {
+    m: f64,
+    e: f64,
+    h: f64,
+    g: f64,
+}
+
+/// A ball that reaches the floor at a given time has rates before or behind its impact there, as g falls or grows.
+#[test]
+fn a_given_time_at_an_event_has_derivatives_to_one_side_only() {
+    let ball = |g: f64| {
+        let simulation = Simulation::new(&Ball { m: 2.0, e: 0.5, h: 1.3, g }).unwrap();
+        simulation.start(Pose::at("y", 1.3).with("x'", 1.0)).unwrap().limit(0.8)
+    };
+    let t = ball(9.0).run().unwrap().events()[1].t;
+    let refused = |simulation: Simulation| {
+        let run = simulation.run().unwrap();
+        let error = by_parameters::<Ball>(&run, |_| start(&run)).unwrap_err();
+        assert_eq!(error, SensitivityError::Replay(ReplayError::Simultaneous { t }), "{:?}", run.events());
+    };
+    refused(ball(9.0).limit(t));
+    refused(ball(9.0).until(&format!("t = {t}")).unwrap());
+    refused(ball(9.0).impulse("P", [0.0, 1.0], t).unwrap());
+    // With a little more time the ball has bounced, with a little less it has not.
+    for (limit, has_bounced) in [(t + 1e-3, true), (t - 1e-3, false)] {
+        let run = ball(9.0).limit(limit).run().unwrap();
+        let found = by_parameters::<Ball>(&run, |_| start(&run)).unwrap();
+        // ẏ = −g t before, and behind it e g t₁ − g (t − t₁) = (1 + e) √(2gh) − g t.
+        let expected = if has_bounced { 1.5 * (1.3_f64 / 18.0).sqrt() - limit } else { -limit };
+        let told = found.end[entry(&run, "y'")][3];
+        assert!((told - expected).abs() < 1e-10, "{told} or {expected}");
+    }
+}
