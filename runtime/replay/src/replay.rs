@@ -6,12 +6,12 @@ use crate::friction;
 use crate::instant::Instant;
 use crate::model::{ReplayModel, ReplayPhase};
 use crate::reading::{Located, Part, Reading, located};
-use crate::root::EventRefinement;
+use crate::root::{EventRefinement, TOGETHER};
 use crate::{Number, ReplayError};
-use liftoff::event::{Event, EventKind};
+use liftoff::event::{Event, EventKind, Guard};
 use liftoff::model::ContactSet;
 use liftoff::system::ModelOn;
-use liftoff::{AppliedImpulse, Segment, Trajectory};
+use liftoff::{AppliedImpulse, LoggedDecision, Segment, Trajectory};
 
 /// The first step, in natural times.
 const FIRST: f64 = 0.05;
@@ -24,7 +24,7 @@ const APART: f64 = 1e-6;
 pub struct Replayed<S> {
     /// The time of each event; none of touches, which are double roots.
     pub times: Vec<Option<S>>,
-    /// Coordinates and rates behind each event.
+    /// Coordinates and rates behind each event; at the time of a touch, which is fixed.
     pub states: Vec<Vec<S>>,
     /// Coordinates and rates at the end.
     pub end: Vec<S>,
@@ -95,6 +95,7 @@ impl<'a, S: Number> Replay<'a, S> {
         if let Some(settle) = events.find(|event| event.kind == EventKind::Settle) {
             return Err(ReplayError::Settles { t: settle.t });
         }
+        refuse_singular_positions::<S>(run, until)?;
         let t = S::from_f64(first.t);
         let state = (0..model.layout().entries()).map(|i| start.get(i).copied().unwrap_or(t)).collect();
         let (readings, values) = (Vec::new(), Vec::new());
@@ -138,11 +139,11 @@ impl<'a, S: Number> Replay<'a, S> {
         let readings: Vec<_> = self.readings.iter().filter(|of| of.segment == k).copied().collect();
         for of in readings.iter().filter(|of| of.part != Part::End) {
             if of.part == Part::Within {
-                self.go(S::from_f64(of.t), &mut reduced, &mut integrator)?;
+                self.go(of.t, &phase, &mut reduced, &mut integrator)?;
             }
             self.take(of, &phase, &reduced)?;
         }
-        self.go(S::from_f64(segment.t1), &mut reduced, &mut integrator)?;
+        self.go(segment.t1, &phase, &mut reduced, &mut integrator)?;
         let guards = self.run.ended_by(k);
         if !guards.is_empty() {
             let conditions = self.run.conditions();
@@ -150,6 +151,7 @@ impl<'a, S: Number> Replay<'a, S> {
             let (after, found) = event.find(guards, &mut integrator)?;
             self.t = self.t + after;
             reduced = found;
+            self.refuse_fixed_beside(guards, segment.t1)?;
         }
         for of in readings.iter().filter(|of| of.part == Part::End) {
             self.take(of, &phase, &reduced)?;
@@ -161,16 +163,53 @@ impl<'a, S: Number> Replay<'a, S> {
         Ok(())
     }
 
-    /// On within a phase to a time.
+    /// On within a phase to a time, by way of what touches.
     fn go(
         &mut self,
-        to: S,
+        to: f64,
+        phase: &ReplayPhase<S>,
         reduced: &mut [S],
         integrator: &mut Extrapolation<'_, S>,
     ) -> Result<(), ReplayError> {
         integrator.evaluations = 0;
-        integrator.advance(reduced, to - self.t).map_err(|failure| failed(failure, to.to_f64()))?;
-        self.t = to;
+        while let Some(touch) = self.next_event().filter(|e| e.kind == EventKind::Touch && e.t < to) {
+            self.advance(touch.t, reduced, integrator)?;
+            self.times.push(None);
+            self.states.push(phase.embed(reduced)[..2 * self.model.layout().coordinates.len()].to_vec());
+        }
+        self.advance(to, reduced, integrator)
+    }
+
+    fn advance(
+        &mut self,
+        to: f64,
+        reduced: &mut [S],
+        integrator: &mut Extrapolation<'_, S>,
+    ) -> Result<(), ReplayError> {
+        let fixed = S::from_f64(to);
+        integrator.advance(reduced, fixed - self.t).map_err(|failure| failed(failure, to))?;
+        self.t = fixed;
+        Ok(())
+    }
+
+    /// The first event that is not passed yet.
+    fn next_event(&self) -> Option<&'a Event> {
+        self.run.events().get(self.times.len())
+    }
+
+    /// Refuses what happens at a given time together with an event whose time varies: to one side it comes first.
+    fn refuse_fixed_beside(&self, guards: &[Guard], t: f64) -> Result<(), ReplayError> {
+        let varies = |k: usize| self.t.part(k).abs() > TOGETHER * self.model.time;
+        let on_condition = guards.iter().any(|guard| matches!(guard, Guard::Condition(_)));
+        let is_fixed = |event: &Event| match event.kind {
+            EventKind::End | EventKind::Impulse => true,
+            EventKind::Stop | EventKind::Release | EventKind::Cut => !on_condition,
+            _ => false,
+        };
+        let mut here = self.run.events()[self.times.len()..].iter().take_while(|event| event.t <= t);
+        if (1..S::PARTS).any(varies) && here.any(is_fixed) {
+            return Err(ReplayError::Simultaneous { t });
+        }
         Ok(())
     }
 
@@ -207,7 +246,7 @@ impl<'a, S: Number> Replay<'a, S> {
     /// The events up to and at the time `t` of the run, where a phase ended.
     fn pass_events(&mut self, t: f64, next: ContactSet) -> Result<(), ReplayError> {
         let events = self.run.events();
-        while let Some(event) = events.get(self.times.len()).filter(|event| event.t <= t) {
+        while let Some(event) = self.next_event().filter(|event| event.t <= t) {
             let touch = event.kind == EventKind::Touch;
             self.times.push((!touch).then_some(self.t));
             let follows = events.get(self.times.len()).filter(|next| next.t == event.t);
@@ -262,6 +301,16 @@ impl<'a, S: Number> Replay<'a, S> {
         let rates = rates.ok_or(ReplayError::Impact { t: event.t })?;
         self.state[n..2 * n].copy_from_slice(rates);
         Ok(())
+    }
+}
+
+/// Refuses derivatives through a singular position of a loop, across which the run was continued along its branch.
+fn refuse_singular_positions<S: Number>(run: &Trajectory, until: f64) -> Result<(), ReplayError> {
+    let passed = |decision: &LoggedDecision| *decision == LoggedDecision::SingularPosition;
+    let until = until.min(run.end_time());
+    match run.log().iter().find(|entry| passed(&entry.decision) && entry.t <= until) {
+        Some(entry) if S::infinitesimal().is_some() => Err(ReplayError::Singular { t: entry.t }),
+        _ => Ok(()),
     }
 }
 

@@ -20,7 +20,7 @@ const ITERATIONS: usize = 40;
 /// The time over which the change of a guard is looked at, in natural times.
 const SPAN: f64 = 1.2e-2;
 /// Times whose derivatives agree to this stay together.
-const TOGETHER: f64 = 1e-7;
+pub(crate) const TOGETHER: f64 = 1e-7;
 /// A guard whose ġ is this part of its change only touches zero.
 const GRAZING: f64 = 1e-6;
 

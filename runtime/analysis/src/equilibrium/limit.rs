@@ -1,5 +1,5 @@
-//! How far a parameter, a load say, may grow until an equilibrium is lost: it is followed from value to value, and where it ends narrowed
-//! down by bisection. At the end some contact bears nothing more, or its friction is at its limit, or a mode begins to grow, or what held
+//! How far a parameter, a load say, may grow until an equilibrium is lost: it is followed from value to value by steps that are halved where
+//! it is not found, until they are nothing: Newton's method finds what is near only, and one step that fails is no end. At the end some contact bears nothing more, or its friction is at its limit, or a mode begins to grow, or what held
 //! the system has a fold.
 
 use liftoff::model::ContactSet;
@@ -15,8 +15,9 @@ const FIRST: f64 = 0.01;
 const GROWTH: f64 = 1.25;
 /// So many times its first size a parameter is let grow.
 const MOST: f64 = 1e6;
-/// How narrow the interval becomes, in parts of the parameter.
+/// The last step, in parts of the parameter, or of what is as small beside its first size.
 const WIDTH: f64 = 1e-13;
+const MOST_STEPS: usize = 2000;
 /// A reaction below this part of the largest is lost at the limit, and a friction force nearer to its limit slides.
 const LOST: f64 = 1e-5;
 
@@ -42,6 +43,8 @@ pub enum LimitEnd {
     Unstable,
     /// There is none any more nearby: a fold.
     Fold,
+    /// Nothing that is known: it has not been followed any farther.
+    Unfollowed,
 }
 
 /// How far the equilibrium of a subject remains, by `subject` the subject with another value of the parameter, from the value `from`
@@ -64,16 +67,37 @@ pub fn load_limit(
     let unit = if from == 0.0 { 1.0 } else { from.abs() };
     let (mut value, mut step) = (from, FIRST * unit * (to - from).signum());
     let mut last = begun.follow(&first, &state)?.map_err(|_| AnalysisError::NotFound { tried: 1 })?;
-    while (value - from).abs() <= MOST * unit {
+    let mut lost: Option<Lost> = None;
+    let mut has_failed = false;
+    for _ in 0..MOST_STEPS {
         let next = if step.abs() >= (to - value).abs() { to } else { value + step };
+        step = next - value;
+        let is_last = step.abs() <= WIDTH * value.abs().max(WIDTH * unit);
         match begun.follow(&subject(next)?, &last.0)? {
             Ok(_) if next == to => return Ok(None),
-            Ok(found) => (value, last) = (next, found),
-            Err(lost) => return begun.narrowed(subject, (value, last), (next, lost)).map(Some),
+            Ok(found) => {
+                (value, last) = (next, found);
+                step *= if has_failed { 0.5 } else { GROWTH };
+                has_failed = false;
+            }
+            Err(by) => {
+                (lost, has_failed) = (Some(by), true);
+                step *= 0.5;
+            }
         }
-        step *= GROWTH;
+        match &lost {
+            Some(lost) if is_last || value + step == value => {
+                let end = match lost {
+                    Some(end) => end.clone(),
+                    None => at_limit(&subject(value)?, &last),
+                };
+                return Ok(Some(LoadLimit { value, rest: last.1, end }));
+            }
+            _ if (value - from).abs() > MOST * unit => return Ok(None),
+            _ => {}
+        }
     }
-    Ok(None)
+    Ok(Some(LoadLimit { value, rest: last.1, end: LimitEnd::Unfollowed }))
 }
 
 /// What the equilibrium was to begin with.
@@ -83,6 +107,8 @@ struct Begun {
 }
 
 type Followed = (Vec<DoubleDouble>, Equilibrium);
+/// What an equilibrium is lost by; none where its contacts cannot hold it.
+type Lost = Option<LimitEnd>;
 
 impl Begun {
     /// The equilibrium of the same contacts near a state, or what it is lost by.
@@ -90,8 +116,9 @@ impl Begun {
         &self,
         subject: &Subject,
         state: &[DoubleDouble],
-    ) -> Result<Result<Followed, Option<LimitEnd>>, AnalysisError> {
-        let found = equilibrium(subject, self.set, state).filter(|state| is_possible(subject, state));
+    ) -> Result<Result<Followed, Lost>, AnalysisError> {
+        let found = equilibrium(subject, self.set, state, reach(subject, state))
+            .filter(|state| is_possible(subject, state));
         let Some(state) = found else { return Ok(Err(Some(LimitEnd::Fold))) };
         let Some(rest) = described(subject, &state)? else { return Ok(Err(None)) };
         if self.stable && matches!(rest.stability(), Stability::Unstable(_)) {
@@ -99,29 +126,13 @@ impl Begun {
         }
         Ok(Ok((state, rest)))
     }
+}
 
-    fn narrowed(
-        &self,
-        subject: &dyn Fn(f64) -> Result<Subject, AnalysisError>,
-        (mut value, mut last): (f64, Followed),
-        (mut beyond, mut lost): (f64, Option<LimitEnd>),
-    ) -> Result<LoadLimit, AnalysisError> {
-        while (beyond - value).abs() > WIDTH * value.abs().max(beyond.abs()) {
-            let middle = 0.5 * (value + beyond);
-            if middle == value || middle == beyond {
-                break;
-            }
-            match self.follow(&subject(middle)?, &last.0)? {
-                Ok(found) => (value, last) = (middle, found),
-                Err(by) => (beyond, lost) = (middle, by),
-            }
-        }
-        let end = match lost {
-            Some(end) => end,
-            None => at_limit(&subject(value)?, &last),
-        };
-        Ok(LoadLimit { value, rest: last.1, end })
-    }
+/// How far Newton's method may go in a step, in its own: farther where the system has grown beyond its natural length.
+fn reach(subject: &Subject, state: &[DoubleDouble]) -> f64 {
+    let lengths =
+        subject.layout().coordinates.iter().zip(state).filter(|(coordinate, _)| !coordinate.is_angle);
+    lengths.fold(1.0, |most: f64, (_, q)| most.max(q.hi().abs() / subject.scales.length))
 }
 
 /// Which contacts bear nothing, or else which are about to slide.

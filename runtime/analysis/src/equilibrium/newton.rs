@@ -21,11 +21,12 @@ const CLOSINGS: usize = 40;
 /// Contacts are closed within this part of natural lengths.
 const CLOSED: f64 = 1e-13;
 
-/// The state at rest in an equilibrium of these contacts, if one is found from `state`.
+/// The state at rest in an equilibrium of these contacts, if one is found from `state` by steps of so many times the farthest.
 pub(super) fn equilibrium(
     subject: &Subject,
     set: ContactSet,
     state: &[DoubleDouble],
+    reach: f64,
 ) -> Option<Vec<DoubleDouble>> {
     let mut state = closed(subject, set, state.to_vec())?;
     let (unit, time) = (subject.unit(), subject.scales.time);
@@ -48,7 +49,7 @@ pub(super) fn equilibrium(
             is_last = true;
             continue;
         }
-        let mut step = step * (FARTHEST / length).min(1.0);
+        let mut step = step * (reach * FARTHEST / length).min(1.0);
         let better = |step: &DVector<f64>| {
             let state = closed(subject, set, local.state_at(step))?;
             let moved = Local::of(subject, set, &state).ok()?.at_rest();

@@ -33,7 +33,7 @@ pub fn equilibria(subject: &Subject) -> Result<Vec<Equilibrium>, AnalysisError> 
     let is_free = subject.layout().contacts.is_empty() && subject.layout().joints.is_empty();
     for start in turned(subject) {
         for set in &sets {
-            let Some(state) = equilibrium(subject, *set, &start) else { continue };
+            let Some(state) = equilibrium(subject, *set, &start, 1.0) else { continue };
             if !is_possible(subject, &state) || found.iter().any(|known| is_same(subject, known, &state)) {
                 continue;
             }

@@ -2,8 +2,8 @@
 
 use liftoff::prelude::*;
 use liftoff::system::precise;
-use liftoff_analysis::{AnalysisError, Equilibrium, Stability, Subject, equilibria};
-use liftoff_fixtures::Plank;
+use liftoff_analysis::{AnalysisError, Equilibrium, LimitEnd, Stability, Subject, equilibria, load_limit};
+use liftoff_fixtures::{Plank, SpringPendulum};
 
 fn resting<M: BarSystem>(model: &M, start: Pose) -> Result<Vec<Equilibrium>, AnalysisError> {
     let simulation = Simulation::new(model).unwrap().start(start).unwrap();
@@ -105,4 +105,27 @@ struct Shaken {
 fn what_depends_on_time_is_refused() {
     let error = resting(&Shaken { m: 1.0, l: 1.0, k: 1.0 }, Pose::at("phi", 0.1)).map(|found| found.len());
     assert_eq!(error, Err(AnalysisError::Timed));
+}
+
+/// It hangs at y = l + m g/k, 1 m down or 10 km: there is no end before k = 0, whatever is asked for. There it goes on beyond bounds.
+#[test]
+fn a_weight_on_a_spring_hangs_however_soft_the_spring_is() {
+    let [m, l, c, g] = [1.0, 1.0, 0.5, 9.81];
+    let subject = |k: f64| {
+        let spring = SpringPendulum { m, k, l, c, g };
+        let simulation =
+            Simulation::new(&spring).unwrap().start(Pose::at("x", 0.0).with("y", l + m * g / 100.0));
+        Ok(Subject::new(&simulation.unwrap(), precise::<SpringPendulum>(spring.parameters().as_ref()))
+            .unwrap())
+    };
+    let found = equilibria(&subject(100.0).unwrap()).unwrap();
+    let rest = found.iter().find(|rest| rest.coordinate("y").unwrap() > 0.0).unwrap();
+    for k in [0.3, 0.01, 1e-3, 1e6] {
+        let limit = load_limit(&subject, rest, [100.0, k]).unwrap();
+        assert!(limit.is_none(), "{k}: {limit:?}");
+    }
+    let limit = load_limit(&subject, rest, [100.0, 0.0]).unwrap().unwrap();
+    let y = limit.rest.coordinate("y").unwrap();
+    assert!(limit.value < 1e-6 && (y / (l + m * g / limit.value) - 1.0).abs() < 1e-9, "{limit:?}");
+    assert_eq!(limit.end, LimitEnd::Fold);
 }

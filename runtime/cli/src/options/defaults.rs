@@ -60,9 +60,7 @@ fn start(spec: &RunSpec) -> String {
 fn limit(model: &Entry, spec: &RunSpec) -> String {
     match (spec.limit, model.simulation(spec)) {
         (Some(limit), _) => format!("t = {limit}"),
-        (None, Ok(simulation)) => {
-            format!("t = {:.4}, a thousand natural times", simulation.time_limit())
-        }
+        (None, Ok(simulation)) => format!("t = {:.4}", simulation.time_limit()),
         (None, Err(_)) => "a thousand natural times".to_owned(),
     }
 }

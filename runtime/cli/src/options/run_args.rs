@@ -42,7 +42,9 @@ pub struct EventArgs {
     /// A condition to stop at, `phi = pi/2`, in a sweep with varied names; replaces the default ones
     #[arg(long, value_name = "EXPR")]
     until: Vec<String>,
-    /// Latest end time; `--until` may end the run sooner; by default 1000 √(length / gravity)
+    /// Latest end time; `--until` may end the run sooner; by default 1000 natural times, √(length / gravity) or shorter
+    /// where speeds or impulses are high, counted from the last `--impulse`, `--release` or `--cut` if that is later; and not before
+    /// `--until 't = …'`
     #[arg(long, value_name = "T", value_parser = time, allow_negative_numbers = true)]
     limit: Option<f64>,
     /// Relative tolerance of the integration

@@ -40,6 +40,9 @@ pub fn equilibria_text(layout: &Layout, found: &[Equilibrium], limits: Option<Li
 
 fn limit(limit: Option<&LoadLimit>) -> String {
     match limit {
+        Some(limit) if limit.end == LimitEnd::Unfollowed => {
+            format!("may go to {} at least: {}", number(limit.value), limit_end(&limit.end))
+        }
         Some(limit) => format!("may go to {}: there {}", number(limit.value), limit_end(&limit.end)),
         None => "may go as far as it is followed".to_owned(),
     }
@@ -51,6 +54,7 @@ fn limit_end(end: &LimitEnd) -> String {
         LimitEnd::Slides(contacts) => format!("{} slides", contacts.join(", ")),
         LimitEnd::Unstable => "a mode begins to grow".to_owned(),
         LimitEnd::Fold => "there is no equilibrium any more".to_owned(),
+        LimitEnd::Unfollowed => "it is not followed any farther".to_owned(),
     }
 }
 

@@ -17,8 +17,7 @@ const FIRST: f64 = 0.1;
 
 /// Whether the run can have no event before its end and would use Taylor's method by itself too.
 pub(super) fn is_smooth(simulation: &Simulation) -> bool {
-    let Simulation { context, plan, conditions, event_filters, form, method, tolerance, limit, .. } =
-        simulation;
+    let Simulation { context, plan, conditions, event_filters, form, method, tolerance, .. } = simulation;
     let layout = context.layout();
     layout.contacts.is_empty()
         && layout.joints.is_empty()
@@ -30,8 +29,8 @@ pub(super) fn is_smooth(simulation: &Simulation) -> bool {
         && method.takes_series()
         && *tolerance > 0.0
         && *tolerance < 1.0
-        && *limit > 0.0
-        && limit.is_finite()
+        && simulation.time_limit() > 0.0
+        && simulation.time_limit().is_finite()
 }
 
 /// Members of one tolerance.
@@ -74,7 +73,7 @@ impl Group {
         let start = LaneStart {
             parameters: &context.model.parameters,
             state: &state,
-            end: simulation.limit,
+            end: simulation.time_limit(),
             absolute: &absolute_tolerance(&*phase, &context.scales, (self.tolerance, 0.0)),
             first_step: FIRST * context.scales.time,
         };

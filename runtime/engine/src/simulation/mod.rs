@@ -34,7 +34,7 @@ use crate::trajectory::{Segment, Trajectory};
 
 /// Relative tolerance where none is given.
 const TOLERANCE: f64 = 1e-12;
-/// Time limit where none is given, in natural times √(length / gravity).
+/// Time limit where none is given, in natural times.
 const LIMIT: f64 = 1000.0;
 
 /// A simulation in preparation.
@@ -55,9 +55,8 @@ pub struct Simulation {
     /// Events that end the run once all of them have happened.
     pub(crate) event_filters: Vec<EventFilter>,
     pub(crate) stops_at_impacts: bool,
-    pub(crate) limit: f64,
-    /// Whether the limit was given.
-    limited: bool,
+    /// The latest end, if one is given.
+    limit: Option<f64>,
     pub(crate) form: Form,
     pub(crate) method: Arc<dyn Method>,
     pub(crate) cancel: Option<Arc<AtomicBool>>,
@@ -88,8 +87,7 @@ impl Simulation {
             domains,
             event_filters: Vec::new(),
             stops_at_impacts: false,
-            limit: LIMIT * scales.time,
-            limited: false,
+            limit: None,
             form: Form::Closed,
             method: Arc::new(Auto),
             cancel: None,
@@ -314,16 +312,31 @@ impl Simulation {
         Ok(self)
     }
 
-    /// Ends the run at this time at the latest; the default is 1000 √(length / gravity).
+    /// Ends the run at this time at the latest. The default is 1000 natural times, √(length / gravity) or shorter where speeds or impulses
+    /// are high; so much after the last planned impulse or removal if that is later; and no sooner than a time that ends the run.
     #[must_use]
     pub fn limit(mut self, time: f64) -> Self {
-        (self.limit, self.limited) = (time, true);
+        self.limit = Some(time);
         self
     }
 
     /// When the run ends at the latest.
     pub fn time_limit(&self) -> f64 {
-        self.limit
+        self.limit.unwrap_or_else(|| {
+            let natural = LIMIT * self.context.scales.time;
+            let planned = self.plan.iter().filter_map(|planned| match planned.when {
+                Trigger::At(at) => Some(at),
+                Trigger::If(_) => None,
+            });
+            let last = planned.fold(0.0, f64::max);
+            let begin = if last < natural { 0.0 } else { last };
+            self.stops().filter(|at| at.is_finite()).fold(begin + natural, f64::max)
+        })
+    }
+
+    /// The given times that end the run.
+    pub(crate) fn stops(&self) -> impl Iterator<Item = f64> {
+        self.conditions.iter().filter_map(|condition| condition.time(&self.context.model.parameters))
     }
 
     /// Integrates every phase in this form where it has it; [`Form::Projected`] exists for all.
@@ -393,9 +406,6 @@ impl Simulation {
         };
         let scales = self.plan.iter().map(size).fold(scales, Scales::struck);
         Arc::make_mut(&mut self.context).scales = scales;
-        if !self.limited {
-            self.limit = LIMIT * scales.time;
-        }
     }
 
     pub(crate) fn started(&self) -> Result<Start, StartError> {

@@ -27,7 +27,7 @@ pub struct RunSpec {
     pub stop_at_impacts: bool,
     /// Conditions to stop at, whichever comes first.
     pub until: Vec<String>,
-    /// Latest end time; `until` may end the run sooner; none: after 1000 natural times.
+    /// Latest end time; `until` may end the run sooner; none: that of `Simulation::limit`.
     pub limit: Option<f64>,
     /// Relative tolerance of the integration.
     pub tolerance: f64,

@@ -89,6 +89,8 @@ fn parameters_and_starts_are_found_from_a_table() {
     // The impact is at 0.4; its time is one more value.
     let timed = files.json(&[&vary[..], &["--of", "y", "--event", "first impact=0.4 ± 1 ms"]].concat());
     assert!((value(&timed, "g") - 10.0).abs() < 1e-8 && timed["freedom"] == 6, "{timed}");
+    let typed = files.json(&[&vary[..], &["--of", "y", "--event", "first impact=0.4 +- 0.001"]].concat());
+    assert_eq!(typed, timed);
     let text = told(&files.command(&["--vary", "e", "--vary", "y", "--set", "g=10", "--of", "y"]));
     for part in ["standard error", "correlation", "8 values", "6 degrees of freedom", "converged after"] {
         assert!(text.contains(part), "{part}: {text}");
@@ -165,6 +167,8 @@ fn requests_that_make_no_sense_are_refused_in_a_line() {
         (&["--vary", "g", "--event", "first impact"], "expected WHAT=VALUE"),
         (&["--vary", "g", "--event", "first impakt=1"], "did you mean `impact`?"),
         (&["--vary", "g", "--event", "count impact=1"], "expected an event"),
+        (&["--vary", "g", "--event", "first impact=0.4+-0"], "a standard deviation is a number > 0"),
+        (&["--vary", "g", "--event", "first impact=-1±0.1"], "it is before the start at t = 0"),
         (&["--vary", "g", "--event", "first impact=0.4"], "has no standard deviation"),
         (&["--vary", "g", "--vary", "e", "--vary", "y"], "2 measured values are too few for 3 variables"),
     ];

@@ -6,6 +6,7 @@ mod bad_input;
 mod colours;
 mod completions;
 mod diagnostics;
+mod ends;
 mod files;
 mod fit;
 mod help;

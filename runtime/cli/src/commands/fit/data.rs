@@ -9,6 +9,9 @@ use liftoff_analysis::{Datum, Place};
 use liftoff_studio::sweep::Observation;
 use std::path::Path;
 
+/// What stands before a standard deviation, in any typing.
+const DEVIATIONS: [&str; 2] = ["±", "+-"];
+
 /// Measured values.
 #[derive(Default, Debug)]
 pub struct Measured {
@@ -75,10 +78,8 @@ impl Measured {
     pub fn add_event(&mut self, layout: &'static Layout, text: &str) -> Result<(), CommandError> {
         let wrong = |why: &str| CommandError::Usage(format!("--event {text}: {why}"));
         let (what, value) = text.rsplit_once('=').ok_or_else(|| wrong("expected WHAT=VALUE"))?;
-        let (value, known) = match value.split_once('±') {
-            Some((value, known)) => (value, Some(known)),
-            None => (value, None),
-        };
+        let parts = DEVIATIONS.iter().find_map(|sign| value.split_once(sign));
+        let (value, known) = parts.map_or((value, None), |(value, known)| (value, Some(known)));
         let number = |text: &str| quantity(text).map_err(|why| wrong(&why));
         let (value, known) = (number(value)?, known.map(number).transpose()?);
         if !value.is_finite() {
@@ -93,6 +94,9 @@ impl Measured {
                 "expected an event, `first open`, `2nd impact A`, `last stick`, or an output behind it",
             ));
         };
+        if output.is_none() && value < 0.0 {
+            return Err(wrong("it is before the start at t = 0"));
+        }
         let kind = output.map_or("t".to_owned(), ToString::to_string);
         self.add(Place::Event(which, filter), output.cloned(), (value, known), &kind);
         Ok(())

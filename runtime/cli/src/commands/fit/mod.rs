@@ -37,7 +37,8 @@ pub struct Fit {
     /// The standard deviation of a column
     #[arg(long, value_name = "COLUMN=VALUE", requires = "data")]
     sd: Vec<String>,
-    /// The measured time of an event, `first open=0.4531`, or an output behind it, `2nd impact phi=0.3`; a standard deviation after `±`
+    /// The measured time of an event, `first open=0.4531`, or an output behind it, `2nd impact phi=0.3`; a standard deviation
+    /// after `±` or `+-`
     #[arg(long, value_name = "WHAT=VALUE[±SD]")]
     event: Vec<String>,
     /// Print JSON, with the residuals

@@ -131,7 +131,8 @@ impl Driver<'_> {
     }
 
     pub(super) fn check(&self) -> Result<(), RunCause> {
-        let Simulation { tolerance, limit, begin, .. } = *self.setup;
+        let Simulation { tolerance, begin, .. } = *self.setup;
+        let limit = self.setup.time_limit();
         if !(tolerance > 0.0 && tolerance < 1.0) {
             return Err(RunCause::Tolerance(tolerance));
         }

@@ -17,7 +17,7 @@ use crate::trajectory::{LogEntry, LoggedDecision};
 impl Driver<'_> {
     pub(super) fn reach_horizon(&mut self) -> Result<Next, RunCause> {
         self.record_settled(ContactSet::EMPTY);
-        let stop = self.stops().any(|at| at == self.t);
+        let stop = self.setup.stops().any(|at| at == self.t);
         self.do_due()?;
         if stop {
             let met = |c: &&Condition| c.time(&self.setup.context.model.parameters) == Some(self.t);
@@ -25,7 +25,7 @@ impl Driver<'_> {
             self.record(EventKind::Stop, ContactSet::EMPTY, note);
         } else if self.has_seen_enough() {
             // The last of the events that were waited for ends the run.
-        } else if self.t >= self.setup.limit {
+        } else if self.t >= self.setup.time_limit() {
             self.record(EventKind::End, ContactSet::EMPTY, None);
         } else {
             return Ok(Next::Continue);

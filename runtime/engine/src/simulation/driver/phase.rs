@@ -316,8 +316,8 @@ impl Driver<'_> {
             return self.t;
         }
         let settling = self.settling.iter().map(|settling| settling.end);
-        let times = self.stops().chain(self.planned_times()).chain(settling);
-        times.filter(|t| *t >= self.t).fold(self.setup.limit, f64::min)
+        let times = self.setup.stops().chain(self.planned_times()).chain(settling);
+        times.filter(|t| *t >= self.t).fold(self.setup.time_limit(), f64::min)
     }
 
     pub(super) fn is_held(&self, contact: usize) -> bool {
@@ -339,10 +339,5 @@ impl Driver<'_> {
             return off;
         }
         off.union(self.sunk(&self.gaps(), bound))
-    }
-
-    pub(super) fn stops(&self) -> impl Iterator<Item = f64> {
-        let Simulation { conditions, context, .. } = self.setup;
-        conditions.iter().filter_map(|condition| condition.time(&context.model.parameters))
     }
 }
