@@ -134,10 +134,12 @@ impl<'a> Path<'a> {
         let mut most = length;
         for _ in 0..CORRECTIONS {
             self.open.iter().zip(change.iter()).for_each(|(&i, by)| q[i] += by * self.unit(i));
-            let point = Point::at(self.assembly, (self.closed, self.open), fraction, q.clone());
+            let mut point = Point::at(self.assembly, (self.closed, self.open), fraction, q.clone());
             change = -point.solve(&point.gap)?;
             most *= CONTRACTION;
             if change.amax() <= NEAR * length {
+                // What is left of the gap is small beside the next step too, which may be much shorter.
+                self.open.iter().zip(change.iter()).for_each(|(&i, by)| point.q[i] += by * self.unit(i));
                 return Some(point);
             }
             if change.amax() > most {

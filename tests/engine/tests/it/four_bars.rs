@@ -62,8 +62,8 @@ fn followed(of: &FourBar, phi: f64) -> Option<[f64; 2]> {
     Some(found)
 }
 
-fn start(of: &FourBar, phi: f64) -> Result<Vec<f64>, String> {
-    let simulation = Simulation::new(of).unwrap().start(Pose::at("phi", phi));
+fn start(of: &FourBar, pose: Pose) -> Result<Vec<f64>, String> {
+    let simulation = Simulation::new(of).unwrap().start(pose);
     let run = simulation.map_err(|error| error.to_string())?.limit(1e-9).run();
     let run = run.map_err(|error| error.to_string())?;
     Ok(run.events()[0].state[..3].to_vec())
@@ -81,7 +81,7 @@ fn a_crank_takes_its_rocker_round_without_a_jump() {
             for k in 0..60 {
                 let phi = -12.3 + 0.41 * f64::from(k);
                 let [psi, chi] = followed(&of, phi).unwrap();
-                let found = start(&of, phi).unwrap();
+                let found = start(&of, Pose::at("phi", phi)).unwrap();
                 assert!((found[1] - psi).abs() < 1e-8, "{of:?} {phi}: {} for {psi}", found[1]);
                 assert!((found[2] - chi).abs() < 1e-8, "{of:?} {phi}: {} for {chi}", found[2]);
             }
@@ -105,7 +105,7 @@ fn a_crank_that_does_not_go_round_stands_where_its_bars_reach() {
             let ways = [near, near - TAU.copysign(near - FRAC_PI_2)];
             let reached: Vec<_> = ways.iter().filter_map(|&phi| followed(&of, phi)).collect();
             met[usize::from(reached.is_empty())] += 1;
-            match start(&of, phi) {
+            match start(&of, Pose::at("phi", phi)) {
                 Ok(found) => assert!(
                     reached.iter().any(|way| way.iter().zip(&found[1..]).all(|(a, b)| (a - b).abs() < 1e-8)),
                     "{of:?} {phi}: {found:?} for {reached:?}"
@@ -114,5 +114,23 @@ fn a_crank_that_does_not_go_round_stands_where_its_bars_reach() {
             }
         }
         assert!(met[0] > 0 && met[1] > 0, "{of:?} {met:?}");
+    }
+}
+
+/// The rocker of a figure that is 0.01 rad of its crank away from the rocker's dead centre, from beside that to beside the other.
+#[test]
+fn a_rocker_leaves_its_dead_centre_behind() {
+    let of = four_bar([0.975595010710919, 1.7136266537842157, 2.8724470378755127, 1.0404557080921482]);
+    let mut last = 1.55;
+    for k in 0..40 {
+        let psi = 1.94 + 0.061 * f64::from(k);
+        let [phi, _, chi] = start(&of, Pose::at("psi", psi)).unwrap()[..] else {
+            panic!("three coordinates")
+        };
+        let x = of.a * phi.cos() + of.b * chi.cos() - of.d - of.c * psi.cos();
+        let y = of.a * phi.sin() + of.b * chi.sin() - of.c * psi.sin();
+        assert!(x.hypot(y) < 1e-9, "{psi} {phi} {chi}");
+        assert!((phi - last).abs() < 0.5, "{psi} {phi} {last}");
+        last = phi;
     }
 }
