@@ -21,7 +21,7 @@ const FOLLOWS: f64 = 2.5 * STEP;
 /// The most steps, where none is halved.
 const STEPS: f64 = 64.0;
 /// The shortest step, as part of the way.
-const SHORTEST: f64 = 1e-6;
+const SHORTEST: f64 = 1e-8;
 /// What a step may be corrected by, in lengths of the step, and then each time in what it was before.
 const CONTRACTION: f64 = 0.25;
 /// A correction this small, in lengths of the step, leaves a tangent that is good enough; of a smaller step no part counts.

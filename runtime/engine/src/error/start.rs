@@ -69,9 +69,9 @@ pub enum StartError {
         /// Its gap.
         gap: f64,
     },
-    /// The bars do not reach the pose without a jump from the nominal figure.
+    /// The bars do not reach the pose from the nominal figure without a jump, or by two ways.
     #[error(
-        "from the nominal figure no path of the bars leads to this {given}: give other coordinates, or more of them"
+        "from the nominal figure no single path of the bars leads to this {given}: give other coordinates, or more of them"
     )]
     Unreached {
         /// The coordinates that are given.

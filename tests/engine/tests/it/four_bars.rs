@@ -73,7 +73,7 @@ fn start(of: &FourBar, pose: Pose) -> Result<Vec<f64>, String> {
 /// onto the other branch.
 #[test]
 fn a_crank_takes_its_rocker_round_without_a_jump() {
-    for beside in [0.3, 0.1, 0.05, 0.02, 0.01, 1e-3, 1e-4] {
+    for beside in [0.3, 0.1, 0.05, 0.02, 0.01, 1e-3, 1e-4, 1e-5] {
         for lengths in
             [[1.0, 2.0, 1.0 + beside, 2.0], [1.0, 3.0, 2.0, 2.0 + beside], [1.0, 2.5, 1.5 + beside, 3.0]]
         {
