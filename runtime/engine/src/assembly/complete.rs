@@ -99,14 +99,16 @@ fn completed(assembly: &AssemblyProblem<'_>, given: &[Option<f64>], set: Contact
     }
     let ways = ways(assembly, given);
     let unknown = (&closed[..], &open[..]);
-    let mut begin = nominal.clone();
-    nearest(assembly, unknown, f64::EPSILON, &mut begin);
-    let mut q = match Path::from(begin, assembly, unknown) {
-        Some(path) => at(&ways.iter().find_map(|moves| path.end(moves))?),
-        None => at(&stepwise(assembly, &ways[0], unknown)),
-    };
+    let mut q = nominal.clone();
     nearest(assembly, unknown, f64::EPSILON, &mut q);
-    settle_on_fold(assembly, (&closed, &open), &unit, &mut q);
+    if ways[0].iter().any(|by| *by != 0.0) {
+        q = match Path::from(q, assembly, unknown) {
+            Some(path) => at(&ways.iter().find_map(|moves| path.end(moves))?),
+            None => at(&stepwise(assembly, &ways[0], unknown)),
+        };
+        nearest(assembly, unknown, f64::EPSILON, &mut q);
+    }
+    settle_on_fold(assembly, unknown, &unit, &mut q);
     Some(q)
 }
 

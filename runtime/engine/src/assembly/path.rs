@@ -86,9 +86,6 @@ impl<'a> Path<'a> {
 
     /// The position behind all moves of the given coordinates, but for its last digits, if the path leads there.
     pub(super) fn end(&self, moves: &[f64]) -> Option<Vec<f64>> {
-        if moves.iter().all(|by| *by == 0.0) {
-            return Some(self.begin.q.clone());
-        }
         let longest = 1.0 / steps(self.assembly, moves) as f64;
         let mut here = self.begin.clone();
         let mut step = longest;
