@@ -27,7 +27,7 @@ mod tsit5;
 pub use dense::Dense;
 pub use dop853::Dop853;
 #[cfg(feature = "std")]
-pub use erased::{DenseOutput, InitialValueProblem, PhaseStepper, SeriesExpansion};
+pub use erased::{ByOrders, DenseOutput, InitialValueProblem, PhaseStepper, SeriesExpansion, SeriesOrders};
 pub use explicit::Explicit;
 pub use gauss::Gauss;
 #[cfg(feature = "std")]

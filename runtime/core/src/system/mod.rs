@@ -17,7 +17,7 @@ pub use lanes::{LaneConstructor, LaneEnd, LaneGroup, LaneStart, lanes};
 pub use model::{Model, ModelOn, precise, varied};
 pub use phase::PhaseInfo;
 pub(crate) use phase::to_array;
-pub use projected::{KernelOrders, ProjectedExpansion, TakeOrder};
+pub use projected::{KernelOrders, TakeOrder, projected_series};
 pub use series::{SeriesEquations, TIME_ORDERS, TimeSeries};
 
 use std::sync::Arc;

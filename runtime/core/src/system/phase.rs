@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::jacobian::{self, JacobianOf};
 use super::lifted::Lifted;
-use super::projected::{KernelOrders, ProjectedExpansion, TakeOrder};
+use super::projected::{KernelOrders, TakeOrder, projected_series};
 use super::{Jacobian, Phase, System};
 use crate::integrate::{PhaseExpansion, SeriesExpansion};
 use crate::model::{
@@ -79,7 +79,7 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for WithSeries<M> {
         let jacobian = jacobian::of_projected::<M, N>();
         let series: SeriesOf<M, f64> = |constants, set| {
             let orders = OrdersOf::<M, Q, N> { constants, tape: Box::default(), series: PhantomData };
-            Some(Box::new(ProjectedExpansion::of(M::LAYOUT, set, Box::new(orders))?))
+            projected_series(M::LAYOUT, set, Box::new(orders))
         };
         Arc::new(LiftedPhase { jacobian, series: Some(series), ..LiftedPhase::new(self.0, phase) })
     }

@@ -9,5 +9,5 @@ mod orders;
 #[cfg(feature = "jit")]
 pub(crate) use code::Operation;
 pub(crate) use code::SeriesCode;
-pub(crate) use expansion::Expansion;
+pub(crate) use expansion::expansion;
 pub(crate) use orders::{KernelCode, Orders};

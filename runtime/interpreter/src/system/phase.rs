@@ -11,13 +11,13 @@ use liftoff_core::integrate::SeriesExpansion;
 use liftoff_core::kernel::are_trusted;
 use liftoff_core::model::{ContactSet, Energy, Form};
 use liftoff_core::scalar::{DoubleDouble, Dual4};
-use liftoff_core::system::{Jacobian, Phase, PhaseInfo, ProjectedExpansion, System};
+use liftoff_core::system::{Jacobian, Phase, PhaseInfo, System, projected_series};
 
 use super::evaluator::Evaluator;
 use super::jacobian;
 use crate::code::{Code, Lowering, Source};
 use crate::pool::{Lent, Number};
-use crate::series::{Expansion, Orders, SeriesCode};
+use crate::series::{Orders, SeriesCode, expansion};
 
 /// The functions of a closed form as code.
 #[derive(Debug)]
@@ -244,10 +244,10 @@ impl Phase for InterpretedPhase<f64> {
     fn series(&self) -> Option<Box<dyn SeriesExpansion + '_>> {
         let (system, layout) = (&self.system, self.system.model.layout);
         if let Some(code) = self.code() {
-            return Some(Box::new(Expansion::new(code.series.as_ref()?, &system.constants, layout)));
+            return Some(Box::new(expansion(code.series.as_ref()?, &system.constants)));
         }
         let orders = Orders::new(system.full().series.as_ref()?, system.full(), &system.constants);
-        Some(Box::new(ProjectedExpansion::of(layout, self.info.set, Box::new(orders))?))
+        projected_series(layout, self.info.set, Box::new(orders))
     }
 
     fn jacobian(&self) -> Option<Jacobian<'_>> {

@@ -1,11 +1,13 @@
 //! Integrations of a phase with its dimension forgotten. One copy of each method serves all models: of each capacity that
 //! `sized` lists, the state filled up with entries that stand still.
 
+mod by_orders;
 mod dense;
 mod expansion;
 mod problem;
 mod sized;
 
+pub use by_orders::{ByOrders, SeriesOrders};
 pub use dense::DenseOutput;
 pub use expansion::SeriesExpansion;
 pub use problem::InitialValueProblem;
