@@ -6,7 +6,6 @@
 
 use super::step_size::{LAST, SPARSENESS, SYMMETRY};
 use super::{LARGEST, is_finite};
-use crate::integrate::store::Store;
 use crate::integrate::{StepError, StepState};
 use crate::model::{BarSystem, PhaseSeries};
 #[cfg(not(feature = "std"))]
@@ -17,9 +16,9 @@ use crate::series::{ORDERS, TaylorTape};
 /// An integration of as many motions of one phase as there are lanes.
 pub struct LaneStepper<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> {
     constants: M::Constants<Lanes>,
-    tape: Store<Q::Columns<Lanes>>,
+    tape: Box<Q::Columns<Lanes>>,
     /// y(t₀ + uθ) = Σ cₖ θᵏ.
-    series: Store<[[Lanes; N]; ORDERS]>,
+    series: Box<[[Lanes; N]; ORDERS]>,
     order: usize,
     relative: f64,
     absolute: [Lanes; N],
@@ -52,8 +51,8 @@ impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> LaneStepper<M, Q, N> {
         let zero = Lanes::splat(0.0);
         Self {
             constants,
-            tape: Store::default(),
-            series: Store::new([[zero; N]; ORDERS]),
+            tape: Box::default(),
+            series: Box::new([[zero; N]; ORDERS]),
             order: order(relative),
             relative,
             absolute: [Lanes::splat(1.0); N],

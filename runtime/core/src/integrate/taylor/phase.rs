@@ -1,7 +1,5 @@
 //! The series of a phase.
 
-use core::marker::PhantomData;
-
 use super::{Expansion, Guards};
 use crate::integrate::store::Store;
 use crate::model::{Array, BarSystem, PhaseSeries, TermsOf};
@@ -10,13 +8,33 @@ use crate::series::{ORDERS, TaylorTape};
 /// The equations of a closed form on Taylor series, with the guards of its contacts.
 pub struct PhaseExpansion<'a, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> {
     constants: &'a M::Constants<f64>,
-    tape: Store<Q::Tape<f64>>,
-    series: Store<Coefficients<N>>,
-    guards: Store<[Guard<M>; ORDERS]>,
+    tape: Store<Columns<M, Q, N>>,
+    work: Store<Work<M, N>>,
     terms: usize,
-    scaled: Store<Scaled<M>>,
     values: Values<M, N>,
-    phase: PhantomData<Q>,
+}
+
+/// A tape of this phase alone: columns that it does not use stay zero.
+struct Columns<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize>(Q::Tape<f64>);
+
+impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> Default for Columns<M, Q, N> {
+    fn default() -> Self {
+        Self(Q::Tape::default())
+    }
+}
+
+/// What an expansion writes besides.
+struct Work<M: BarSystem, const N: usize> {
+    series: [[f64; N]; ORDERS],
+    guards: [Guard<M>; ORDERS],
+    scaled: Scaled<M>,
+}
+
+impl<M: BarSystem, const N: usize> Default for Work<M, N> {
+    fn default() -> Self {
+        let guards = core::array::from_fn(|_| Guard::default());
+        Self { series: [[0.0; N]; ORDERS], guards, scaled: Scaled::default() }
+    }
 }
 
 /// Order 0, which is on the tape.
@@ -26,15 +44,6 @@ struct Values<M: BarSystem, const N: usize> {
     state: [f64; N],
     rates: [f64; N],
     guard: Guard<M>,
-}
-
-/// Of the reduced state. Made in place, as all that is large here: on its way it would be copied.
-struct Coefficients<const N: usize>([[f64; N]; ORDERS]);
-
-impl<const N: usize> Default for Coefficients<N> {
-    fn default() -> Self {
-        Self([[0.0; N]; ORDERS])
-    }
 }
 
 /// One coefficient of all guards.
@@ -74,17 +83,14 @@ impl<'a, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> PhaseExpansion<'a, 
         Self {
             constants,
             tape: Store::default(),
-            series: Store::default(),
-            guards: Store::default(),
+            work: Store::default(),
             terms: 0,
-            scaled: Store::default(),
             values: Values {
                 known: false,
                 state: [f64::NAN; N],
                 rates: [f64::NAN; N],
                 guard: Guard::default(),
             },
-            phase: PhantomData,
         }
     }
 
@@ -101,7 +107,7 @@ impl<'a, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> PhaseExpansion<'a, 
         let Self { constants, tape, values, .. } = self;
         if !values.known || values.state != *state {
             (values.known, values.state) = (true, *state);
-            values.rates = Self::take(&mut values.guard, Q::order(constants, &mut tape.values(), state));
+            values.rates = Self::take(&mut values.guard, Q::order(constants, &mut tape.0.values(), state));
         }
     }
 }
@@ -109,8 +115,8 @@ impl<'a, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> PhaseExpansion<'a, 
 impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> Expansion<N> for PhaseExpansion<'_, M, Q, N> {
     fn expand(&mut self, state: &[f64; N], unit: f64, order: usize) {
         self.begin(state);
-        let Self { constants, tape, series, guards, terms, values, .. } = self;
-        let series = &mut series.0;
+        let Self { constants, tape, work, terms, values } = self;
+        let (Columns(tape), Work { series, guards, .. }) = (&mut **tape, &mut **work);
         series[0] = *state;
         *terms = if M::LAYOUT.contacts.is_empty() { 0 } else { order };
         let Guard { reactions, gaps, feet } = values.guard;
@@ -129,7 +135,7 @@ impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> Expansion<N> for PhaseE
     }
 
     fn series(&self) -> &[[f64; N]; ORDERS] {
-        &self.series.0
+        &self.work.series
     }
 
     fn rates(&mut self, state: &[f64; N]) -> [f64; N] {
@@ -139,16 +145,17 @@ impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> Expansion<N> for PhaseE
 
     fn guards(&mut self, ratio: f64) -> Option<Guards<'_>> {
         let terms = self.terms;
-        let rows = &self.guards[..terms];
+        let Work { guards, scaled, .. } = &mut *self.work;
+        let Scaled { reactions, gaps, feet } = scaled;
+        let rows = &guards[..terms];
         let mut powers = [1.0; ORDERS];
         for k in 1..terms {
             powers[k] = ratio * powers[k - 1];
         }
-        let Scaled { reactions, gaps, feet } = &mut *self.scaled;
         scale(reactions.as_mut(), &powers, rows, |guard, i| guard.reactions.as_ref()[i]);
         scale(gaps.as_mut(), &powers, rows, |guard, i| guard.gaps.as_ref()[i]);
         scale(feet.as_mut(), &powers, rows, |guard, i| guard.feet.as_ref()[i]);
-        let Scaled { reactions, gaps, feet } = &*self.scaled;
+        let Scaled { reactions, gaps, feet } = &*scaled;
         Some(Guards::new(terms, reactions.as_ref(), gaps.as_ref(), feet.as_ref()))
     }
 }
