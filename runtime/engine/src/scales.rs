@@ -97,21 +97,21 @@ fn is_settled(kind: MeasureKind) -> bool {
 }
 
 fn check(measure: &Measure) -> Result<(), ModelError> {
-    let (of, value) = (measure.of.to_owned(), measure.value);
+    let (of, value) = (|| measure.of.to_owned(), measure.value);
     if !value.is_finite() && !is_settled(measure.kind) {
         return Err(ModelError::NotFinite { of: named(measure), value });
     }
     match measure.kind {
-        MeasureKind::Mass if value < 0.0 => Err(ModelError::NegativeMass { of, value }),
-        MeasureKind::Inertia if value < 0.0 => Err(ModelError::NegativeInertia { of, value }),
-        MeasureKind::Margin if value < 0.0 => Err(ModelError::OffBar { of, beyond: -value }),
+        MeasureKind::Mass if value < 0.0 => Err(ModelError::NegativeMass { of: of(), value }),
+        MeasureKind::Inertia if value < 0.0 => Err(ModelError::NegativeInertia { of: of(), value }),
+        MeasureKind::Margin if value < 0.0 => Err(ModelError::OffBar { of: of(), beyond: -value }),
         MeasureKind::Length | MeasureKind::Extent if value <= 0.0 => {
             Err(ModelError::Length { of: named(measure), value })
         }
         MeasureKind::Stiffness | MeasureKind::TorsionalStiffness if value < 0.0 => {
-            Err(ModelError::NegativeStiffness { of, value })
+            Err(ModelError::NegativeStiffness { of: of(), value })
         }
-        MeasureKind::Damping if value < 0.0 => Err(ModelError::NegativeDamping { of, value }),
+        MeasureKind::Damping if value < 0.0 => Err(ModelError::NegativeDamping { of: of(), value }),
         _ => Ok(()),
     }
 }

@@ -30,15 +30,15 @@ pub(super) fn positions(
     let assumed = assumed.difference(assembly.absent(nominal).intersection(assembly.layout().drives()));
     let found = largest(assumed, |set| {
         let q = reach(assembly, given, set)?;
-        let penetrates = assembly.refuse_penetration(&assembly.rows(&q).gap, assembly.absent(&q)).is_err();
-        if penetrates {
+        let absent = assembly.absent(&q);
+        if assembly.refuse_penetration(assembly.rows(&q).gap(), absent).is_err() {
             return Err(ContactSet::EMPTY);
         }
         // A contact by which the pose was completed is refused later if its bar does not reach it.
         let completed = if given.iter().all(Option::is_some) { ContactSet::EMPTY } else { set };
-        let beyond = assembly.absent(&q).difference(completed);
+        let beyond = absent.difference(completed);
         let closed = within(assembly, &q, [assembly.deepest, CLOSED]).difference(beyond);
-        let idle = assembly.absent(&q).intersection(assembly.layout().drives());
+        let idle = absent.intersection(assembly.layout().drives());
         let closed = closed.difference(idle).union(assembly.layout().guides());
         Ok((q, closed))
     });
@@ -47,8 +47,8 @@ pub(super) fn positions(
 
 /// Contacts penetrated and open by no more than so many natural lengths.
 fn within(assembly: &AssemblyProblem<'_>, q: &[f64], [deep, high]: [f64; 2]) -> ContactSet {
-    let gap = assembly.rows(q).gap;
-    let touches = |i: &usize| (-deep..=high).contains(&(gap[*i] / assembly.unit(*i)));
+    let rows = assembly.rows(q);
+    let touches = |i: &usize| (-deep..=high).contains(&(rows.gap()[*i] / assembly.unit(*i)));
     (0..assembly.layout().contacts.len()).filter(touches).collect()
 }
 
@@ -59,11 +59,12 @@ fn diagnose(assembly: &AssemblyProblem<'_>, given: &[Option<f64>]) -> StartError
         let given = coordinates.filter(|(_, given)| given.is_some()).map(|(of, _)| of.name);
         return StartError::Unreached { given: given.collect::<Vec<_>>().join(", ") };
     };
-    let gap = assembly.rows(&q).gap;
+    let rows = assembly.rows(&q);
+    let gap = rows.gap();
     let missed = |row: usize| gap[row].abs() / assembly.unit(row);
     let worst =
         assembly.closed(ContactSet::EMPTY).into_iter().max_by(|&a, &b| missed(a).total_cmp(&missed(b)));
-    match (worst, assembly.refuse_penetration(&gap, assembly.absent(&q))) {
+    match (worst, assembly.refuse_penetration(gap, assembly.absent(&q))) {
         (Some(row), _) if missed(row) > CLOSED => {
             StartError::Broken { joint: assembly.joint(row), gap: gap[row] }
         }
@@ -82,8 +83,8 @@ fn reach(
     set: ContactSet,
 ) -> Result<Vec<f64>, ContactSet> {
     let q = completed(assembly, given, set).ok_or(set)?;
-    let gap = assembly.rows(&q).gap;
-    let missed = |row: usize| gap[row].abs() / assembly.unit(row);
+    let rows = assembly.rows(&q);
+    let missed = |row: usize| rows.gap()[row].abs() / assembly.unit(row);
     let all = assembly.closed(set).into_iter().all(|row| missed(row) <= CLOSED);
     if all { Ok(q) } else { Err(worst(set, missed, CLOSED)) }
 }
@@ -156,12 +157,12 @@ fn nearest(assembly: &AssemblyProblem<'_>, (closed, open): (&[usize], &[usize]),
     let unit = |k: usize| scales.coordinate(&assembly.layout().coordinates[open[k]]);
     for _ in 0..ITERATIONS {
         let rows = assembly.rows(q);
-        let gap = DVector::from_fn(closed.len(), |i, _| rows.gap[closed[i]] / assembly.unit(closed[i]));
+        let gap = DVector::from_fn(closed.len(), |i, _| rows.gap()[closed[i]] / assembly.unit(closed[i]));
         if gap.amax() <= near {
             return;
         }
         let jacobian = DMatrix::from_fn(closed.len(), open.len(), |i, k| {
-            rows.jacobian[(closed[i], open[k])] * unit(k) / assembly.unit(closed[i])
+            rows.jacobian(closed[i])[open[k]] * unit(k) / assembly.unit(closed[i])
         });
         // A singular value below this is a branch point, as sin α = 1; there the direction stays as it is.
         let cutoff = 1e-13 * jacobian.amax();

@@ -8,7 +8,7 @@
 use nalgebra::DMatrix;
 
 use super::problem::AssemblyProblem;
-use crate::decomposition::svd;
+use crate::decomposition::{singular_values, svd};
 
 /// A singular value below this is that of a fold nearby, in natural units.
 const FLAT: f64 = 1e-6;
@@ -25,12 +25,17 @@ pub(super) fn settle_on_fold(
     q: &mut [f64],
 ) {
     let jacobian = |q: &[f64]| -> DMatrix<f64> {
-        let rows = assembly.rows(q).jacobian;
+        let rows = assembly.rows(q);
         DMatrix::from_fn(closed.len(), free.len(), |i, k| {
-            rows[(closed[i], free[k])] * unit[k] / assembly.unit(closed[i])
+            rows.jacobian(closed[i])[free[k]] * unit[k] / assembly.unit(closed[i])
         })
     };
-    let svd = svd(jacobian(q));
+    let here = jacobian(q);
+    // By a fraction of the work, where no fold is near.
+    if singular_values(here.clone()).last().is_none_or(|least| *least > 2.0 * FLAT) {
+        return;
+    }
+    let svd = svd(here);
     let (Some(left), Some(right)) = (&svd.u, &svd.v_t) else { return };
     let least = svd.singular_values.argmin().0;
     let slope = svd.singular_values[least];
@@ -46,8 +51,8 @@ pub(super) fn settle_on_fold(
     let slope_at = |by: f64| row.dot(&(jacobian(&moved(by)) * &along));
     let curvature = (slope_at(SPAN) - slope_at(-SPAN)) / (2.0 * SPAN);
     let fold = moved(-slope / curvature);
-    let gap = assembly.rows(&fold).gap;
-    let gap = closed.iter().map(|&row| gap[row].abs() / assembly.unit(row)).fold(0.0, f64::max);
+    let rows = assembly.rows(&fold);
+    let gap = closed.iter().map(|&row| rows.gap()[row].abs() / assembly.unit(row)).fold(0.0, f64::max);
     if fold.iter().all(|x| x.is_finite()) && gap <= ROUNDED {
         q.copy_from_slice(&fold);
     }

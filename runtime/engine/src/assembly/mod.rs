@@ -45,7 +45,7 @@ pub(crate) fn start(context: &RunContext, pose: &Pose, tolerance: f64, t: f64) -
     let given = pose.resolve(context.layout())?;
     refuse_lost_units(context)?;
     let rates = given.rates.iter().map(|rate| rate.unwrap_or(0.0)).collect();
-    let assembly = AssemblyProblem { context, deepest: deepest(tolerance), rates, t };
+    let assembly = AssemblyProblem::new(context, deepest(tolerance), rates, t);
     let (positions, closed) = complete::positions(&assembly, &given.positions)?;
     let depth = assembly.depth(&positions, closed);
     let moving = |positions: &[f64]| -> Result<_, StartError> {

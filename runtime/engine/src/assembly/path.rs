@@ -77,9 +77,12 @@ impl<'a> Path<'a> {
         assembly: &'a AssemblyProblem<'a>,
         (closed, open): (&'a [usize], &'a [usize]),
     ) -> Option<Self> {
+        if closed.len() > open.len() {
+            return None;
+        }
         let begin = Point::at(assembly, (closed, open), 0.0, q);
         let values = &begin.svd.singular_values;
-        let is_independent = closed.len() <= open.len() && values.min() > INDEPENDENT * values.max();
+        let is_independent = values.min() > INDEPENDENT * values.max();
         let is_determined = is_independent && begin.gap.amax() <= CLOSED;
         is_determined.then_some(Self { assembly, closed, open, begin })
     }
@@ -158,11 +161,11 @@ impl Point {
         let rows = assembly.rows(&q);
         let (coordinates, scales) = (assembly.layout().coordinates, &assembly.context.scales);
         let jacobian = DMatrix::from_fn(closed.len(), q.len(), |i, k| {
-            rows.jacobian[(closed[i], k)] * scales.coordinate(&coordinates[k]) / assembly.unit(closed[i])
+            rows.jacobian(closed[i])[k] * scales.coordinate(&coordinates[k]) / assembly.unit(closed[i])
         });
         let by_open = jacobian.select_columns(open);
         let side = if by_open.is_square() { by_open.determinant().signum() } else { 0.0 };
-        let gap = DVector::from_fn(closed.len(), |i, _| rows.gap[closed[i]] / assembly.unit(closed[i]));
+        let gap = DVector::from_fn(closed.len(), |i, _| rows.gap()[closed[i]] / assembly.unit(closed[i]));
         Self { fraction, q, gap, jacobian, svd: svd(by_open), side }
     }
 

@@ -1,11 +1,13 @@
 //! Gaps and their Jacobian at a position, for the search of a start.
 
-use nalgebra::{DMatrix, DVector};
+use core::cell::RefCell;
+use std::rc::Rc;
 
 use super::CLOSED;
 use crate::error::StartError;
 use crate::integration::phase_point::RunContext;
 use crate::model::{ContactKind, ContactSet, Layout};
+use crate::system::Equations;
 
 /// A model with its nominal figure.
 pub(super) struct AssemblyProblem<'a> {
@@ -16,24 +18,25 @@ pub(super) struct AssemblyProblem<'a> {
     pub(super) rates: Vec<f64>,
     /// When the motion begins.
     pub(super) t: f64,
+    /// The last position asked for, and what holds there.
+    last: RefCell<Option<(Vec<f64>, Rc<Equations<f64>>)>>,
 }
 
-/// All rows at a position: contacts, then joints.
-pub(super) struct Rows {
-    pub(super) gap: DVector<f64>,
-    pub(super) jacobian: DMatrix<f64>,
-    pub(super) drift: DVector<f64>,
-    pub(super) mass: DMatrix<f64>,
-}
+impl<'a> AssemblyProblem<'a> {
+    /// With so deep penetrations in natural lengths, these rates, and this time.
+    pub(super) fn new(context: &'a RunContext, deepest: f64, rates: Vec<f64>, t: f64) -> Self {
+        Self { context, deepest, rates, t, last: RefCell::new(None) }
+    }
 
-impl AssemblyProblem<'_> {
     pub(super) fn layout(&self) -> &'static Layout {
         self.context.layout()
     }
 
     /// The full state at a position, at rest.
     fn at_rest(&self, positions: &[f64]) -> Vec<f64> {
-        self.layout().state_at(&[positions, &vec![0.0; positions.len()]].concat(), self.t)
+        let mut values = vec![0.0; 2 * positions.len()];
+        values[..positions.len()].copy_from_slice(positions);
+        self.layout().state_at(&values, self.t)
     }
 
     fn feet(&self, state: &[f64]) -> Vec<f64> {
@@ -42,16 +45,16 @@ impl AssemblyProblem<'_> {
         feet
     }
 
-    pub(super) fn rows(&self, positions: &[f64]) -> Rows {
-        let n = positions.len();
-        let state = self.at_rest(positions);
-        let kernel = self.context.system().equations(&state);
-        let count = kernel.gap().len();
-        Rows {
-            gap: DVector::from_row_slice(kernel.gap()),
-            drift: DVector::from_row_slice(kernel.drift()),
-            jacobian: DMatrix::from_fn(count, n, |i, j| kernel.jacobian(i)[j]),
-            mass: DMatrix::from_fn(n, n, |i, j| kernel.mass(i)[j]),
+    /// M and all rows at a position, at rest.
+    pub(super) fn rows(&self, positions: &[f64]) -> Rc<Equations<f64>> {
+        let mut last = self.last.borrow_mut();
+        match &*last {
+            Some((at, equations)) if at == positions => Rc::clone(equations),
+            _ => {
+                let equations = Rc::new(self.context.system().equations(&self.at_rest(positions)));
+                *last = Some((positions.to_vec(), Rc::clone(&equations)));
+                equations
+            }
         }
     }
 
@@ -101,7 +104,7 @@ impl AssemblyProblem<'_> {
 
     /// Corners beyond the ends of their bars, and contacts that are not there.
     pub(super) fn absent(&self, positions: &[f64]) -> ContactSet {
-        let feet = self.feet(&self.at_rest(positions));
+        let feet = if self.layout().feet() == 0 { Vec::new() } else { self.feet(&self.at_rest(positions)) };
         let beyond = |x: &f64| *x < -CLOSED * self.context.scales.length;
         let off = |i: &usize| {
             let foot = self.layout().contacts[*i].foot;
@@ -115,12 +118,12 @@ impl AssemblyProblem<'_> {
     /// How deep the one-sided contacts of a set are penetrated, m, ≥ 0.
     pub(super) fn depth(&self, positions: &[f64], set: ContactSet) -> f64 {
         let two_sided = self.layout().guides().union(self.layout().drives());
-        let gap = self.rows(positions).gap;
-        set.difference(two_sided).iter().map(|i| -gap[i]).fold(0.0, f64::max)
+        let rows = self.rows(positions);
+        set.difference(two_sided).iter().map(|i| -rows.gap()[i]).fold(0.0, f64::max)
     }
 
     /// Refuses penetrated contacts, by the deepest one. A corner beyond the end of its bar penetrates nothing.
-    pub(super) fn refuse_penetration(&self, gap: &DVector<f64>, off: ContactSet) -> Result<(), StartError> {
+    pub(super) fn refuse_penetration(&self, gap: &[f64], off: ContactSet) -> Result<(), StartError> {
         let two_sided = self.layout().guides().union(self.layout().drives());
         let on = (0..self.layout().contacts.len()).filter(|&i| !off.contains(i) && !two_sided.contains(i));
         let deepest = on.min_by(|&a, &b| gap[a].total_cmp(&gap[b]));

@@ -4,16 +4,35 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::problem::{AssemblyProblem, Rows};
+use super::problem::AssemblyProblem;
 use super::{CLOSED, largest, worst};
 use crate::decomposition::svd;
 use crate::error::StartError;
 use crate::model::ContactSet;
 use crate::scales::Scales;
+use crate::system::Equations;
 
 /// Rows of J below this, in natural units, are those of a singular position: at a fold the gap is quadratic in the position, so
 /// that a gap closed within [`CLOSED`] leaves position and J unknown by the square root of that.
 const SINGULAR: f64 = 1e-5;
+
+/// M, J and ∂g/∂t: contacts, then joints.
+struct Rows {
+    mass: DMatrix<f64>,
+    jacobian: DMatrix<f64>,
+    drift: DVector<f64>,
+}
+
+impl Rows {
+    fn of(equations: &Equations<f64>) -> Self {
+        let (n, count) = (equations.force().len(), equations.gap().len());
+        Self {
+            mass: DMatrix::from_fn(n, n, |i, j| equations.mass(i)[j]),
+            jacobian: DMatrix::from_fn(count, n, |i, j| equations.jacobian(i)[j]),
+            drift: DVector::from_row_slice(equations.drift()),
+        }
+    }
+}
 
 /// All rates, and those of the `closed` contacts that stay closed under them.
 pub(super) fn rates(
@@ -22,7 +41,7 @@ pub(super) fn rates(
     closed: ContactSet,
     given: &[Option<f64>],
 ) -> Result<(Vec<f64>, ContactSet), StartError> {
-    let rows = assembly.rows(positions);
+    let rows = Rows::of(&assembly.rows(positions));
     let scales = &assembly.context.scales;
     let size = |(rate, coordinate): (&Option<f64>, _)| {
         rate.unwrap_or(0.0).abs() * scales.length / scales.coordinate(coordinate)
@@ -106,6 +125,9 @@ fn least(rows: &Rows, closed: &[usize], given: &[Option<f64>]) -> DVector<f64> {
     let n = given.len();
     let free: Vec<usize> = (0..n).filter(|&i| given[i].is_none()).collect();
     let mut u = DVector::from_fn(n, |i, _| given[i].unwrap_or(0.0));
+    if free.is_empty() || u.iter().chain(&rows.drift).all(|rate| *rate == 0.0) {
+        return u;
+    }
     let (f, c) = (free.len(), closed.len());
     let jacobian = rows.jacobian.select_rows(closed);
     let tied = jacobian.select_columns(&free);
@@ -116,14 +138,12 @@ fn least(rows: &Rows, closed: &[usize], given: &[Option<f64>]) -> DVector<f64> {
     let mut right = DVector::zeros(f + c);
     right.rows_mut(0, f).copy_from(&-(&rows.mass * &u).select_rows(&free));
     right.rows_mut(f, c).copy_from(&-(jacobian * &u + rows.drift.select_rows(closed)));
-    if right.amax() > 0.0 {
-        let balance = balance(&matrix, f);
-        let balanced = DMatrix::from_fn(f + c, f + c, |i, j| matrix[(i, j)] * balance[i] * balance[j]);
-        let scaled = right.component_mul(&balance);
-        if let Ok(x) = svd(balanced).solve(&scaled, 1e-12) {
-            for (k, &i) in free.iter().enumerate() {
-                u[i] = x[k] * balance[k];
-            }
+    let balance = balance(&matrix, f);
+    let balanced = DMatrix::from_fn(f + c, f + c, |i, j| matrix[(i, j)] * balance[i] * balance[j]);
+    let scaled = right.component_mul(&balance);
+    if let Ok(x) = svd(balanced).solve(&scaled, 1e-12) {
+        for (k, &i) in free.iter().enumerate() {
+            u[i] = x[k] * balance[k];
         }
     }
     u
