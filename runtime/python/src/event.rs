@@ -117,5 +117,5 @@ type Numbers = Vec<(String, f64)>;
 type Parts = (f64, Words, Numbers, Numbers, Numbers, Numbers);
 
 fn by_label(all: &[Reaction], of: fn(&Reaction) -> Option<f64>) -> Numbers {
-    all.iter().filter_map(|reaction| Some((reaction.label.clone(), of(reaction)?))).collect()
+    all.iter().filter_map(|reaction| Some((reaction.label.to_owned(), of(reaction)?))).collect()
 }

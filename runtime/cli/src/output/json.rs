@@ -128,7 +128,7 @@ fn friction(reaction: &Reaction) -> Option<f64> {
 
 /// What there is of them, by name, zero in place of what is rounding beside the largest of the run.
 fn by_support(all: &[Reaction], of: fn(&Reaction) -> Option<f64>, largest: f64) -> Map<String, Value> {
-    let value = |r: &Reaction| Some((r.label.clone(), Value::from(unrounded(of(r)?, largest))));
+    let value = |r: &Reaction| Some((r.label.to_owned(), Value::from(unrounded(of(r)?, largest))));
     all.iter().filter_map(value).collect()
 }
 

@@ -214,7 +214,7 @@ pub struct Reaction {
     /// Index of the contact.
     pub contact: usize,
     /// The support `A`, or the whole contact `A, C, E`.
-    pub label: String,
+    pub label: &'static str,
     /// Positive where it pushes.
     pub value: f64,
     /// The friction force or impulse along the tangent, of a contact that has friction.
@@ -226,12 +226,12 @@ pub struct Reaction {
 pub(crate) fn reactions(layout: &Layout, values: &[f64]) -> Vec<Reaction> {
     let by_rows = values.len() == layout.rows();
     let place = |k: usize| if by_rows { layout.frictions[k].row } else { layout.contacts.len() + k };
-    let mut all = Vec::new();
+    let mut all = Vec::with_capacity(layout.contacts.len());
     for (i, (contact, &value)) in layout.contacts.iter().zip(values).enumerate() {
         let friction = contact.friction.and_then(|k| values.get(place(k)));
-        let one = |label: &str, members: f64| Reaction {
+        let one = |label: &'static str, members: f64| Reaction {
             contact: i,
-            label: label.to_owned(),
+            label,
             value: value / members,
             friction: friction.map(|force| force / members),
         };

@@ -53,8 +53,7 @@ fn layout() -> Layout {
 
 #[test]
 fn reactions_are_shared_where_the_shares_are_known() {
-    let one =
-        |contact, label: &str, value, friction| Reaction { contact, label: label.into(), value, friction };
+    let one = |contact, label: &'static str, value, friction| Reaction { contact, label, value, friction };
     let expected = [
         one(0, "B", 3.0, Some(-1.0)),
         one(0, "A", 3.0, Some(-1.0)),

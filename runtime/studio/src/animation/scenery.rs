@@ -66,7 +66,7 @@ impl EventItem {
     pub fn of(event: &Event) -> Self {
         let impulses = event.impulses.iter();
         let impulse =
-            |of: &Reaction| Impulse { contact: of.contact, label: of.label.clone(), value: of.value };
+            |of: &Reaction| Impulse { contact: of.contact, label: of.label.to_owned(), value: of.value };
         Self {
             t: event.t,
             kind: event.kind.to_string(),

@@ -143,11 +143,14 @@ impl<'a> EventDetector<'a> {
         (conditions, located): (&'a [Condition], &[(usize, bool)]),
         bounds: Bounds,
     ) -> Self {
-        let guards = guards(layout, set, &roles).map(|guard| (guard, false));
-        let guards = guards.chain(located.iter().map(|&(k, is_state)| (Guard::Condition(k), is_state)));
-        let watch =
-            |(index, (guard, is_state))| Watch { is_state, ..Watch::of(guard, index, &roles, conditions) };
-        let list: Vec<Watch> = guards.enumerate().map(watch).collect();
+        let mut list = Vec::with_capacity(layout.contacts.len() + located.len());
+        guards(layout, &set, &roles, &mut |guard| {
+            list.push(Watch::of(guard, list.len(), &roles, conditions))
+        });
+        for &(k, is_state) in located {
+            let watch = Watch::of(Guard::Condition(k), list.len(), &roles, conditions);
+            list.push(Watch { is_state, ..watch });
+        }
         let ContactStatus { forces, slips, .. } = roles;
         let values = RefCell::new(Values::of(layout));
         let (known, undecided) = (Known::of(list.len()), Cell::new(None));

@@ -7,7 +7,7 @@ use super::low_flight::LowFlight;
 use super::{Guard, Rub, StepView};
 use crate::contact::friction::Grip;
 use crate::expression::{Condition, Variable};
-use crate::model::{ContactKind, ContactSet, Layout, Side, Slip};
+use crate::model::{ContactKind, ContactSet, Layout, Slip};
 
 /// Contacts as the run treats them.
 #[derive(Debug, Clone, Copy, Default)]
@@ -138,50 +138,52 @@ impl Watch {
 /// The guards of all contacts in a phase in which those of a set bear.
 pub(super) fn guards(
     layout: &'static Layout,
-    set: ContactSet,
-    roles: &ContactStatus,
-) -> impl Iterator<Item = Guard> {
-    let shared = (!roles.grip.is_empty()).then_some(Guard::Grip);
-    layout
-        .contacts
-        .iter()
-        .enumerate()
-        .flat_map(move |(contact, description)| {
-            let own = match set.contains(contact) {
-                // That of a hinge has no sign to watch.
-                _ if description.is_hinge() => None,
-                // Of a guide that depends on those that bear there is nothing to watch.
-                false if description.kind == ContactKind::Guide => None,
-                false => (!roles.removed.contains(contact)).then_some(Guard::Gap(contact)),
-                true if roles.grip.normals.contains(contact) => None,
-                true if description.kind == ContactKind::Guide => {
-                    Some(Guard::Side(contact, roles.closed.side(contact)))
-                }
-                true => (!roles.held.contains(contact)).then_some(Guard::Reaction(contact)),
-            };
-            let depends = roles.closed.contains(contact)
-                && !set.contains(contact)
-                && matches!(description.kind, ContactKind::Support | ContactKind::Thread)
-                && !roles.held.contains(contact);
-            let parting = depends.then_some(Guard::Parting(contact));
-            let (slip, side) = (roles.closed.slip(contact), roles.closed.side(contact));
-            // One that only depends on those that bear has no reaction to watch, and slips all the same.
-            let is_watched = set.contains(contact) || roles.closed.contains(contact) && slip != Slip::Stick;
-            let rubs = description.friction.filter(|_| is_watched && !roles.grip.sticking.contains(contact));
-            let rubs = rubs.into_iter().flat_map(move |friction| frictional(contact, friction, (slip, side)));
-            let foot = description.foot.filter(|_| roles.closed.contains(contact));
-            let feet = foot
-                .into_iter()
-                .flat_map(move |foot| [2 * foot, 2 * foot + 1].map(|entry| Guard::Foot { contact, entry }));
-            own.into_iter().chain(parting).chain(rubs).chain(feet)
-        })
-        .chain(shared)
+    set: &ContactSet,
+    roles: &ContactStatus<'_>,
+    watch: &mut impl FnMut(Guard),
+) {
+    for (contact, description) in layout.contacts.iter().enumerate() {
+        let (bears, closed) = (set.contains(contact), roles.closed.contains(contact));
+        if let Some(own) = own_guard(contact, description.kind, bears, roles) {
+            watch(own);
+        }
+        let parts = matches!(description.kind, ContactKind::Support | ContactKind::Thread);
+        if closed && !bears && parts && !roles.held.contains(contact) {
+            watch(Guard::Parting(contact));
+        }
+        let (slip, side) = (roles.closed.slip(contact), roles.closed.side(contact));
+        // One that only depends on those that bear has no reaction to watch, and slips all the same.
+        let is_watched = bears || closed && slip != Slip::Stick;
+        if let Some(friction) =
+            description.friction.filter(|_| is_watched && !roles.grip.sticking.contains(contact))
+        {
+            let rub = |slip| Rub { contact, friction, slip, side };
+            match slip {
+                Slip::Stick => [Slip::Forward, Slip::Backward]
+                    .into_iter()
+                    .for_each(|slip| watch(Guard::Limit(rub(slip)))),
+                slip => watch(Guard::Slip(rub(slip))),
+            }
+        }
+        if let Some(foot) = description.foot.filter(|_| closed) {
+            [2 * foot, 2 * foot + 1].into_iter().for_each(|entry| watch(Guard::Foot { contact, entry }));
+        }
+    }
+    if !roles.grip.is_empty() {
+        watch(Guard::Grip);
+    }
 }
 
-/// The guards of a closed contact with friction.
-fn frictional(contact: usize, friction: usize, (slip, side): (Slip, Side)) -> impl Iterator<Item = Guard> {
-    let rub = move |slip| Rub { contact, friction, slip, side };
-    let limits = [Slip::Forward, Slip::Backward].into_iter().filter(move |_| slip == Slip::Stick);
-    let slides = (slip != Slip::Stick).then(|| Guard::Slip(rub(slip)));
-    limits.map(move |slip| Guard::Limit(rub(slip))).chain(slides)
+/// The guard of a contact's own reaction or gap.
+fn own_guard(contact: usize, kind: ContactKind, bears: bool, roles: &ContactStatus<'_>) -> Option<Guard> {
+    match (kind, bears) {
+        // That of a hinge has no sign to watch.
+        (ContactKind::Hinge { .. }, _) => None,
+        // Of a guide that depends on those that bear there is nothing to watch.
+        (ContactKind::Guide, false) => None,
+        (_, false) => (!roles.removed.contains(contact)).then_some(Guard::Gap(contact)),
+        _ if roles.grip.normals.contains(contact) => None,
+        (ContactKind::Guide, true) => Some(Guard::Side(contact, roles.closed.side(contact))),
+        (_, true) => (!roles.held.contains(contact)).then_some(Guard::Reaction(contact)),
+    }
 }

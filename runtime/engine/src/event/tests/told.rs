@@ -13,7 +13,7 @@ const COORDINATES: [Coordinate; 2] =
     [Coordinate { name: "phi", is_angle: true }, Coordinate { name: "x", is_angle: false }];
 
 fn event(kind: EventKind, supports: &[&'static str]) -> Event {
-    let reaction = |label: &str, value| Reaction { contact: 0, label: label.into(), value, friction: None };
+    let reaction = |label: &'static str, value| Reaction { contact: 0, label, value, friction: None };
     Event {
         t: 2.5,
         kind,

@@ -18,7 +18,9 @@ fn all(slip: Slip) -> ContactSet {
 }
 
 fn listed(set: ContactSet, roles: &ContactStatus<'_>) -> Vec<Guard> {
-    guards(&LAYOUT, set, roles).collect()
+    let mut listed = Vec::new();
+    guards(&LAYOUT, &set, roles, &mut |guard| listed.push(guard));
+    listed
 }
 
 const FEET: [Guard; 2] =
