@@ -70,6 +70,12 @@ pub trait Real:
     }
     /// `self · a + b`, fused where the target has the instruction and plain elsewhere.
     fn mul_add(self, a: Self, b: Self) -> Self;
+
+    /// `self · a + b`, fused: slow where the processor has no instruction for it.
+    #[inline(always)]
+    fn fused_mul_add(self, a: Self, b: Self) -> Self {
+        self.mul_add(a, b)
+    }
 }
 
 /// A [`Real`] with an order, for control flow.

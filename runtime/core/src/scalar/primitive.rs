@@ -3,9 +3,7 @@
 use super::library::Library;
 use super::sin_cos::{sin_cos, sin_cos_each};
 use super::{Real, Scalar};
-
-/// Whether the target multiplies and adds in one instruction. Without the standard library that is not to be had.
-const FUSED: bool = cfg!(all(target_feature = "fma", feature = "std"));
+use crate::dispatch::FUSED;
 
 macro_rules! primitive {
     ($float:ident, $($sines:tt)*) => {
@@ -41,6 +39,11 @@ macro_rules! primitive {
             #[inline]
             fn mul_add(self, a: Self, b: Self) -> Self {
                 if FUSED { Library::mul_add(self, a, b) } else { self * a + b }
+            }
+
+            #[inline(always)]
+            fn fused_mul_add(self, a: Self, b: Self) -> Self {
+                Library::mul_add(self, a, b)
             }
         }
 

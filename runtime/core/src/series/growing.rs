@@ -1,8 +1,9 @@
 //! A tape whose number of columns is known when it is made.
 
-use super::convolution::{Block, Convolution};
+use super::convolution::{Block, Convolution, Long, Sums};
 use super::ops::{Coefficients, Storage, Values};
 use super::{LANES, ORDERS, SeriesOps};
+use crate::dispatch::vectorised;
 use crate::scalar::Real;
 
 /// A [`Tape`](super::Tape) of any number of columns: the same sums in the same order.
@@ -81,7 +82,7 @@ impl<S: Real> TapeOf<S> {
             8 => self.sum::<8>(n),
             _ => {
                 let Self { left, right, sums, ahead, .. } = self;
-                Convolution { left, right, sums, ahead }.sum(n);
+                vectorised(Long { of: Convolution { left, right, sums, ahead }, n });
             }
         }
     }
@@ -93,7 +94,7 @@ impl<S: Real> TapeOf<S> {
             [&*left, &*right].map(|operands| operands.as_chunks::<BLOCKS>().0.first_chunk::<ORDERS>());
         let [sums, ahead] = [sums, ahead].map(|sums| sums.first_chunk_mut::<BLOCKS>());
         if let (Some(left), Some(right), Some(sums), Some(ahead)) = (left, right, sums, ahead) {
-            Convolution { left: left.as_flattened(), right: right.as_flattened(), sums, ahead }.sum(n);
+            vectorised(Sums { left, right, sums, ahead, n });
         }
     }
 

@@ -1,8 +1,9 @@
 //! The operands of a phase's convolutions, one column each, and the sums that every order begins with.
 
-use super::convolution::Convolution;
+use super::convolution::Sums;
 use super::ops::{Coefficients, Storage, Values};
 use super::{LANES, ORDERS, SeriesOps};
+use crate::dispatch::vectorised;
 use crate::scalar::Real;
 
 /// One order of all columns: side by side, so that vector instructions sum them.
@@ -87,7 +88,7 @@ impl<S: Real, const BLOCKS: usize> Tape<S, BLOCKS> {
     #[inline(never)]
     fn convolve(&mut self, n: usize) {
         let Self { left, right, sums, ahead, .. } = self;
-        Convolution { left: left.as_flattened(), right: right.as_flattened(), sums, ahead }.sum(n);
+        vectorised(Sums { left, right, sums, ahead, n });
     }
 }
 

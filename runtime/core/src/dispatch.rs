@@ -1,0 +1,36 @@
+//! Loops over vectors, compiled twice where the target is any processor of its kind: for all of them, and for those with AVX2 and
+//! FMA; which it is, is found out at run time.
+//!
+//! A chain of eight bars takes 0.91, 0.76, 0.74 of the time by it, a double pendulum 0.96, 0.91, 0.82, at tolerances of 1e-6, 1e-9,
+//! 1e-12, in a binary for any x86-64. Where the target has the instructions there is one function, and nothing to find out.
+//!
+//! The only `unsafe` code of this crate is the call of a function that needs AVX2 and FMA, behind the standard library's test for
+//! both. Compiled for more instructions, a function does what its source says like any other.
+
+/// A loop that is worth it.
+pub(crate) trait Vectorised {
+    /// Does it, multiplying and adding in one instruction if `FUSED`. To be marked `#[inline(always)]`: only what is inlined is
+    /// compiled for the instructions that were found.
+    fn run<const FUSED: bool>(self);
+}
+
+/// Whether the target multiplies and adds in one instruction. Without the standard library that is not to be had.
+pub(crate) const FUSED: bool = cfg!(all(target_feature = "fma", feature = "std"));
+
+/// Runs it with the widest instructions that there are.
+#[inline(always)]
+pub(crate) fn vectorised(work: impl Vectorised) {
+    #[cfg(all(feature = "std", target_arch = "x86_64", not(target_feature = "fma")))]
+    if std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma") {
+        // SAFETY: the processor has both, as was just found.
+        #[allow(unsafe_code, reason = "the module's proof")]
+        return unsafe { with_avx2(work) };
+    }
+    work.run::<FUSED>();
+}
+
+#[cfg(all(feature = "std", target_arch = "x86_64", not(target_feature = "fma")))]
+#[target_feature(enable = "avx2,fma")]
+fn with_avx2(work: impl Vectorised) {
+    work.run::<true>();
+}
