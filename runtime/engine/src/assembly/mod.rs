@@ -107,14 +107,14 @@ const ALL: usize = 12;
 /// What the first subset is that is accepted: of a small set among all, the larger first; of a large one among those left when
 /// the contacts that are in the way of the one before are left out.
 fn largest<T>(set: ContactSet, mut accept: impl FnMut(ContactSet) -> Result<T, ContactSet>) -> Option<T> {
-    if set.len() <= ALL {
-        return subsets(set).find_map(|subset| accept(subset).ok());
-    }
     let mut left = set;
     loop {
         match accept(left) {
             Ok(found) => return Some(found),
             Err(_) if left.is_empty() => return None,
+            Err(_) if set.len() <= ALL => {
+                return subsets(set).skip(1).find_map(|subset| accept(subset).ok());
+            }
             Err(in_the_way) => {
                 let fewer = left.difference(in_the_way);
                 left = if fewer == left { ContactSet::EMPTY } else { fewer };

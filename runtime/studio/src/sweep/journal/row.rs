@@ -8,13 +8,16 @@ use crate::sweep::cell::{Cell, Outcome};
 pub(in crate::sweep) const SEED: u64 = 0xcbf2_9ce4_8422_2325;
 const PRIME: u64 = 0x0100_0000_01b3;
 
+/// Room for a row as most are, bytes; the default is thirty times as much, to be cleared for each.
+const ROW: usize = 256;
+
 pub(in crate::sweep) fn checksum(seed: u64, bytes: &[u8]) -> u64 {
     bytes.iter().fold(seed, |sum, byte| (sum ^ u64::from(*byte)).wrapping_mul(PRIME))
 }
 
 /// A line of a table.
 pub(in crate::sweep) fn record<T: AsRef<[u8]>>(fields: impl IntoIterator<Item = T>) -> String {
-    let mut writer = csv::WriterBuilder::new().flexible(true).from_writer(Vec::new());
+    let mut writer = csv::WriterBuilder::new().flexible(true).buffer_capacity(ROW).from_writer(Vec::new());
     // Writing into memory does not fail.
     let _ = writer.write_record(fields);
     String::from_utf8_lossy(&writer.into_inner().unwrap_or_default()).into_owned()
