@@ -71,7 +71,7 @@ names! {
     m10: chi_rate; m11: S; m12: O; m13: Fn; m14: f64; m15: usize; m16: liftoff; m17: Bar; m18: Free; m19: r#type; m20: r#fn;
     m21: r#match; m22: set; m23: state; m24: visitor; m25: entry; m26: values; m27: x1; m28: sin; m29: cos; m30: lambda_0;
     m31: core; m32: Constants; m33: Layout; m34: Phase; m35: Self_; m36: φ; m37: r#async; m38: Clone; m39: Real; m40: LAYOUT;
-    m41: names; m42: form; m43: k1; m44: k2; m45: On_A; m46: JointSolution; m47: BarSystem; m48: Option; m49: Vec; m50: u64;
+    m41: names; m42: form; m43: k1; m44: k2; m45: On_A; m46: Held; m47: BarSystem; m48: Option; m49: Vec; m50: u64;
     m51: M; m52: U; m53: least; m54: liftoff_core; m55: std; m56: main; m57: half_sin; m58: drop; m59: _x; m60: __; m61: r#dyn;
     m62: union; m63: auto; m64: raw; m65: nominal; m66: bool; m67: str; m68: default; m69: Kernel; m70: 変数;
 }

@@ -140,8 +140,7 @@ pub(super) fn body(
 pub(super) fn types(analysis: &Analysis) -> TokenStream {
     let n = analysis.motion.n;
     let rows = analysis.motion.rows.len();
-    let reactions = analysis.motion.contacts.len() + analysis.motion.frictions().count();
-    let (reactions, unknowns) = (count(reactions), count(n + rows));
+    let (reactions, unknowns) = (count(analysis.motion.reactions()), count(n + rows));
     let state = count(analysis.motion.entries());
     let points = count(analysis.functions.points.len());
     let feet = count(analysis.functions.feet.len());

@@ -7,11 +7,11 @@ use super::chain::by_loops;
 use super::constants::Constants;
 use super::count;
 use super::functions::{Entries, body, energies};
-use super::projected::{joint_solution, projected};
+use super::projected::{held_motions, projected};
 use super::series;
 use crate::Analysis;
 use crate::functions::{PhaseFunctions, phase_names};
-use crate::motion::UNROLLED;
+use crate::motion::{ClosedSet, UNROLLED};
 use crate::program::Id;
 
 /// The method `phase`, and the free functions it refers to.
@@ -19,7 +19,7 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
     let names = phase_names(analysis).into_iter().map(|name| format_ident!("{name}"));
     let closed: Vec<(&PhaseFunctions, Ident)> = analysis.functions.phases.iter().zip(names).collect();
     let arms = closed.iter().map(|(phase, name)| {
-        let set = bits(analysis, phase);
+        let set = bits(analysis, phase.set);
         let entries = entries(analysis, phase);
         let n = count(entries.len());
         let (coordinates, rate_count) = (count(phase.kept.len()), count(phase.moving.len()));
@@ -41,7 +41,7 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
         }
     });
     let projected = projected(analysis);
-    let bits = if analysis.functions.slips.is_empty() { quote!(bits) } else { quote!(bits_and_stick) };
+    let bits = bits_method(analysis);
     let selection = quote! {
         fn phase<S: Scalar, V: PhaseVisitor<Self, S>>(
             set: ContactSet,
@@ -63,7 +63,7 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
         quote!(#functions #closed #series)
     });
     let phases: TokenStream = phases
-        .chain(joint_solution(analysis, constants))
+        .chain(held_motions(analysis, constants))
         .chain(series::of_kernel(analysis, constants))
         .collect();
     (selection, phases)
@@ -118,9 +118,14 @@ fn closed_form(
     }
 }
 
-/// The pattern of a phase's contact set.
-fn bits(analysis: &Analysis, phase: &PhaseFunctions) -> TokenStream {
-    let [closed, stick] = [phase.set.closed, phase.set.stick].map(Literal::u64_unsuffixed);
+/// The method of a contact set that tells its bits.
+pub(super) fn bits_method(analysis: &Analysis) -> TokenStream {
+    if analysis.functions.slips.is_empty() { quote!(bits) } else { quote!(bits_and_stick) }
+}
+
+/// The pattern of a contact set.
+pub(super) fn bits(analysis: &Analysis, set: ClosedSet) -> TokenStream {
+    let [closed, stick] = [set.closed, set.stick].map(Literal::u64_unsuffixed);
     if analysis.functions.slips.is_empty() { quote!(#closed) } else { quote!((#closed, #stick)) }
 }
 

@@ -42,7 +42,7 @@ pub(super) fn functions(system: &System, kinematics: &Kinematics, motion: &Motio
         feet,
         slips,
         phases,
-        joint_solution: None,
+        held: Vec::new(),
         projected: None,
         figure,
         quantities,

@@ -5,7 +5,7 @@ mod chain;
 mod constant_names;
 mod friction;
 mod full;
-mod joint_solution;
+mod held;
 mod kinks;
 mod long;
 mod phase;
@@ -23,7 +23,7 @@ use crate::program::{Id, Lowering, Program};
 use crate::system::System;
 pub use chain::Chain;
 pub(crate) use constant_names::constant_names;
-pub use joint_solution::JointSolution;
+pub use held::{HeldMotion, Solution};
 pub use kinks::Kink;
 pub(crate) use phase_names::phase_names;
 pub use scope::{Scope, SeriesOutputs};
@@ -117,7 +117,7 @@ impl PhaseFunctions {
         let all: Vec<usize> = (0..motion.n).collect();
         let rates: Vec<Id> = all.iter().map(|&i| program.input(Symbol::rate(i))).collect();
         let coordinates: Vec<Id> = all.iter().map(|&i| program.input(Symbol::coordinate(i))).collect();
-        let reactions = vec![program.integer(0); motion.contacts.len() + motion.frictions().count()];
+        let reactions = vec![program.integer(0); motion.reactions()];
         Self {
             set: ClosedSet::default(),
             kept: all.clone(),
@@ -157,8 +157,8 @@ pub struct Functions {
     pub slips: Vec<[Id; 3]>,
     /// The closed forms.
     pub phases: Vec<PhaseFunctions>,
-    /// The accelerations that the joints leave where no contact is closed, if they have an emitted form.
-    pub joint_solution: Option<JointSolution>,
+    /// Motions that joints and contacts hold, without a closed form.
+    pub held: Vec<HeldMotion>,
     /// The full state as a phase, for the Taylor series of the full equations, where phases need them.
     pub projected: Option<PhaseFunctions>,
     /// The nominal figure: x and y of each point.
@@ -204,12 +204,7 @@ impl Functions {
             .filter(|phase| phase.moving.len() <= UNROLLED)
             .map(|phase| phase::functions(&mut program, system, kinematics, motion, phase))
             .collect();
-        let closed = phases.iter().any(|phase| phase.set.closed == 0);
-        let joint_solution = if closed || motion.has_hinges() {
-            None
-        } else {
-            joint_solution::joint_solution(&mut program, system, kinematics, motion, &kernel)
-        };
+        let held = held::held_motions(&mut program, system, kinematics, motion, &kernel, &phases);
         let projected = needs_projected_series(motion, &phases)
             .then(|| PhaseFunctions::of_all(&mut program, motion, Vec::new(), energy));
         let kinks = kinks::kinks(&program, &kernel);
@@ -221,7 +216,7 @@ impl Functions {
             feet,
             slips,
             phases,
-            joint_solution,
+            held,
             projected,
             figure,
             quantities,
@@ -255,12 +250,13 @@ impl Functions {
             let motion = phase.rates.iter().chain(&phase.accelerations).chain(&phase.reactions);
             motion.chain(&phase.embedding).chain(&phase.pivots).chain(&phase.energy)
         });
-        let joint_solution = self.joint_solution.iter().flat_map(|joint_solution| {
-            joint_solution.accelerations.iter().chain(joint_solution.pivots.iter().flatten())
+        let held = self.held.iter().flat_map(|HeldMotion { solution, .. }| {
+            let Solution { accelerations, multipliers, pivots } = solution;
+            accelerations.iter().chain(multipliers).chain(pivots.iter().flatten())
         });
         let quantities = self.quantities.iter().map(|quantity| &quantity.value);
         let points = self.points.iter().chain(&self.feet).chain(&self.energy).chain(quantities);
         let points = points.chain(self.slips.iter().flatten());
-        kernel.iter().chain(phases).chain(joint_solution).chain(points).chain(&loops).copied().collect()
+        kernel.iter().chain(phases).chain(held).chain(points).chain(&loops).copied().collect()
     }
 }

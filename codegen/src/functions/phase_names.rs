@@ -1,15 +1,16 @@
-//! Names of the contact sets in closed form.
+//! Names of the contact sets that have code of their own.
 
 use crate::Analysis;
 use crate::motion::{ClosedSet, contains};
 
-/// A name for each closed form, no two alike: `On_A_and_E`, `On_sliding_A`, `Free`.
+/// A name for each closed form, then for each motion that is held without one, no two alike: `On_A_and_E`, `On_sliding_A`, `Free`.
 pub(crate) fn phase_names(analysis: &Analysis) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
-    for phase in &analysis.functions.phases {
-        let name = name(analysis, phase.set);
+    let (phases, held) = (&analysis.functions.phases, &analysis.functions.held);
+    for set in phases.iter().map(|phase| phase.set).chain(held.iter().map(|motion| motion.set)) {
+        let name = name(analysis, set);
         let taken = names.contains(&name);
-        let (closed, stick) = (phase.set.closed, phase.set.stick);
+        let ClosedSet { closed, stick } = set;
         names.push(if taken { format!("{name}_{closed}_{stick}") } else { name });
     }
     names

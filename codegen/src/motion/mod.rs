@@ -48,6 +48,9 @@ pub const MOST_HINGES: usize = 8;
 /// Larger systems are solved by the runtime's loops, not by unrolled statements.
 pub const UNROLLED: usize = 16;
 
+/// Sets of contacts beyond the first ten have no code of their own.
+pub const SEARCHED: usize = 10;
+
 /// Contacts of which a set can be told: `ContactSet::CAPACITY` of the runtime.
 pub const MOST_CONTACTS: usize = 256;
 
@@ -233,6 +236,16 @@ impl Motion {
     pub fn frictions(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
         let slips = self.tangents.iter().enumerate().map(|(k, &contact)| (contact, self.slips() + k));
         slips.filter(|(contact, _)| self.contacts[*contact].friction.is_some())
+    }
+
+    /// The row of each reaction: of the contacts, then of the slips of those with friction.
+    pub fn rows_of_reactions(&self) -> impl Iterator<Item = usize> + '_ {
+        (0..self.contacts.len()).chain(self.frictions().map(|(_, row)| row))
+    }
+
+    /// How many reactions there are.
+    pub fn reactions(&self) -> usize {
+        self.rows_of_reactions().count()
     }
 
     /// Whether the coefficient of friction of a contact depends on its slip velocity.

@@ -1,7 +1,7 @@
 //! Threads: `g = ℓ − Σ |segments|`, polynomial where only one segment moves.
 //!
 //! With `d` the length of a segment between `a` and `b`, `r = b − a`: `ḋ = r·ṙ / d`, and without accelerations
-//! `d̈ = (ṙ·ṙ + r·β) / d − (r·ṙ)² / d³`, β what r̈ is without them.
+//! `d̈ = ((r×ṙ)² / d² + r·β) / d`, β what r̈ is without them; a difference of ṙ·ṙ and ḋ² would lose digits.
 
 use super::action::{Action, Scene};
 use super::dot;
@@ -26,6 +26,15 @@ impl Segment {
 
     fn length(&self) -> Expression {
         Expression::series(dot(&self.span, &self.span)).sqrt()
+    }
+
+    /// What d̈ is without accelerations, its factors not multiplied out.
+    fn curvature(&self, rate: &Vector, n: usize) -> Expression {
+        let [[x, y], [u, v]] = [&self.span, rate].map(|part| part.clone().map(Expression::series));
+        let [alpha, beta] = self.span.each_ref().map(|part| Expression::series(bias(part, n)));
+        let inverse = || Expression::series(Series::one()).over(self.length());
+        let across = x.clone().times(v).minus(y.clone().times(u)).times(inverse());
+        across.clone().times(across).plus(x.times(alpha).plus(y.times(beta))).times(inverse())
     }
 
     /// The forces of a unit tension: towards the other end.
@@ -97,10 +106,7 @@ fn rooted(
             let slope = segment.span.each_ref().map(|part| part.derivative(Symbol::coordinate(i)));
             *entry -= &dot(&segment.span, &slope) * &inverse;
         }
-        let beta = segment.span.each_ref().map(|part| bias(part, n));
-        let straight = &dot(&rate, &rate) + &dot(&segment.span, &beta);
-        let along = &dot(&segment.span, &rate) * &inverse;
-        curved -= &(&straight - &(&along * &along)) * &inverse;
+        curved -= opaque_terms.symbol(&format!("e{}_{name}", k + 1), segment.curvature(&rate, n));
         actions.extend(segment.pull(scene, &inverse));
     }
     (Row { gap, jacobian, bias: curved, drift: Series::zero() }, actions)

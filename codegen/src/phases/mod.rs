@@ -13,7 +13,7 @@ mod tests;
 
 use crate::algebra::{Quotient, Series, work};
 use crate::kinematics::{Kinematics, nominal_values};
-use crate::motion::{ClosedSet, Dense, Motion, OpaqueTerm};
+use crate::motion::{ClosedSet, Dense, Motion, OpaqueTerm, SEARCHED};
 use crate::system::System;
 
 pub use elimination::{Branch, Elimination, Value};
@@ -22,8 +22,6 @@ pub use elimination::{Branch, Elimination, Value};
 pub const LIMIT: usize = 64;
 /// Term operations for all closed forms; those that would need more are left to the projected form.
 const WORK: u64 = 5_000_000;
-/// Sets of more contacts than this are not searched for closed forms.
-const SEARCHED: usize = 10;
 /// In a closed form so many contacts slide at most: their reactions follow by Cramer's rule.
 const SLIDING: usize = 2;
 

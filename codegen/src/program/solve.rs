@@ -28,18 +28,26 @@ fn cramer(program: &mut Program, mass: &[Vec<Id>], force: &[Id]) -> Vec<Id> {
 }
 
 /// `M = L D Lᵀ`.
+#[derive(Default)]
 pub struct Factored {
     lower: Vec<Vec<Id>>,
     inverse: Vec<Id>,
     /// D.
     pub pivots: Vec<Id>,
+    /// What the first rows leave of the diagonal, of one of these its entry.
+    pub diagonal: Vec<Id>,
 }
 
 impl Factored {
     /// `w_ij = m_ij − Σ w_ik l_jk`, `l_ij = w_ij / d_j`, `d_i = m_ii − Σ w_ik l_ik`; `mass[i][j]` is read for `j ≤ i`.
     pub fn of(program: &mut Program, mass: &[Vec<Id>]) -> Self {
+        Self::bordered(program, mass, 0)
+    }
+
+    /// The same of a matrix whose first rows are definite, and the others in what these leave.
+    pub fn bordered(program: &mut Program, mass: &[Vec<Id>], first: usize) -> Self {
         let one = program.integer(1);
-        let mut factored = Self { lower: Vec::new(), inverse: Vec::new(), pivots: Vec::new() };
+        let mut factored = Self::default();
         for (i, entries) in mass.iter().enumerate() {
             let mut scaled: Vec<Id> = Vec::with_capacity(i);
             let mut row: Vec<Id> = Vec::with_capacity(i);
@@ -49,8 +57,11 @@ impl Factored {
                 scaled.push(entry);
                 row.push(program.mul(entry, factored.inverse[j]));
             }
-            let products = scaled.into_iter().zip(row.iter().copied()).collect();
-            let pivot = less(program, entries[i], products);
+            let mut products: Vec<(Id, Id)> = scaled.into_iter().zip(row.iter().copied()).collect();
+            let among = products.split_off(if i < first { 0 } else { first.min(i) });
+            let left = less(program, entries[i], products);
+            let pivot = less(program, left, among);
+            factored.diagonal.push(left);
             factored.pivots.push(pivot);
             factored.inverse.push(program.div(one, pivot));
             factored.lower.push(row);

@@ -2,9 +2,8 @@
 
 use crate::pair::Pair;
 use liftoff_codegen::Analysis;
-use liftoff_codegen::functions::{Functions, JointSolution, Mass, recursion};
+use liftoff_codegen::functions::{Functions, Mass, Solution, recursion};
 use liftoff_codegen::motion::{Scene, Tree};
-use liftoff_codegen::program::Factored;
 use liftoff_tests::random::{Source, Vocabulary};
 
 /// The same system, its functions by recursion; `None` for what is no tree from fixed points.
@@ -36,45 +35,58 @@ fn trees(seeds: core::ops::Range<u64>, vocabulary: Vocabulary) -> [usize; 2] {
     [compared, free]
 }
 
-/// Accelerations without contacts of every system that a tree underlies, with free points and joints, from the leaves
-/// and by entries; how many of each were compared, and how many had joints.
-fn held(seeds: core::ops::Range<u64>, vocabulary: Vocabulary) -> [usize; 2] {
-    let mut compared = [0; 2];
+/// Motions that joints and random contacts hold, of every system that a tree underlies, with free points and joints, from the
+/// leaves and by entries; how many of each were compared, how many had joints, and how many had contacts.
+fn held(seeds: core::ops::Range<u64>, vocabulary: Vocabulary) -> [usize; 3] {
+    let mut compared = [0; 3];
     for seed in seeds {
         let pair = Pair::without_phases(seed, vocabulary);
         let mut source = Source::new(seed ^ 0x4e1d);
         let Some(state) = pair.sample.state(&mut source) else { continue };
-        let Analysis { system, kinematics, motion, functions, .. } = &pair.analysis;
-        let Some(tree) = &motion.tree else { continue };
-        let joints = motion.contacts.len()..motion.rows.len() - motion.tangents.len();
-        let (rows, bias) =
-            (&functions.kernel.jacobian[joints.clone()], &functions.kernel.bias[joints.clone()]);
-        let mut program = functions.program.clone();
-        let from_leaves = recursion(&mut program, system, kinematics, motion, tree, rows);
-        let Mass::Entries(mass) = &functions.kernel.mass else { panic!("a small system") };
-        let factored = Factored::of(&mut program, mass);
-        let forces = core::iter::once(&functions.kernel.force).chain(rows);
-        let by_entries: Vec<_> = forces.map(|force| factored.solve(&mut program, force)).collect();
-        let both = [from_leaves, by_entries].map(|free| JointSolution::of(&mut program, &free, rows, bias));
-        let functions = Functions { program, ..functions.clone() };
-        let pair = Pair { analysis: Analysis { functions, ..pair.analysis.clone() }, ..pair };
-        let agree = both.iter().filter(|held| pair.held(held, &state)).count();
-        compared[0] += agree;
-        compared[1] += if joints.is_empty() { 0 } else { agree };
+        let motion = &pair.analysis.motion;
+        let (joints, sets) = (motion.slips() - motion.contacts.len(), 1 << motion.contacts.len());
+        for set in [0, source.below(sets) as u64] {
+            let Some(state) = pair.touching(&state, set) else { continue };
+            let agree = both(&pair, set).map_or(0, |(pair, both)| {
+                both.iter().filter(|solution| pair.held(solution, set, &state)).count()
+            });
+            compared[0] += agree;
+            compared[1] += if joints == 0 { 0 } else { agree };
+            compared[2] += if set == 0 { 0 } else { agree };
+        }
     }
     compared
 }
 
-#[test]
-fn joints() {
-    let [compared, with_joints] = held(0..600, Vocabulary::BARS);
-    assert!(compared >= 700 && with_joints >= 60, "{compared}, {with_joints} with joints");
+/// The solutions from the leaves and by entries with the rows that are closed in a set.
+fn both(pair: &Pair, set: u64) -> Option<(Pair, [Solution; 2])> {
+    let Analysis { system, kinematics, motion, functions, .. } = &pair.analysis;
+    let (kernel, mut program) = (&functions.kernel, functions.program.clone());
+    let rows = pair.rows(set);
+    let jacobian: Vec<_> = rows.iter().map(|&row| kernel.jacobian[row].clone()).collect();
+    let bias: Vec<_> = rows.iter().map(|&row| kernel.bias[row]).collect();
+    let free = recursion(&mut program, system, kinematics, motion, motion.tree.as_ref()?, &jacobian);
+    let from_leaves = Solution::from_free(&mut program, &free, &jacobian, &bias);
+    let Mass::Entries(mass) = &kernel.mass else { panic!("a small system") };
+    let by_entries = Solution::by_entries(&mut program, mass, &kernel.force, &jacobian, &bias);
+    let functions = Functions { program, ..functions.clone() };
+    let analysis = Analysis { functions, ..pair.analysis.clone() };
+    Some((
+        Pair { analysis, sample: pair.sample.clone(), parameters: pair.parameters.clone(), ..*pair },
+        [from_leaves, by_entries],
+    ))
 }
 
 #[test]
-fn joints_of_the_whole_vocabulary() {
-    let [compared, with_joints] = held(0..600, Vocabulary::ALL);
-    assert!(compared >= 280 && with_joints >= 140, "{compared}, {with_joints} with joints");
+fn held_bars() {
+    let [compared, joints, contacts] = held(0..600, Vocabulary::BARS);
+    assert!(compared >= 700 && joints >= 60 && contacts >= 200, "{compared}, {joints}, {contacts}");
+}
+
+#[test]
+fn held_systems_of_the_whole_vocabulary() {
+    let [compared, joints, contacts] = held(0..600, Vocabulary::ALL);
+    assert!(compared >= 280 && joints >= 140 && contacts >= 80, "{compared}, {joints}, {contacts}");
 }
 
 #[test]

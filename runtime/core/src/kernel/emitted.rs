@@ -1,4 +1,4 @@
-//! What emitted code of trees and of joints needs of the dense equations.
+//! What emitted code of trees and of held motions needs of the dense equations.
 
 use crate::scalar::{Real, Scalar};
 
@@ -39,12 +39,8 @@ pub fn write_mass<S: Real>(
 /// A Schur complement loses the inverse of its relative pivot: below this, more than four digits.
 const LEAST_PIVOT: (i64, i64) = (1, 10_000);
 
-/// An emitted derivative of a system that joints hold, if its pivots can be trusted.
-pub fn trusted<S: Scalar, const Y: usize>(derivative: [S; Y], pivots: &[[S; 2]]) -> Option<[S; Y]> {
-    are_trusted(pivots).then_some(derivative)
-}
-
-/// Whether pivots are no small parts of the diagonal entries they came from (`[entry, pivot]` of each joint).
+/// Whether pivots are no small parts of the diagonal entries they came from (`[entry, pivot]` of each).
+#[inline]
 pub fn are_trusted<S: Scalar>(pivots: &[[S; 2]]) -> bool {
     let least = S::ratio(LEAST_PIVOT.0, LEAST_PIVOT.1);
     pivots.iter().all(|[entry, pivot]| *pivot > *entry * least)

@@ -23,7 +23,7 @@ pub use lever::lever;
 #[cfg(feature = "std")]
 pub(crate) use refinement::{Shape, factorise};
 
-pub use emitted::{are_trusted, mass_by_paths, trusted, write_mass};
+pub use emitted::{are_trusted, mass_by_paths, write_mass};
 
 use crate::model::{ContactSet, Kernel, KernelView, Layout};
 use crate::scalar::{Real, Scalar};

@@ -4,7 +4,8 @@ use core::ops::Range;
 
 use liftoff_codegen::Analysis;
 use liftoff_codegen::algebra::Symbol;
-use liftoff_codegen::functions::{Functions, Mass};
+use liftoff_codegen::functions::{Functions, HeldMotion, Mass, Solution};
+use liftoff_codegen::motion::Motion;
 use liftoff_codegen::program::Id;
 
 use crate::code::{Code, Lowering, Source};
@@ -27,10 +28,37 @@ pub(crate) struct FullCode {
     /// What computes each quantity, and which of its outputs it is.
     pub quantities: Vec<[usize; 2]>,
     pub quantity_codes: Vec<Code>,
-    /// Where no contact is closed: rates and accelerations, then of each joint an entry with its pivot.
-    pub joint_solution: Option<Code>,
+    /// Contact sets without a closed form that have code of their own.
+    pub held: Vec<HeldCode>,
     /// The series of the kernel, where phases need them.
     pub series: Option<KernelCode>,
+}
+
+/// The motion in a contact set without a closed form.
+#[derive(Debug)]
+pub(crate) struct HeldCode {
+    pub set: (u64, u64),
+    /// Rates and accelerations, then of each pivot what it is left of and itself, then the reactions of closed rows.
+    pub code: Code,
+    /// How many numbers tell of pivots.
+    pub pivots: usize,
+    /// The place of each reaction among those, if it is none of an open contact.
+    pub reactions: Vec<Option<usize>>,
+}
+
+impl HeldCode {
+    fn of(motion: &Motion, held: &HeldMotion, code: impl Fn(&[Id]) -> Code) -> Self {
+        let Solution { accelerations, multipliers, pivots } = &held.solution;
+        let derivative = held.rates.iter().chain(accelerations);
+        let outputs: Vec<Id> = derivative.chain(pivots.as_flattened()).chain(multipliers).copied().collect();
+        let place = |row: usize| held.rows.iter().position(|&closed| closed == row);
+        Self {
+            set: (held.set.closed, held.set.stick),
+            code: code(&outputs),
+            pivots: 2 * pivots.len(),
+            reactions: motion.rows_of_reactions().map(place).collect(),
+        }
+    }
 }
 
 /// What the mass matrix is made of.
@@ -62,11 +90,7 @@ impl FullCode {
         let kinks: Vec<Id> = functions.kinks.iter().map(|kink| kink.value()).collect();
         let slips: Vec<Id> = functions.slips.iter().flatten().copied().collect();
         let (quantities, groups) = quantities(functions);
-        let joint_solution = functions.joint_solution.as_ref().map(|solution| {
-            let derivative = solution.rates.iter().chain(&solution.accelerations);
-            let outputs: Vec<Id> = derivative.chain(solution.pivots.iter().flatten()).copied().collect();
-            of_state(&outputs)
-        });
+        let held = functions.held.iter().map(|held| HeldCode::of(motion, held, of_state)).collect();
         let (mass, kernel) = kernel(functions, n);
         Self {
             coordinates: n,
@@ -81,7 +105,7 @@ impl FullCode {
             slips: of_state(&slips),
             quantities,
             quantity_codes: groups.iter().map(|ids| code(entries + n + rows, ids)).collect(),
-            joint_solution,
+            held,
             series: KernelCode::of(analysis, constants, &kernel, &source),
         }
     }

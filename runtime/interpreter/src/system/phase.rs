@@ -14,6 +14,7 @@ use liftoff_core::scalar::{DoubleDouble, Dual4};
 use liftoff_core::system::{Jacobian, Phase, PhaseInfo, System, projected_series};
 
 use super::evaluator::Evaluator;
+use super::full::HeldCode;
 use super::jacobian;
 use crate::code::{Code, Lowering, Source};
 use crate::pool::{Lent, Number};
@@ -89,6 +90,8 @@ pub(crate) struct InterpretedPhase<S> {
     info: PhaseInfo,
     /// Which closed form; none of the projected one.
     pub(super) closed: Option<usize>,
+    /// Which of the projected forms with code of their own, if it is one.
+    held: Option<usize>,
     kept: Vec<usize>,
 }
 
@@ -99,6 +102,8 @@ impl<S: Number> InterpretedPhase<S> {
         let wanted = if has_friction { set.bits_and_stick() } else { set.bits().map(|bits| (bits, 0)) };
         let is_it = |phase: &PhaseCode| Some(phase.set) == wanted;
         let closed = model.phases.iter().position(is_it).filter(|_| form == Form::Closed);
+        let held = model.full.held.iter().position(|held| Some(held.set) == wanted);
+        let held = held.filter(|_| closed.is_none());
         let (n, entries) = (model.full.coordinates, model.full.entries);
         let (info, kept) = match closed.map(|k| &model.phases[k]) {
             Some(code) => {
@@ -113,7 +118,7 @@ impl<S: Number> InterpretedPhase<S> {
                 )
             }
         };
-        Self { system, info, closed, kept }
+        Self { system, info, closed, held, kept }
     }
 
     pub(super) fn code(&self) -> Option<&PhaseCode> {
@@ -124,18 +129,28 @@ impl<S: Number> InterpretedPhase<S> {
         code.evaluate(&self.system.constants, &[y], outputs);
     }
 
+    /// The motion by the code of the contact set, if it has some and its pivots can be trusted: `take` gets rates and accelerations,
+    /// and the reactions of the closed rows.
+    fn held(&self, y: &[S], take: impl FnOnce(&HeldCode, &[S], &[S])) -> bool {
+        let Some(held) = self.held.map(|k| &self.system.full().held[k]).filter(|_| S::PLAIN) else {
+            return false;
+        };
+        let mut values = Lent::new(held.code.outputs.len());
+        self.evaluate(&held.code, y, &mut values);
+        let (motion, rest) = values.split_at(2 * self.info.coordinates);
+        let (pivots, reactions) = rest.split_at(held.pivots);
+        let trusted = are_trusted(pivots.as_chunks().0);
+        if trusted {
+            take(held, motion, reactions);
+        }
+        trusted
+    }
+
     /// Rates and accelerations of the projected form.
     fn projected(&self, y: &[S], derivative: &mut [S]) {
         let (system, n) = (&self.system, self.info.coordinates);
-        if let Some(code) =
-            system.full().joint_solution.as_ref().filter(|_| S::PLAIN && self.info.set.is_empty())
-        {
-            let mut values = Lent::new(code.outputs.len());
-            self.evaluate(code, y, &mut values);
-            let (motion, pivots) = values.split_at(2 * n);
-            if are_trusted(pivots.as_chunks().0) {
-                return derivative[..2 * n].copy_from_slice(motion);
-            }
+        if self.held(y, |_, motion, _| derivative[..2 * n].copy_from_slice(motion)) {
+            return;
         }
         let (rates, accelerations) = derivative[..2 * n].split_at_mut(n);
         rates.copy_from_slice(&y[n..2 * n]);
@@ -163,6 +178,14 @@ impl<S: Number> InterpretedPhase<S> {
         }
         if self.info.set.is_empty() {
             return reactions.fill(S::ZERO);
+        }
+        let by_place = |held: &HeldCode, _: &[S], closed: &[S]| {
+            for (reaction, place) in reactions.iter_mut().zip(&held.reactions) {
+                *reaction = place.map_or(S::ZERO, |k| closed[k]);
+            }
+        };
+        if self.held(y, by_place) {
+            return;
         }
         let (layout, full) = (self.system.model.layout, self.system.full());
         let mut solution = Lent::new(full.coordinates + full.rows);

@@ -1,6 +1,6 @@
 //! Closed forms against the oracle.
 
-use liftoff_codegen::functions::{JointSolution, PhaseFunctions};
+use liftoff_codegen::functions::{PhaseFunctions, Solution};
 use liftoff_tests::oracle::State;
 
 use super::{Full, Pair};
@@ -10,21 +10,31 @@ use super::{Full, Pair};
 const CLEAR_PIVOT: f64 = 0.2;
 
 impl Pair {
-    /// Accelerations without contacts; false where joints nearly repeat each other, or the motion is not definite.
-    pub fn held(&self, held: &JointSolution, state: &State) -> bool {
-        let Some(motion) = self.motion(state, 0) else {
+    /// The motion with a set closed, solved by this; false where its rows nearly repeat each other, or the motion is not definite.
+    pub fn held(&self, solution: &Solution, set: u64, state: &State) -> bool {
+        let Some(motion) = self.motion(state, set) else {
             return false;
         };
         let full = self.full(state);
-        let pivots = self.values(held.pivots.as_flattened(), &full);
+        let pivots = self.values(solution.pivots.as_flattened(), &full);
         // A Schur complement loses the inverse of its relative pivot, which leaves a dozen digits.
         let clear = pivots.chunks(2).all(|pair| pair[1] > 1e-3 * pair[0]);
         if clear {
-            self.close(
-                "held accelerations",
-                &self.values(&held.accelerations, &full),
-                &self.accelerations(state, &motion),
+            let accelerations = self.values(&solution.accelerations, &full);
+            self.close("held accelerations", &accelerations, &self.accelerations(state, &motion));
+            let force = self.values(&self.analysis.functions.kernel.force, &full);
+            let force = force.iter().fold(1.0, |most: f64, f| most.max(f.abs()));
+            let of_contacts = |multipliers: Vec<f64>| -> Vec<f64> {
+                let contacts = self.analysis.motion.contacts.len();
+                let rows = self.rows(set).into_iter().zip(multipliers);
+                rows.filter(|(row, _)| *row < contacts).map(|(_, lambda)| lambda).collect()
+            };
+            let reactions = self.totals(&motion.reactions);
+            let expected = of_contacts(
+                self.rows(set).iter().map(|&row| reactions.get(row).copied().unwrap_or(0.0)).collect(),
             );
+            let computed = of_contacts(self.values(&solution.multipliers, &full));
+            self.close_to("held reactions", &computed, &expected, force);
         }
         clear
     }
