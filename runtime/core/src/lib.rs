@@ -5,7 +5,6 @@
 //! - [`kernel`], [`figure`], [`chain`]: what emitted code calls.
 //! - [`scalar`]: the numbers that emitted code runs on; [`series`]: Taylor series of a phase, order by order.
 //! - [`integrate`]: steppers (Taylor, DOP853, Tsitouras, Radau, Gauss) and what they share.
-//! - `dispatch`: loops over vectors for the processor that is there.
 //! - [`project`]: back onto the constraints; [`scales`]: natural units.
 //! - [`flow`](fn@flow): a motion without events.
 //! - [`batch`], with `std`: a phase's equations for many states at once.
@@ -19,7 +18,6 @@ compile_error!("without the feature `std` elementary functions come from the fea
 #[cfg(feature = "std")]
 pub mod batch;
 pub mod chain;
-mod dispatch;
 pub mod figure;
 mod flow;
 pub mod hinge;

@@ -1,5 +1,6 @@
 //! What emitted code and control flow ask of a number.
 
+pub(crate) mod dispatch;
 mod double_double;
 mod dual;
 #[cfg(not(feature = "std"))]

@@ -1,9 +1,9 @@
 //! Single and double precision.
 
+use super::dispatch::FUSED;
 use super::library::Library;
 use super::sin_cos::{sin_cos, sin_cos_each};
 use super::{Real, Scalar};
-use crate::dispatch::FUSED;
 
 macro_rules! primitive {
     ($float:ident, $($sines:tt)*) => {

@@ -5,8 +5,8 @@
 //! processor's store buffer.
 
 use super::{LANES, ORDERS};
-use crate::dispatch::Vectorised;
 use crate::scalar::Real;
+use crate::scalar::dispatch::Vectorised;
 
 /// [`LANES`] columns of one order.
 pub(super) type Block<S> = [S; LANES];

@@ -3,8 +3,8 @@
 use super::convolution::{Block, Convolution, Long, Sums};
 use super::ops::{Coefficients, Storage, Values};
 use super::{LANES, ORDERS, SeriesOps};
-use crate::dispatch::vectorised;
 use crate::scalar::Real;
+use crate::scalar::dispatch::vectorised;
 
 /// A [`Tape`](super::Tape) of any number of columns: the same sums in the same order.
 #[derive(Clone, Debug)]

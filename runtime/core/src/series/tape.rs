@@ -3,8 +3,8 @@
 use super::convolution::Sums;
 use super::ops::{Coefficients, Storage, Values};
 use super::{LANES, ORDERS, SeriesOps};
-use crate::dispatch::vectorised;
 use crate::scalar::Real;
+use crate::scalar::dispatch::vectorised;
 
 /// One order of all columns: side by side, so that vector instructions sum them.
 type Row<S, const BLOCKS: usize> = [[S; LANES]; BLOCKS];
