@@ -38,23 +38,10 @@ impl<S: Real, const BLOCKS: usize> Vectorised for Sums<'_, S, BLOCKS> {
     }
 }
 
-/// The same of any number of blocks.
-pub(super) struct Long<'a, S> {
-    pub of: Convolution<'a, S>,
-    pub n: usize,
-}
-
-impl<S: Real> Vectorised for Long<'_, S> {
-    #[inline(always)]
-    fn run<const FUSED: bool>(self) {
-        self.of.sum::<FUSED>(self.n);
-    }
-}
-
 impl<S: Real> Convolution<'_, S> {
     /// Those of an order.
     #[inline(always)]
-    fn sum<const FUSED: bool>(mut self, n: usize) {
+    pub fn sum<const FUSED: bool>(mut self, n: usize) {
         let blocks = self.sums.len();
         for block in (0..blocks).step_by(2) {
             // As many sums at once as hide the latency of an addition.

@@ -1,10 +1,10 @@
 //! A tape whose number of columns is known when it is made.
 
-use super::convolution::{Block, Convolution, Long, Sums};
+use super::convolution::{Block, Convolution, Sums};
 use super::ops::{Coefficients, Storage, Values};
 use super::{LANES, ORDERS, SeriesOps};
 use crate::scalar::Real;
-use crate::scalar::dispatch::vectorised;
+use crate::scalar::dispatch::{Vectorised, vectorised};
 
 /// A [`Tape`](super::Tape) of any number of columns: the same sums in the same order.
 #[derive(Clone, Debug)]
@@ -14,6 +14,19 @@ pub struct TapeOf<S> {
     kept: Vec<[S; 2]>,
     sums: Vec<Block<S>>,
     ahead: Vec<Block<S>>,
+}
+
+/// The sums of an order of any number of blocks.
+struct Long<'a, S> {
+    of: Convolution<'a, S>,
+    n: usize,
+}
+
+impl<S: Real> Vectorised for Long<'_, S> {
+    #[inline(always)]
+    fn run<const FUSED: bool>(self) {
+        self.of.sum::<FUSED>(self.n);
+    }
 }
 
 /// One order of all columns.
