@@ -12,6 +12,7 @@ mod balance_wheel;
 mod belt;
 mod bouncing_ball;
 mod bouncing_bar;
+mod car_axis;
 mod chimney;
 mod compass_walker;
 mod dominoes;
@@ -55,6 +56,7 @@ pub use balance_wheel::BalanceWheel;
 pub use belt::Belt;
 pub use bouncing_ball::BouncingBall;
 pub use bouncing_bar::BouncingBar;
+pub use car_axis::CarAxis;
 pub use chimney::Chimney;
 pub use compass_walker::CompassWalker;
 pub use dominoes::Dominoes;
@@ -126,6 +128,7 @@ pub fn models() -> &'static Models {
             SliderCrank,
             QuickReturn,
             Squeezer,
+            CarAxis,
             BouncingBall,
             SpringPendulum,
             Marble,

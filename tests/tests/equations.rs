@@ -39,6 +39,7 @@ snapshots! {
     slider_crank: SliderCrank;
     quick_return: QuickReturn;
     squeezer: Squeezer;
+    car_axis: CarAxis;
     bouncing_ball: BouncingBall;
     spring_pendulum: SpringPendulum;
     marble: Marble;

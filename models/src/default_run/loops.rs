@@ -1,7 +1,7 @@
 //! Closed loops.
 
 use super::ONE;
-use crate::{NFourBar, Parallelogram, QuickReturn, SliderCrank, Squeezer};
+use crate::{CarAxis, NFourBar, Parallelogram, QuickReturn, SliderCrank, Squeezer};
 use liftoff_studio::{DefaultRun, RunSpec};
 
 impl DefaultRun for Parallelogram {
@@ -35,5 +35,13 @@ impl DefaultRun for QuickReturn {
 impl DefaultRun for Squeezer {
     fn default_run() -> RunSpec {
         RunSpec::with(&[("torque", 0.033), ("k", 4530.0)]).start(&[("theta", 0.0)]).until("t = 0.03")
+    }
+}
+
+impl DefaultRun for CarAxis {
+    fn default_run() -> RunSpec {
+        let parameters =
+            [("m", 10.0), ("l", 1.0), ("h", 0.5), ("k", 1e4), ("r", 0.1), ("omega", 10.0), ("g", 1.0)];
+        RunSpec::with(&parameters).until("t = 3")
     }
 }

@@ -97,7 +97,7 @@ impl Scales {
     }
 
     /// The largest rate, in natural lengths or radians.
-    fn fastest(&self, layout: &Layout, rates: &[f64]) -> f64 {
+    pub fn fastest(&self, layout: &Layout, rates: &[f64]) -> f64 {
         let natural = rates.iter().zip(layout.coordinates).map(|(u, c)| (u / self.coordinate(c)).abs());
         natural.filter(|rate| rate.is_finite()).fold(0.0, f64::max)
     }

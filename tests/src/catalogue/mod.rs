@@ -3,6 +3,7 @@
 
 pub mod a_frame;
 pub mod bouncing_ball;
+pub mod car_axis;
 pub mod chimney;
 pub mod compass;
 pub mod double_pendulum;

@@ -4,9 +4,10 @@ use super::common::run;
 use super::{CLOSE, at, pose};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use core::f64::consts::{FRAC_PI_2, PI};
+use liftoff::method::Dop853;
 use liftoff::prelude::*;
 use liftoff_models::*;
-use liftoff_tests::catalogue::{parallelogram, slider_crank, squeezer};
+use liftoff_tests::catalogue::{car_axis, parallelogram, slider_crank, squeezer};
 use liftoff_tests::numerics::integral;
 
 #[test]
@@ -93,6 +94,38 @@ fn the_squeezer_ends_where_published() {
     for (found, expected) in found[..7].iter().zip(squeezer::PUBLISHED) {
         assert_relative_eq!(*found, expected, max_relative = 5.0 * CLOSE);
     }
+}
+
+/// Loops whose positions stay regular are integrated as exactly as was asked, not more.
+#[test]
+fn loops_take_the_tolerance_that_is_asked_for() {
+    let model = Squeezer { torque: 0.033, k: 4530.0 };
+    let simulation = Simulation::new(&model).unwrap().start(Pose::at("theta", 0.0)).unwrap().limit(0.03);
+    let expected = squeezer::state(0.03, 900);
+    let mut steps = Vec::new();
+    for tolerance in [1e-5, 1e-10] {
+        let run = simulation.clone().tolerance(tolerance).method(Dop853).run().unwrap();
+        for (found, expected) in published(&run.final_state())[..7].iter().zip(expected) {
+            // γ, the least of them, turns at 11 rad/s while β does at 1100.
+            assert_relative_eq!(*found, expected, max_relative = 100.0 * tolerance);
+        }
+        steps.push(run.statistics().steps);
+    }
+    assert!(2 * steps[0] < steps[1], "{steps:?}");
+}
+
+/// Three seconds over bumps. The published forces are divided by the stiffness; the guide's is positive to its left,
+/// against the axis.
+#[test]
+fn the_car_axis_ends_where_published() {
+    let model = CarAxis { m: 10.0, l: 1.0, h: 0.5, k: 1e4, r: 0.1, omega: 10.0, g: 1.0 };
+    let run = run(&model, Pose::nominal(), &["t = 3"]);
+    let outputs = ["x(L)", "y(L)", "x(R)", "y(R)", "vx(L)", "vy(L)", "vx(R)", "vy(R)"];
+    for (output, expected) in outputs.iter().zip(car_axis::PUBLISHED) {
+        assert_abs_diff_eq!(at(&run, output, 3.0), expected, epsilon = CLOSE);
+    }
+    let force = -car_axis::MULTIPLIER * model.k * model.l;
+    assert_relative_eq!(at(&run, "slider(L)", 3.0), force, max_relative = 1e-9);
 }
 
 /// Ten seconds, ten passes through the level position, where every loop is singular: angle and rate are those of the

@@ -1,6 +1,7 @@
 //! Observers of a run in progress.
 
 use super::Segment;
+use crate::event::Event;
 use crate::expression::Output;
 
 /// Sees each step of a run as it is made.
@@ -25,6 +26,14 @@ pub trait Observer {
 
     /// A step, or the part of one before an event.
     fn step(&mut self, step: &dyn Step);
+
+    /// An event in full, after the step that it ended, when nothing that follows changes it any more. Whether the observer has taken
+    /// it: then the trajectory does not keep it, and a run of any number of events needs no more memory. The first event and those that
+    /// end the run are kept even so.
+    fn happened(&mut self, event: &Event) -> bool {
+        let _ = event;
+        false
+    }
 }
 
 /// The motion over one step.

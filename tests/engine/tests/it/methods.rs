@@ -72,18 +72,22 @@ fn radau_passes_over_stiff_springs() {
     }
 }
 
-/// A bar whose bearing seizes twice a turn of the time: c sin⁸ t.
+/// A bar whose bearing seizes twice a turn of the time: c sin⁸(t + lead).
 #[derive(BarSystem)]
 #[gravity(g)]
 #[bar(OA, mass = m, length = l)]
 #[pin(O = (0, 0))]
 #[figure(A = (0, -l))]
 #[coordinate(phi = angle(OA), from = down)]
-#[couple(OA = -c * sin(t).powi(8) * rate(phi))]
+#[couple(OA = -c * sin(t + lead).powi(8) * rate(phi))]
+#[torsion(OA, damping = d)]
+#[liftoff(dimensionless)]
 struct Seizing {
     m: f64,
     l: f64,
     c: f64,
+    lead: f64,
+    d: f64,
     g: f64,
 }
 
@@ -92,20 +96,78 @@ fn seized(model: &Seizing, method: impl Method) -> Trajectory {
     simulation.start(Pose::at("phi", 1.0)).unwrap().limit(6.8).run().unwrap()
 }
 
+/// To which methods a run has changed.
+fn changes(run: &Trajectory) -> Vec<&'static str> {
+    let method = |entry: &liftoff::LogEntry| match &entry.decision {
+        LoggedDecision::Method(choice) => Some(choice.method),
+        _ => None,
+    };
+    run.log().iter().filter_map(method).collect()
+}
+
+/// One phase, of which no step is lost or made twice where the method changes: the state a little before and a little behind is one.
+fn goes_through(run: &Trajectory) {
+    assert_eq!(run.segments().len(), 1);
+    assert_eq!(run.times().len() as u64, run.statistics().steps + 1);
+    for entry in run.log().iter().filter(|entry| matches!(entry.decision, LoggedDecision::Method(_))) {
+        assert!(run.times().contains(&entry.t), "{entry:?}");
+        let [before, behind] = [-1e-12, 1e-12].map(|dt| run.state(entry.t + dt));
+        for (a, b) in before.iter().zip(&behind) {
+            assert!((a - b).abs() < 1e-6 * a.abs().max(1.0), "{entry:?}: {before:?} {behind:?}");
+        }
+    }
+}
+
+#[test]
+fn auto_leaves_the_implicit_method_that_it_began_with() {
+    let model = Seizing { m: 1.0, l: 1.0, c: 1e5, lead: core::f64::consts::FRAC_PI_2, d: 1e-3, g: 9.81 };
+    let [auto, implicit, explicit] = [seized(&model, Auto), seized(&model, Radau), seized(&model, Dop853)];
+    assert_eq!(auto.segments()[0].choice.method, "radau");
+    assert_eq!(changes(&auto), ["taylor", "radau", "taylor", "radau"], "{:?}", auto.log());
+    goes_through(&auto);
+    let [steps, implicit, others] = [&auto, &implicit, &explicit].map(|run| run.statistics().steps);
+    assert!(3 * steps < 2 * implicit && 20 * steps < others, "{steps}, {implicit}, {others}");
+    for (a, b) in auto.final_state().iter().zip(explicit.final_state()) {
+        assert!((a - b).abs() < 1e-5, "{a} {b}");
+    }
+}
+
+/// Van der Pol's oscillator: negative damping in the middle, stiff outside.
+#[derive(BarSystem)]
+#[particle(P, mass = 1)]
+#[slider(P = horizontal(0))]
+#[figure(P = (1, 0))]
+#[coordinate(x = x(P))]
+#[force(P = (((1 - x * x) * vx(P) - x) / eps, 0))]
+#[liftoff(dimensionless)]
+struct VanDerPol {
+    eps: f64,
+}
+
+/// Problem `vdpol` of the Test Set for IVP Solvers (Mazzia & Magherini, release 2.4), ε = 1e-6: crawls by the implicit method, jumps by
+/// the explicit one.
+#[test]
+fn auto_changes_its_method_at_each_jump_of_a_relaxation_oscillation() {
+    let model = VanDerPol { eps: 1e-6 };
+    let simulation = Simulation::new(&model).unwrap().tolerance(1e-9);
+    let run = simulation.start(Pose::at("x", 2.0).with("x'", 0.0)).unwrap().limit(2.0).run().unwrap();
+    let changes = changes(&run);
+    // x = ±2 to ±1 three times.
+    assert!(changes.len() >= 5 && changes.chunks(2).all(|pair| pair[0] == "radau"), "{changes:?}");
+    goes_through(&run);
+    let (end, published) = (run.final_state(), [1.706_167_732_170_483, -0.892_809_701_024_797_5]);
+    for (found, published) in [end[0], end[2]].iter().zip(published) {
+        assert!((found - published).abs() < 1e-6, "{found} {published}");
+    }
+}
+
 #[test]
 fn auto_changes_its_method_as_damping_comes_and_goes() {
-    let model = Seizing { m: 1.0, l: 1.0, c: 1e5, g: 9.81 };
+    let model = Seizing { m: 1.0, l: 1.0, c: 1e5, lead: 0.0, d: 0.0, g: 9.81 };
     let (auto, explicit) = (seized(&model, Auto), seized(&model, Dop853));
-    let methods: Vec<&str> = auto
-        .log()
-        .iter()
-        .filter_map(|entry| match &entry.decision {
-            LoggedDecision::Method(choice) => Some(choice.method),
-            _ => None,
-        })
-        .collect();
     assert_eq!(auto.segments()[0].choice.method, "taylor");
-    assert_eq!(methods, ["radau", "taylor", "radau", "taylor"], "{:?}", auto.log());
+    assert_eq!(changes(&auto), ["radau", "taylor", "radau", "taylor"], "{:?}", auto.log());
+    goes_through(&auto);
     let [steps, others] = [&auto, &explicit].map(|run| run.statistics().steps);
     assert!(20 * steps < others, "{steps}, {others}");
     for (a, b) in auto.final_state().iter().zip(explicit.final_state()) {

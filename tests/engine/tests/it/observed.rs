@@ -60,3 +60,60 @@ fn an_observer_sees_what_is_kept() {
     let bar = Simulation::new(&BouncingBar { m: 1.0, l: 1.0, g: 9.81, e: 0.5 }).unwrap();
     agree(&bar.start(Pose::at("y", 0.5).with("phi", 0.4)).unwrap().limit(1.0), &["phi", "x(B)", "N(A)"]);
 }
+
+/// What of a run an observer was told, and whether it takes it.
+#[derive(Default)]
+struct Told {
+    events: Vec<(EventKind, f64)>,
+    takes: bool,
+}
+
+impl Observer for Told {
+    fn step(&mut self, _: &dyn Step) {}
+
+    fn happened(&mut self, event: &Event) -> bool {
+        self.events.push((event.kind, event.t));
+        self.takes
+    }
+}
+
+/// The n-th impact of a ball that falls from 1 m and loses nothing is at (2n − 1) √(2/g); the time of the clock has rounding enough by
+/// then that a step which ends at it would end below the ground.
+#[test]
+fn a_ball_bounces_on_when_the_time_is_long() {
+    let ball = Particle { m: 1.0, g: 9.81, e: 1.0 };
+    for tolerance in [1e-9, 1e-14] {
+        let simulation = Simulation::new(&ball).unwrap().tolerance(tolerance).limit(11_000.0);
+        let simulation = simulation.start(Pose::at("y", 1.0)).unwrap();
+        let mut told = Told { takes: true, ..Told::default() };
+        let run = simulation.observe(&mut told).unwrap();
+        let impacts: Vec<f64> =
+            told.events.iter().filter(|(kind, _)| *kind == EventKind::Impact).map(|(_, t)| *t).collect();
+        let fall = (2.0_f64 / 9.81).sqrt();
+        assert_eq!(impacts.len(), ((11_000.0 / fall + 1.0) / 2.0) as usize);
+        for (n, t) in impacts.iter().enumerate() {
+            let expected = (2 * n + 1) as f64 * fall;
+            assert!((t - expected).abs() < 1e-12 * expected, "{n}: {t} {expected}");
+        }
+        let kept: Vec<EventKind> = run.events().iter().map(|event| event.kind).collect();
+        assert_eq!(kept, [EventKind::Start, EventKind::End]);
+    }
+}
+
+/// What the observer is shown is what is kept, in this order, whether it takes it or not; what the run waits for stays.
+#[test]
+fn an_observer_is_shown_each_event_once() {
+    let ball = Particle { m: 1.0, g: 1.0, e: 0.5 };
+    let simulation = Simulation::new(&ball).unwrap().limit(8.0);
+    let kept: Vec<(EventKind, f64)> =
+        simulation.run().unwrap().events().iter().map(|event| (event.kind, event.t)).collect();
+    for takes in [false, true] {
+        let mut told = Told { takes, ..Told::default() };
+        let run = simulation.observe(&mut told).unwrap();
+        assert_eq!(told.events, kept);
+        assert_eq!(run.events().len(), if takes { 2 } else { kept.len() });
+    }
+    let awaits = simulation.until_event(EventKind::Impact, "P").unwrap();
+    let run = awaits.observe(&mut Told { takes: true, ..Told::default() }).unwrap();
+    assert_eq!(run.events().last().map(|event| event.kind), Some(EventKind::Impact));
+}

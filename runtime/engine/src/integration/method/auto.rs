@@ -1,7 +1,7 @@
 //! The method that suits a phase.
 
 use super::stiffness::{damping, watched};
-use super::{Dop853, Method, Problem, Radau, StartedStepper, Taylor, Tsit5};
+use super::{Dop853, Method, Problem, StartedStepper, Taylor, Tsit5};
 use crate::integrate::erased;
 use crate::model::Form;
 
@@ -12,7 +12,7 @@ const LOOSE: f64 = 1e-5;
 /// At tighter tolerances DOP853 takes so many steps that the series of the full equations take less time.
 const TIGHT: f64 = 1e-11;
 
-/// Chooses for each phase, and says why in [`Segment::choice`](crate::Segment::choice): [`Radau`] where damping is
+/// Chooses for each phase, and says why in [`Segment::choice`](crate::Segment::choice): [`Radau`](super::Radau) where damping is
 /// stiff at its start, −tr ∂f/∂y ≫ 1 in natural times; else [`Taylor`] where there are series
 /// that are worth their time; else [`Dop853`], or
 /// [`Tsit5`] at loose tolerances. Where damping becomes stiff on the way, or is so no longer, it changes the method, and logs
@@ -30,25 +30,22 @@ impl Method for Auto {
     }
 
     fn begin<'a>(&self, problem: &Problem<'a>) -> Option<StartedStepper<'a>> {
-        let because = |why| move |begun: StartedStepper<'a>| begun.because(why);
-        if is_stiff(problem) {
-            return match erased::radau(&problem.problem) {
-                Some(stepper) => Some(StartedStepper::asked(&Radau, stepper).because("its damping is stiff")),
-                None => {
-                    Dop853.begin(problem).map(because("its damping is stiff, but it has too many entries"))
-                }
-            };
-        }
-        let begun = if !series_pay(problem) {
-            Dop853.begin(problem).map(because("its Taylor series would take longer"))
-        } else if let Some(stepper) = erased::taylor(&problem.problem) {
-            Some(StartedStepper::asked(&Taylor, stepper).because("it has Taylor series"))
-        } else if problem.problem.relative > LOOSE {
-            Tsit5.begin(problem).map(because("it has no Taylor series, and the tolerance is loose"))
-        } else {
-            Dop853.begin(problem).map(because("it has no Taylor series"))
-        };
-        begun.map(|begun| watched(begun, problem))
+        let implicit = if is_stiff(problem) { erased::radau(&problem.problem) } else { None };
+        explicit(problem).map(|begun| watched(begun, problem, implicit))
+    }
+}
+
+/// What integrates where damping is not stiff.
+fn explicit<'a>(problem: &Problem<'a>) -> Option<StartedStepper<'a>> {
+    let because = |why| move |begun: StartedStepper<'a>| begun.because(why);
+    if !series_pay(problem) {
+        Dop853.begin(problem).map(because("its Taylor series would take longer"))
+    } else if let Some(stepper) = erased::taylor(&problem.problem) {
+        Some(StartedStepper::asked(&Taylor, stepper).because("it has Taylor series"))
+    } else if problem.problem.relative > LOOSE {
+        Tsit5.begin(problem).map(because("it has no Taylor series, and the tolerance is loose"))
+    } else {
+        Dop853.begin(problem).map(because("it has no Taylor series"))
     }
 }
 

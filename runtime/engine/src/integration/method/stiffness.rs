@@ -35,15 +35,22 @@ struct Watched<'a> {
     switches: Switches,
 }
 
-/// The same, watched for stiffness where the phase has a Jacobian: without one its equations cannot be stiff.
-pub(super) fn watched<'a>(begun: StartedStepper<'a>, problem: &Problem<'a>) -> StartedStepper<'a> {
+/// The same, watched for stiffness where the phase has a Jacobian: without one its equations cannot be stiff. Where they are so at
+/// the start, `implicit` begins.
+pub(super) fn watched<'a>(
+    begun: StartedStepper<'a>,
+    problem: &Problem<'a>,
+    implicit: Option<Box<dyn PhaseStepper + 'a>>,
+) -> StartedStepper<'a> {
     let Some(jacobian) = problem.problem.phase.jacobian() else { return begun };
-    let StartedStepper { choice, stepper: explicit, switches } = begun;
+    let StartedStepper { choice: first, stepper: explicit, switches } = begun;
+    let is_stiff = implicit.is_some();
+    let choice = if is_stiff { Choice { method: Radau.name(), why: "its damping is stiff" } } else { first };
     let stepper = Box::new(Watched {
         problem: *problem,
         jacobian,
-        first: choice,
-        steppers: StepperPair::new(explicit, None),
+        first,
+        steppers: StepperPair { is_other: is_stiff, ..StepperPair::new(explicit, implicit) },
         end: problem.problem.end,
         longest: 0.0,
         steps: 0,

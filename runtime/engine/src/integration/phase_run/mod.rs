@@ -16,7 +16,7 @@ use crate::event::detection::{EventDetector, Guard, KnownAffineGuards, StepView}
 use crate::integrate::{Counts, DenseOutput, InitialValueProblem, StepError};
 use crate::integration::method::{Method, Problem, StartedStepper, Switches, cut};
 use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
-use crate::integration::singular::{LOOSEST, ROUNDED, SingularityMonitor};
+use crate::integration::singular::{ROUNDED, SingularityMonitor};
 use crate::model::{ContactSet, Form};
 use crate::scales::Scales;
 use crate::simulation::{Allowance, Exhausted};
@@ -127,42 +127,60 @@ impl PhaseRun<'_> {
         let mut loops = (phase.info().form == Form::Projected)
             .then(|| SingularityMonitor::of(phase.info().set, self.context, self.tolerance))
             .flatten();
-        if loops.is_some() {
-            self.tolerance = self.tolerance.min(LOOSEST);
-        }
         let keeps = self.observer.records();
         let is_blind = self.observer.is_blind() && self.context.is_conservative() && loops.is_none();
         self.is_unseen = self.detector.is_empty() && !keeps && is_blind;
         let mut recording = Recording::new((Arc::clone(&phase), self.closed), (self.t, start.clone()), keeps);
         let mut touches = Vec::new();
-        let least = if loops.is_some() { ROUNDED } else { 0.0 };
-        let absolute = absolute_tolerance(&*phase, &self.context.scales, (self.tolerance, least));
-        let (end, counts) = match self.begin(&*phase, method, (&start, &absolute)) {
-            Some(StartedStepper { choice, mut stepper, switches }) => {
-                recording.choose(choice);
-                let end = self.advance(&mut recording, &mut *stepper, &mut loops, &mut touches);
-                self.log_switches(&switches, recording.t1());
-                let failed = |error: StepError| {
-                    let mut last: Numbers = smallvec![0.0; phase.info().entries];
-                    recording.reduced(recording.t1(), &mut last);
-                    if self.is_at_border(&last) { Termination::Paradox } else { Termination::Failed(error) }
-                };
-                (end.unwrap_or_else(failed), stepper.counts())
+        let mut counts = Counts::default();
+        let end = loop {
+            let tolerance = self.tolerance;
+            let (end, more) = self.integrate(method, &start, &mut recording, &mut loops, &mut touches);
+            counts = counts + more;
+            if self.tolerance >= tolerance {
+                break end;
             }
-            None => (Termination::Failed(StepError::Floor { t: self.t, h: 0.0 }), Counts::default()),
+            recording.reduced(recording.t1(), &mut start);
         };
         self.finish((end, counts), recording, loops, touches)
+    }
+
+    /// Integrates from where the recording ends, until the end or until a singular position asks for a finer tolerance.
+    fn integrate(
+        &mut self,
+        method: &dyn Method,
+        start: &[f64],
+        recording: &mut Recording,
+        loops: &mut Option<SingularityMonitor>,
+        touches: &mut Vec<Touch>,
+    ) -> (Termination, Counts) {
+        let phase = Arc::clone(&self.phase);
+        let least = if loops.is_some() { ROUNDED } else { 0.0 };
+        let absolute = absolute_tolerance(&*phase, &self.context.scales, (self.tolerance, least));
+        let Some(begun) = self.begin(&*phase, method, (recording.t1(), start, &absolute)) else {
+            return (Termination::Failed(StepError::Floor { t: self.t, h: 0.0 }), Counts::default());
+        };
+        let StartedStepper { choice, mut stepper, switches } = begun;
+        recording.choose(choice);
+        let end = self.advance(recording, &mut *stepper, loops, touches);
+        self.log_switches(&switches, recording.t1());
+        let failed = |error: StepError| {
+            let mut last: Numbers = smallvec![0.0; phase.info().entries];
+            recording.reduced(recording.t1(), &mut last);
+            if self.is_at_border(&last) { Termination::Paradox } else { Termination::Failed(error) }
+        };
+        (end.unwrap_or_else(failed), stepper.counts())
     }
 
     fn begin<'p>(
         &self,
         phase: &'p dyn Phase,
         method: &dyn Method,
-        (start, absolute): (&'p [f64], &'p [f64]),
+        (t, start, absolute): (f64, &'p [f64], &'p [f64]),
     ) -> Option<StartedStepper<'p>> {
         let Scales { time, damped, .. } = self.context.scales;
         let longest = (!self.detector.is_empty()).then_some(LONGEST * time);
-        let (t, end, relative) = (self.t, self.horizon, self.tolerance);
+        let (end, relative) = (self.horizon, self.tolerance);
         let problem = InitialValueProblem { phase, t, start, end, relative, absolute, longest };
         let problem = Problem { problem, time, damped };
         method.begin(&problem).map(|begun| cut(begun, &problem))

@@ -13,7 +13,7 @@ const BEYOND: f64 = 0.1;
 const UNDETERMINED: f64 = 0.1;
 
 impl PhaseRun<'_> {
-    /// Looks out for singular positions where a loop starts.
+    /// Looks out for singular positions where a loop starts, or where it goes on with a finer tolerance.
     pub(super) fn begin_loop(
         &mut self,
         recording: &mut Recording,
@@ -21,7 +21,11 @@ impl PhaseRun<'_> {
         loops: &mut SingularityMonitor,
         touches: &mut Vec<Touch>,
     ) -> Result<Option<Termination>, StepError> {
+        if recording.t1() > recording.t0() {
+            return self.pass_singular(recording, stepper, loops, touches);
+        }
         match loops.begin(self.context, self.t, &self.state) {
+            Ok(_) if self.refine(loops) => Ok(Some(Termination::Horizon)),
             Ok(forecast) => self.follow(recording, stepper, (loops, forecast), touches),
             Err(joints) => Ok(Some(Termination::Loop(joints))),
         }
@@ -43,7 +47,17 @@ impl PhaseRun<'_> {
             return Ok(Some(Termination::Loop(loops.singular(self.context, &state))));
         }
         let forecast = loops.note(self.context, (t, next), &state);
+        if self.refine(loops) {
+            return Ok(Some(Termination::Horizon));
+        }
         self.follow(recording, stepper, (loops, forecast), touches)
+    }
+
+    /// Takes the tolerance that a singular position which is near asks for; whether that is another one.
+    fn refine(&mut self, loops: &SingularityMonitor) -> bool {
+        let finer = self.tolerance.min(loops.tolerance());
+        let before = core::mem::replace(&mut self.tolerance, finer);
+        self.tolerance < before
     }
 
     fn follow(

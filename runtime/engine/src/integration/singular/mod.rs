@@ -20,9 +20,8 @@ use crate::system::Equations;
 pub(crate) use bridge::Bridge;
 use bridge::Motion;
 
-/// The loosest tolerance for closed loops: near a singular position errors must still be small enough to tell the branches
-/// apart.
-pub(crate) const LOOSEST: f64 = 1e-10;
+/// The loosest tolerance near a singular position: errors must still be small enough to tell the branches apart.
+const LOOSEST: f64 = 1e-10;
 /// The rounding of rates at the distance w from a singular position, ε/w², in natural units: no error estimate resolves less.
 pub(crate) const ROUNDED: f64 = 2.0 * f64::EPSILON / (NEAR * NEAR);
 /// w in units of R.
@@ -33,7 +32,8 @@ const TRIALS: [f64; 4] = [1.0, 0.5, 0.25, 0.1];
 const BEYOND: f64 = 0.5;
 const LONGER: f64 = 1.4;
 const MOST_LONGER: usize = 5;
-/// No step is longer than this part of R, nor than this part of the time to a singular position.
+/// No step is longer than this part of R, twice that where no singular position is within R, nor than this part of the time to a
+/// singular position.
 const LONGEST: f64 = 0.25;
 const APPROACH: f64 = 0.5;
 /// σ vanishes in no less than this part of σ R.
@@ -90,9 +90,13 @@ impl SingularityMonitor {
         let rows: Vec<usize> = (0..layout.rows()).filter(|&row| layout.is_closed(row, &set)).collect();
         let unit = layout.coordinates.iter().map(|c| context.scales.coordinate(c)).collect();
         let sizes = vec![0.0; rows.len()];
-        let tolerance = tolerance.min(LOOSEST);
         let loops = Self { set, rows, unit, sizes, rank: 0, tolerance, trials: 0, energy: None };
         (!layout.joints.is_empty() && loops.rows.len() > 1).then_some(loops)
+    }
+
+    /// The tolerance to integrate with from here on.
+    pub(crate) fn tolerance(&self) -> f64 {
+        self.tolerance
     }
 
     /// Takes note of the start: what comes next, or the joints of a loop that starts in a singular position.
@@ -108,6 +112,9 @@ impl SingularityMonitor {
         self.energy = conserved(context, state);
         let place = self.place(context, state);
         let left = self.left(context, state, &place);
+        if place.sigma < UNDECIDED || left.abs() <= place.time {
+            self.tolerance = self.tolerance.min(LOOSEST);
+        }
         let forecast = self.forecast((t, f64::INFINITY), &place, left);
         match forecast {
             Forecast::Here(_) => Ok(forecast),
@@ -124,6 +131,7 @@ impl SingularityMonitor {
         if self.trials == 0 && self.is_far(context, state, (bound, time, next)) {
             return self.forecast((t, next), &Place { sigma: bound, time }, f64::INFINITY);
         }
+        self.tolerance = self.tolerance.min(LOOSEST);
         let place = Place { sigma: self.least(jacobian), time };
         if place.sigma > FAR {
             self.trials = 0;
@@ -157,7 +165,7 @@ impl SingularityMonitor {
         if left.abs() <= 1.5 * window {
             return Forecast::Here([t + left, t + left.max(0.0) + window]);
         }
-        let longest = LONGEST * place.time;
+        let longest = if left.is_finite() { LONGEST } else { 2.0 * LONGEST } * place.time;
         let end = match left {
             _ if left <= 0.0 || left > 2.0 * longest => longest,
             _ if left - window < APPROACH * left => left - window,

@@ -147,9 +147,9 @@ fn level(four: bool, theta: f64, rate: f64) -> Simulation {
     run.unwrap().start(pose).unwrap()
 }
 
-/// Speeds from 0.1 to 100, positions anywhere and near the singular ones, all methods, tolerances from 1e-4 to 1e-14. Loops are
-/// integrated at 1e-10 at the loosest: each of some hundred steps loses no more, relative to the kinetic energy or the weight. Where a
-/// slow motion begins so near a singular position that rounding hides its branch, the run says so.
+/// Speeds from 0.1 to 100, positions anywhere and near the singular ones, all methods, tolerances from 1e-4 to 1e-14. Near singular
+/// positions loops are integrated at 1e-10 at the loosest, before that as was asked: each of some hundred steps loses no more, relative to
+/// the kinetic energy or the weight. Where a slow motion begins so near a singular position that rounding hides its branch, the run says so.
 #[test]
 fn random_runs_keep_their_energy_or_say_why_not() {
     let (mut seed, mut refused, runs) = (1, 0, 100);
@@ -170,7 +170,11 @@ fn random_runs_keep_their_energy_or_say_why_not() {
         }
         let kinetic = run.value(&Output::parse(run.layout(), "T").unwrap(), 0.0);
         let lost = drift(&run) / kinetic.max(7.0 * 9.81);
-        assert!(lost < 1e-8, "{} at {tolerance:e} from {theta} at {rate}: {lost:e}", method.name());
+        assert!(
+            lost < 100.0 * tolerance.max(1e-10),
+            "{} at {tolerance:e} from {theta} at {rate}: {lost:e}",
+            method.name()
+        );
     }
     assert!(refused <= runs / 20, "{refused}");
 }

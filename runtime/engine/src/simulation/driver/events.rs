@@ -224,6 +224,23 @@ impl Driver<'_> {
         self.trajectory.events.push(event);
     }
 
+    /// Shows the observer what has happened since it was last shown, and keeps what it has not taken, what the run waits for, and
+    /// what ends it.
+    pub(super) fn show_events(&mut self, ends: bool) {
+        let fresh = self.trajectory.events.split_off(self.shown);
+        for event in fresh {
+            let is_kept = ends
+                || self.trajectory.events.is_empty()
+                || self.setup.event_filters.iter().any(|awaited| awaited.is(&event));
+            if self.observer.happened(&event) && !is_kept {
+                self.taken += 1;
+            } else {
+                self.trajectory.events.push(event);
+            }
+        }
+        self.shown = self.trajectory.events.len();
+    }
+
     pub(super) fn log(&mut self, decision: LoggedDecision) {
         self.trajectory.log.push(LogEntry { t: self.t, decision });
     }

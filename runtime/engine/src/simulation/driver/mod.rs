@@ -77,6 +77,9 @@ pub(crate) struct Driver<'a> {
     risen: Option<(ContactSet, Vec<Rise>)>,
     settling: Vec<ZenoClosure>,
     allowance: Allowance,
+    /// How many events of the trajectory the observer has been shown, and how many it has taken.
+    shown: usize,
+    taken: usize,
     /// Kinetic and potential energy at the start of the phase, and the state there.
     energy: Energy<f64>,
     begun: Vec<f64>,
@@ -135,6 +138,8 @@ impl<'a> Driver<'a> {
             reactions: Vec::new(),
             affine: KnownAffineGuards::default(),
             allowance: Allowance::of(setup.budget),
+            shown: 0,
+            taken: 0,
             energy: Energy { kinetic: 0.0, potential: 0.0 },
             begun: Vec::new(),
             stalled: 0,
@@ -156,6 +161,7 @@ impl<'a> Driver<'a> {
 
     pub(crate) fn run(mut self) -> Result<Trajectory, RunError> {
         let played = self.play();
+        self.show_events(true);
         self.trajectory.conditions = core::mem::take(&mut self.conditions);
         match played {
             Ok(()) => {
@@ -188,7 +194,7 @@ impl<'a> Driver<'a> {
     fn spend(&mut self, counts: Counts, memory: usize) -> Result<(), RunCause> {
         self.allowance.spend(counts.accepted + counts.rejected, memory);
         let most = self.setup.budget.events;
-        if self.trajectory.events.len() > most {
+        if self.taken + self.trajectory.events.len() > most {
             return Err(self.exhausted(Exhausted::Events(most)));
         }
         self.allowance.exceeded_by(0, 0).map_or(Ok(()), |of| Err(self.exhausted(of)))
@@ -207,6 +213,7 @@ impl<'a> Driver<'a> {
         self.tell_met();
         self.do_due()?;
         loop {
+            self.show_events(false);
             self.settle_unseen()?;
             self.energy = self.setup.context.system().energy(&self.state);
             self.begun.clone_from(&self.state);

@@ -298,9 +298,13 @@ impl Driver<'_> {
         friction.map_or(0.0, |entry| self.slip_states()[entry].kinetic)
     }
 
-    /// Local errors of ten steps, or some roundings.
+    /// Local errors of ten steps, or some roundings, or what the motion goes in the rounding of a time that is long.
     pub(super) fn relative_bound(&self) -> f64 {
-        (10.0 * self.setup.tolerance).max(64.0 * f64::EPSILON)
+        let context = &self.setup.context;
+        let fastest = context.scales.fastest(context.layout(), &self.state[context.rates()]);
+        (10.0 * self.setup.tolerance)
+            .max(64.0 * f64::EPSILON)
+            .max(2.0 * f64::EPSILON * self.t.abs() * fastest)
     }
 
     /// Whether all events have happened that the run was to wait for.
