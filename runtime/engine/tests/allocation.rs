@@ -1,4 +1,5 @@
-//! Stepping allocates nothing: a run ten times as long allocates as often.
+//! Stepping allocates nothing: a run ten times as long allocates as often. What steps write is kept on each thread for the next
+//! run, which is not to be noticed.
 
 use allocation_counter::measure;
 use liftoff::method::{Auto, Dop853, Gauss, Method, Radau, Taylor, Tsit5};
@@ -44,4 +45,25 @@ fn steps_allocate_nothing() {
     check(Taylor);
     check(Radau);
     check(Gauss);
+}
+
+/// By no bit does a run depend on those before it on its thread, of other tolerances and orders.
+#[test]
+fn no_run_depends_on_those_before() {
+    let end = |tolerance: f64, k: usize| -> Vec<u64> {
+        let simulation = if k.is_multiple_of(2) {
+            let model = DoublePendulum { m: 1.0, l: 1.0, g: 9.81 };
+            Simulation::new(&model).unwrap().start(Pose::at("a", 2.0).with("b", 1.0)).unwrap().limit(3.0)
+        } else {
+            let model = FallingPair { m: 1.0, l: 1.0, g: 9.81 };
+            Simulation::new(&model).unwrap().start(Pose::at("phi", 0.1)).unwrap().limit(1.1)
+        };
+        let run = simulation.tolerance(tolerance).method(Taylor).run().unwrap();
+        run.final_state().iter().map(|x| x.to_bits()).collect()
+    };
+    let tolerances = [1e-14, 1e-6, 1e-4, 1e-10, 1e-5, 1e-13, 1e-8, 1e-7];
+    for (k, tolerance) in (0..).zip(tolerances.into_iter().flat_map(|tolerance| [tolerance; 2])) {
+        let alone = std::thread::spawn(move || end(tolerance, k)).join().unwrap();
+        assert_eq!(end(tolerance, k), alone, "{tolerance:e}");
+    }
 }

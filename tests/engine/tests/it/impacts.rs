@@ -165,7 +165,7 @@ fn all_contacts_that_are_struck_are_named() {
             let before = run.segments().into_iter().rfind(|segment| segment.t1 <= event.t);
             let closed = before.map_or_else(Vec::new, |segment| segment.closed);
             let struck = event.impulses.iter().filter(|impulse| impulse.value > 0.0);
-            let struck = struck.map(|impulse| impulse.label.as_str());
+            let struck = struck.map(|impulse| impulse.label);
             let struck: Vec<&str> = struck.filter(|label| !closed.contains(label)).collect();
             assert_eq!(struck, event.supports, "{tolerance:e}: {event}");
         }

@@ -80,10 +80,13 @@ impl<M: BarSystem> Default for Scaled<M> {
 impl<'a, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> PhaseExpansion<'a, M, Q, N> {
     /// The series of `Q` with these constants.
     pub fn new(constants: &'a M::Constants<f64>) -> Self {
+        let mut work = Store::<Work<M, N>>::default();
+        // Orders above the last are none: the one before may have had more.
+        work.series = [[0.0; N]; ORDERS];
         Self {
             constants,
             tape: Store::default(),
-            work: Store::default(),
+            work,
             terms: 0,
             values: Values {
                 known: false,
