@@ -14,8 +14,8 @@ use std::time::Instant;
 const REPEATS: usize = 5;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let words = std::env::args().skip(1).filter(|word| !word.starts_with('-'));
-    let Some(impacts) = words.last().map(|word| word.parse()).transpose()? else { return Ok(()) };
+    let mut words = std::env::args().skip(1).filter(|word| !word.starts_with('-'));
+    let Some(impacts) = words.next_back().map(|word| word.parse()).transpose()? else { return Ok(()) };
     let ball = BouncingBall { m: 1.0, g: 9.81, e: 1.0 };
     let from_rest = Pose::at("y", 1.0).with("x", 0.0);
     // On both feet A and F, it turns about A.

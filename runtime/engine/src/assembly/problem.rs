@@ -18,8 +18,13 @@ pub(super) struct AssemblyProblem<'a> {
     pub(super) rates: Vec<f64>,
     /// When the motion begins.
     pub(super) t: f64,
-    /// The last position asked for, and what holds there.
-    last: RefCell<Option<(Vec<f64>, Rc<Equations<f64>>)>>,
+    last: RefCell<Option<Known>>,
+}
+
+/// The last position asked for, and what holds there.
+struct Known {
+    position: Vec<f64>,
+    equations: Rc<Equations<f64>>,
 }
 
 impl<'a> AssemblyProblem<'a> {
@@ -49,10 +54,10 @@ impl<'a> AssemblyProblem<'a> {
     pub(super) fn rows(&self, positions: &[f64]) -> Rc<Equations<f64>> {
         let mut last = self.last.borrow_mut();
         match &*last {
-            Some((at, equations)) if at == positions => Rc::clone(equations),
+            Some(Known { position, equations }) if position == positions => Rc::clone(equations),
             _ => {
                 let equations = Rc::new(self.context.system().equations(&self.at_rest(positions)));
-                *last = Some((positions.to_vec(), Rc::clone(&equations)));
+                *last = Some(Known { position: positions.to_vec(), equations: Rc::clone(&equations) });
                 equations
             }
         }

@@ -57,7 +57,7 @@ fn what(event: &Event) -> String {
 fn forces(forces: &[Reaction]) -> String {
     let number = |value: f64| minus(&significant(value, DIGITS));
     let one = |force: &Reaction| {
-        let normal = format!("{} {}", escaped(&force.label), number(force.value));
+        let normal = format!("{} {}", escaped(force.label), number(force.value));
         force.friction.map_or(normal.clone(), |friction| format!("{normal} and {}", number(friction)))
     };
     forces.iter().map(one).collect::<Vec<_>>().join(", ")
