@@ -37,7 +37,7 @@ pub enum ContactError {
     /// No admissible reactions exist: the supports and joints contradict each other.
     #[error("jammed: no reactions of {} satisfy the contact conditions", contacts.join(", "))]
     Jammed {
-        /// Labels of the contacts that act.
+        /// Labels of the contacts that act, or of the joints where none does.
         contacts: Vec<String>,
     },
     /// No admissible impulses exist at an impact.
@@ -105,6 +105,11 @@ fn refuse_negative_friction(
         let contact = layout.contacts[friction.contact].label.to_owned();
         Err(ContactError::NegativeFriction { contact, value: slip.kinetic })
     })
+}
+
+/// The names of the joints, which an error is about where no contact acts.
+pub(crate) fn joint_names(layout: &Layout) -> Vec<String> {
+    layout.joints.iter().map(|joint| joint.name.to_owned()).collect()
 }
 
 fn closed(contacts: &[String]) -> String {

@@ -51,12 +51,12 @@ pub enum RunCause {
         /// Labels of the contacts that are struck.
         contacts: Vec<String>,
     },
-    /// Contacts close at a state that does not satisfy them: the motion would have to jump.
+    /// Contacts or joints hold at a state that does not satisfy them: the motion would have to jump.
     #[error("at t = {t}: to keep {} closed the state would have to jump by {by:.1e} of its size", contacts.join(", "))]
     Jump {
         /// Time.
         t: f64,
-        /// Labels of the contacts.
+        /// Labels of the contacts, or of the joints where there are none.
         contacts: Vec<String>,
         /// The largest change, in natural units, relative to the largest entry where that is above one.
         by: f64,

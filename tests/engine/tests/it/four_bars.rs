@@ -134,3 +134,13 @@ fn a_rocker_leaves_its_dead_centre_behind() {
         last = phi;
     }
 }
+
+/// Flat, with rates that neither the parallelogram nor the other branch has: what has to jump is named.
+#[test]
+fn rates_of_no_branch_are_refused_by_the_names_of_the_joints() {
+    let flat = Pose::at("phi", 0.0).with("psi", 0.0).with("chi", 0.0);
+    let simulation = Simulation::new(&four_bar([1.0, 2.0, 1.0, 2.0])).unwrap();
+    let simulation = simulation.start(flat.with("phi'", 5.0).with("psi'", -2.0)).unwrap().limit(0.1);
+    let error = simulation.run().unwrap_err().cause().to_string();
+    assert!(error.contains("pin Q (x), pin Q (y)"), "{error}");
+}

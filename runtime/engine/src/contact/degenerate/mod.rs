@@ -28,7 +28,7 @@ use super::complementarity::{LcpError, LcpRows, Solution};
 use super::equations::Equations;
 use super::equilibrated_kkt::EquilibratedKkt;
 use super::friction::{FrictionError, Frictional, Mode, Question, Slip as KnownSlip};
-use super::{ContactError, Trials, singular};
+use super::{ContactError, Trials, joint_names, singular};
 use crate::integration::phase_point::reactions_of;
 use crate::model::{Contact, ContactSet, Layout};
 use crate::system::{Model, TIME_ORDERS as ORDERS};
@@ -101,7 +101,8 @@ fn name(model: &Model, state: &[f64], failure: LcpError, question: &ContactProbl
         Contact { label, rough: true, .. } => format!("{label} (rough: it cannot slip)"),
         Contact { label, .. } => label.to_owned(),
     };
-    let contacts = acting.iter().map(told).collect();
+    let contacts =
+        if acting.is_empty() { joint_names(model.layout()) } else { acting.iter().map(told).collect() };
     match failure {
         LcpError::Jammed => ContactError::Jammed { contacts },
         LcpError::Singular => singular(model, state, acting),

@@ -7,7 +7,9 @@ use super::friction::LocatedSlips;
 use super::switch::Role;
 use crate::audit::Work;
 use crate::contact::friction::{Grip, single};
-use crate::contact::{ContactError, ContactProblem, ContactSolution, decide, hinges, nondegenerate};
+use crate::contact::{
+    ContactError, ContactProblem, ContactSolution, decide, hinges, joint_names, nondegenerate,
+};
 use crate::error::{RunCause, StartError};
 use crate::event::detection::{Bounds, ContactStatus, EventDetector};
 use crate::integration::chart::{self, Chart};
@@ -151,7 +153,8 @@ impl Driver<'_> {
         let [positions, rates] = chart::apart(context, &self.state, &restored);
         let by = positions.max(rates);
         if by > self.relative_bound().sqrt() + rounding {
-            let contacts = set.iter().map(|i| self.layout().contacts[i].label.to_owned()).collect();
+            let labels = set.iter().map(|i| self.layout().contacts[i].label.to_owned());
+            let contacts = if set.is_empty() { joint_names(self.layout()) } else { labels.collect() };
             return Err(RunCause::Jump { t: self.t, contacts, by });
         }
         // Not a number where the equations are singular, which the phase tells.
