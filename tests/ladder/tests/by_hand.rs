@@ -50,6 +50,9 @@ fn a_bar_on_the_floor() {
 #[test]
 fn a_bar_on_a_thread() {
     let phase = SlungBar::SCENE.phase(&["rope"]).unwrap();
+    let level = [0.0, 0.0, -2.0 / 3.0, 0.4, 0.9, 0.0];
+    let tension = by_hand::slung_bar::tension(&level);
+    assert!((phase.reactions(&level)[0] - tension).abs() <= 1e-12 * tension);
     let numbers = |k: usize| 2.0 * (0.618 * k as f64).fract() - 1.0;
     for k in 0..200 {
         // Every other bar is level or upright.
