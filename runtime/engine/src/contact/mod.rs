@@ -107,6 +107,11 @@ fn refuse_negative_friction(
     })
 }
 
+/// The labels of the contacts of a set.
+pub(crate) fn labels(layout: &Layout, set: ContactSet) -> Vec<String> {
+    set.iter().map(|i| layout.contacts[i].label.to_owned()).collect()
+}
+
 /// The names of the joints, which an error is about where no contact acts.
 pub(crate) fn joint_names(layout: &Layout) -> Vec<String> {
     layout.joints.iter().map(|joint| joint.name.to_owned()).collect()

@@ -4,7 +4,7 @@ use nalgebra::{Cholesky, DMatrix};
 
 use super::degenerate::Ladder;
 use super::equations::Equations;
-use super::{ContactError, ContactProblem};
+use super::{ContactError, ContactProblem, labels};
 use crate::model::{ContactSet, MeasureKind};
 use crate::system::{Model, System};
 
@@ -31,7 +31,7 @@ pub(crate) fn singular(model: &Model, state: &[f64], closed: ContactSet) -> Cont
     let free = if equations.are_finite() { undetermined(model, &equations, closed) } else { Vec::new() };
     let massless = model.measures.iter().filter(|of| of.kind == MeasureKind::Mass && of.value == 0.0);
     ContactError::Singular {
-        contacts: closed.iter().map(|i| layout.contacts[i].label.to_owned()).collect(),
+        contacts: labels(layout, closed),
         coordinates: free.into_iter().map(|i| layout.coordinates[i].name.to_owned()).collect(),
         massless: massless.map(|of| of.of.to_owned()).collect(),
     }

@@ -25,9 +25,9 @@ pub(crate) use impact::answer;
 
 use super::degenerate::Alternatives;
 use super::friction::Reason;
-use super::{ContactError, ContactProblem, ContactSolution, refuse_negative_friction, singular};
+use super::{ContactError, ContactProblem, ContactSolution, labels, refuse_negative_friction, singular};
 use crate::integration::phase_point::{Numbers, RunContext};
-use crate::model::{ContactSet, Coordinate, Layout};
+use crate::model::{ContactSet, Coordinate};
 use choices::{Options, choices};
 use place::{Found, Place, SAME};
 
@@ -59,10 +59,6 @@ pub(crate) fn decide(
 /// How many combinations there are, if that is a number.
 fn trials(options: &[Options]) -> Option<usize> {
     options.iter().try_fold(1_usize, |count, (_, of)| count.checked_mul(of.len()))
-}
-
-fn labels(layout: &Layout, set: ContactSet) -> Vec<String> {
-    set.iter().map(|i| layout.contacts[i].label.to_owned()).collect()
 }
 
 impl Place<'_> {

@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use super::Driver;
 use super::plan::split;
 use crate::contact::impulse::{Collision, CollisionError, Outcome, Row};
-use crate::contact::{ContactError, hinges, singular};
+use crate::contact::{ContactError, hinges, labels, singular};
 use crate::error::RunCause;
 use crate::event::detection::LOW;
 use crate::event::{EventKind, ImpactOrder, Note};
@@ -197,7 +197,7 @@ impl Driver<'_> {
     }
 
     pub(super) fn collision_error(&self, error: CollisionError, present: ContactSet) -> RunCause {
-        let contacts = present.iter().map(|i| self.layout().contacts[i].label.to_owned()).collect();
+        let contacts = labels(self.layout(), present);
         let model = &self.setup.context.model;
         self.contact_error(match error {
             CollisionError::Jammed => ContactError::Impulses { contacts },

@@ -22,7 +22,7 @@ use std::sync::Arc;
 
 use zeno::{BounceHistory, Rise, ZenoClosure};
 
-use crate::contact::{ContactError, are_determined, refuse_singular};
+use crate::contact::{ContactError, are_determined, labels, refuse_singular};
 use crate::error::{RunCause, RunError};
 use crate::model::{ContactSet, Energy, Form, Layout};
 
@@ -287,7 +287,7 @@ impl<'a> Driver<'a> {
             false => guards.iter().filter_map(Guard::contact).collect(),
         };
         let contacts = self.layout().contacts;
-        let labels = |set: ContactSet| set.iter().map(|i| contacts[i].label.to_owned()).collect();
+        let labels = |set: ContactSet| labels(self.layout(), set);
         let limited =
             guards.iter().filter_map(|g| if let Guard::Limit(rub) = g { Some(rub.contact) } else { None });
         let hinges: ContactSet = limited.filter(|&i| contacts[i].is_hinge()).collect();

@@ -6,9 +6,9 @@ use nalgebra::DVector;
 use super::collide::allowed_gain;
 use super::friction::LocatedSlips;
 use super::{Driver, Next};
-use crate::contact::ContactError;
 use crate::contact::friction::{Sense, Slip as KnownSlip, holds};
 use crate::contact::impulse::Row;
+use crate::contact::{ContactError, labels};
 use crate::error::RunCause;
 use crate::event::{EventKind, Note};
 use crate::model::{ContactSet, Slip};
@@ -21,7 +21,7 @@ const NEAR: f64 = 1e-6;
 impl Driver<'_> {
     /// Ends a slip at the border of Painlevé's region, where the reaction grows beyond all bounds.
     pub(super) fn cross_border(&mut self) -> Result<Next, RunCause> {
-        let contacts = self.closed.iter().map(|i| self.layout().contacts[i].label.to_owned()).collect();
+        let contacts = labels(self.layout(), self.closed);
         let holds = holds(self.setup.context.system(), &self.state, &self.bearing);
         self.end_slip(ContactError::Jammed { contacts }, &holds)?;
         Ok(Next::Continue)

@@ -8,7 +8,7 @@ use super::switch::Role;
 use crate::audit::Work;
 use crate::contact::friction::{Grip, single};
 use crate::contact::{
-    ContactError, ContactProblem, ContactSolution, decide, hinges, joint_names, nondegenerate,
+    ContactError, ContactProblem, ContactSolution, decide, hinges, joint_names, labels, nondegenerate,
 };
 use crate::error::{RunCause, StartError};
 use crate::event::detection::{Bounds, ContactStatus, EventDetector};
@@ -153,8 +153,8 @@ impl Driver<'_> {
         let [positions, rates] = chart::apart(context, &self.state, &restored);
         let by = positions.max(rates);
         if by > self.relative_bound().sqrt() + rounding {
-            let labels = set.iter().map(|i| self.layout().contacts[i].label.to_owned());
-            let contacts = if set.is_empty() { joint_names(self.layout()) } else { labels.collect() };
+            let layout = self.layout();
+            let contacts = if set.is_empty() { joint_names(layout) } else { labels(layout, set) };
             return Err(RunCause::Jump { t: self.t, contacts, by });
         }
         // Not a number where the equations are singular, which the phase tells.
