@@ -1,7 +1,7 @@
 //! A sweep, built in one chain of calls.
 
 use super::boundary::{Boundary, boundaries};
-use super::journal::{Identity, Journal, recorded};
+use super::journal::{Identity, Journal, line, recorded};
 use super::plan::Plan;
 use super::sample::Points;
 use super::setting::Assignment;
@@ -168,12 +168,15 @@ impl<'a> Sweep<'a> {
             done.extend(known.done.into_iter().filter(|(member, _)| *member < total));
         }
         let pending: Vec<usize> = (0..total).filter(|member| !done.contains_key(member)).collect();
+        let seed = journal.as_ref().map(Journal::seed);
         let kept = Mutex::new((journal, done));
         let on_result = |i: usize, outcome: Outcome| {
+            // Written before others have to wait.
+            let line = seed.map(|seed| line(pending[i], &outcome, self.observations.len(), seed));
             let mut kept = kept.lock().unwrap_or_else(PoisonError::into_inner);
             let (journal, done) = &mut *kept;
-            if let Some(journal) = journal {
-                journal.note(pending[i], &outcome, self.observations.len())?;
+            if let (Some(journal), Some(line)) = (journal, line) {
+                journal.append(&line)?;
             }
             done.insert(pending[i], outcome);
             if let Some(on_progress) = self.progress {

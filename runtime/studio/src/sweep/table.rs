@@ -6,6 +6,7 @@ use super::journal::{self, Identity};
 use super::summary::summary;
 use super::{Observation, Sweep, SweepError, Varied, drawing};
 use liftoff_columnar::{Column, Format};
+use rayon::prelude::*;
 use std::path::Path;
 
 /// What came of a sweep: its members in the order of their numbers.
@@ -63,7 +64,8 @@ impl Table {
     /// Comma-separated: member, varied names, observations, why it failed.
     pub fn csv(&self) -> String {
         let line = |row: &MemberResult| line(row.member, &row.point, &row.outcome, self.observations.len());
-        self.rows.iter().fold(head(&self.varied, &self.observations), |text, row| text + &line(row))
+        let lines: String = self.rows.par_iter().map(line).collect();
+        head(&self.varied, &self.observations) + &lines
     }
 
     /// Writes [`Self::csv`] to a file, all of it or nothing.

@@ -9,8 +9,8 @@ mod row;
 use super::cell::Outcome;
 use super::{Observation, SweepError};
 pub(super) use head::{FOREIGN, FORM, Identity, MARK, difference, identity_of, may_be_ours, recorded, same};
-use row::{Rows, line};
-pub(super) use row::{SEED, checksum, outcome, record, sealed, unsealed, written};
+use row::Rows;
+pub(super) use row::{SEED, checksum, line, outcome, record, sealed, unsealed, written};
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{BufWriter, ErrorKind, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -75,14 +75,9 @@ impl Journal {
         Self { file: BufWriter::new(file), path: path.to_owned(), flushed: Instant::now(), seed }
     }
 
-    /// Notes a member that has ended.
-    pub(super) fn note(
-        &mut self,
-        member: usize,
-        outcome: &Outcome,
-        columns: usize,
-    ) -> Result<(), SweepError> {
-        self.append(&line(member, outcome, columns, self.seed))
+    /// What its lines begin their checksums with.
+    pub(super) fn seed(&self) -> u64 {
+        self.seed
     }
 
     /// Notes a line; what is noted is in the file a little later, and at the end.

@@ -8,23 +8,31 @@ use crate::sweep::cell::{Cell, Outcome};
 pub(in crate::sweep) const SEED: u64 = 0xcbf2_9ce4_8422_2325;
 const PRIME: u64 = 0x0100_0000_01b3;
 
-/// Room for a row as most are, bytes; the default is thirty times as much, to be cleared for each.
-const ROW: usize = 256;
-
 pub(in crate::sweep) fn checksum(seed: u64, bytes: &[u8]) -> u64 {
     bytes.iter().fold(seed, |sum, byte| (sum ^ u64::from(*byte)).wrapping_mul(PRIME))
 }
 
-/// A line of a table.
-pub(in crate::sweep) fn record<T: AsRef<[u8]>>(fields: impl IntoIterator<Item = T>) -> String {
-    let mut writer = csv::WriterBuilder::new().flexible(true).buffer_capacity(ROW).from_writer(Vec::new());
+/// A line of a table. Most have nothing to quote, and need no writer of their own.
+pub(in crate::sweep) fn record<T: AsRef<str>>(fields: impl IntoIterator<Item = T>) -> String {
+    let fields: Vec<T> = fields.into_iter().collect();
+    let is_plain = |field: &T| !field.as_ref().contains([',', '"', '\n', '\r']);
+    if fields.len() > 1 && fields.iter().all(is_plain) {
+        let fields: Vec<&str> = fields.iter().map(AsRef::as_ref).collect();
+        return fields.join(",") + "\n";
+    }
+    quoted(fields)
+}
+
+/// A line in which fields are quoted where they have to be.
+fn quoted<T: AsRef<str>>(fields: impl IntoIterator<Item = T>) -> String {
+    let mut writer = csv::WriterBuilder::new().flexible(true).from_writer(Vec::new());
     // Writing into memory does not fail.
-    let _ = writer.write_record(fields);
+    let _ = writer.write_record(fields.into_iter().map(|field| field.as_ref().to_owned()));
     String::from_utf8_lossy(&writer.into_inner().unwrap_or_default()).into_owned()
 }
 
 /// The line of a member in the journal whose head has this checksum.
-pub(super) fn line(member: usize, outcome: &Outcome, columns: usize, seed: u64) -> String {
+pub(in crate::sweep) fn line(member: usize, outcome: &Outcome, columns: usize, seed: u64) -> String {
     let mut fields = vec![member.to_string()];
     fields.extend(written(outcome, columns));
     sealed(&record(fields), seed)
@@ -112,4 +120,23 @@ pub(in crate::sweep) fn outcome(
         reason => Err(reason.to_owned()),
     };
     Some((member.parse().ok()?, outcome))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whatever a field has in it, and of any number of fields, empty ones too.
+    #[test]
+    fn a_record_is_what_a_writer_of_tables_makes_of_it() {
+        let texts = ["", "a", "1.5e-3", "a b", "a,b", "say \"a\"", "two\nlines", "a\r", "#", ";\t|"];
+        for a in texts {
+            assert_eq!(record([a]), quoted([a]));
+            for b in texts {
+                assert_eq!(record([a, b]), quoted([a, b]));
+                assert_eq!(record([a, b, "c"]), quoted([a, b, "c"]));
+            }
+        }
+        assert_eq!(record(["a", "b,c", ""]), "a,\"b,c\",\n");
+    }
 }
