@@ -16,6 +16,7 @@ use crate::error::StartError;
 use crate::integration::chart;
 use crate::integration::phase_point::RunContext;
 use crate::model::ContactSet;
+use pose::Given;
 use problem::AssemblyProblem;
 use settle::settled;
 
@@ -44,6 +45,9 @@ pub(crate) struct Start {
 pub(crate) fn start(context: &RunContext, pose: &Pose, tolerance: f64, t: f64) -> Result<Start, StartError> {
     let given = pose.resolve(context.layout())?;
     refuse_lost_units(context)?;
+    if let Some(state) = unbound(context, &given, t) {
+        return Ok(Start { state, touching: ContactSet::EMPTY, depth: 0.0 });
+    }
     let rates = given.rates.iter().map(|rate| rate.unwrap_or(0.0)).collect();
     let assembly = AssemblyProblem::new(context, deepest(tolerance), rates, t);
     let (positions, closed) = complete::positions(&assembly, &given.positions)?;
@@ -63,6 +67,20 @@ pub(crate) fn start(context: &RunContext, pose: &Pose, tolerance: f64, t: f64) -
     };
     assembly.refuse_feet_off_bars(&state, touching)?;
     Ok(Start { state, touching, depth })
+}
+
+/// The state of a model that has neither contacts nor joints, where all rates or none are given: it is as it was asked for.
+fn unbound(context: &RunContext, given: &Given, t: f64) -> Option<Vec<f64>> {
+    let (layout, nominal) = (context.layout(), &context.model.nominal);
+    let any = given.rates.iter().any(Option::is_some);
+    if layout.rows() > 0 || any && !given.rates.iter().all(Option::is_some) {
+        return None;
+    }
+    let positions = given.positions.iter().zip(nominal).map(|(given, nominal)| given.unwrap_or(*nominal));
+    let values: Vec<f64> = positions.chain(given.rates.iter().map(|rate| rate.unwrap_or(0.0))).collect();
+    let mut state = layout.state_at(&values, t);
+    context.set_switches(&mut state, t);
+    Some(state)
 }
 
 /// Refuses units in which natural forces or energies are no normal numbers: squares of rates would be lost.

@@ -21,6 +21,8 @@ pub struct LaneStepper<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> {
     series: Box<[[Lanes; N]; ORDERS]>,
     order: usize,
     relative: f64,
+    /// log₂ of the relative tolerance, and of the part of it that the last term may have.
+    logarithms: [f64; 2],
     absolute: [Lanes; N],
     state: [Lanes; N],
     /// u, the length of the last step.
@@ -55,6 +57,7 @@ impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> LaneStepper<M, Q, N> {
             series: Box::new([[zero; N]; ORDERS]),
             order: order(relative),
             relative,
+            logarithms: [relative.log2(), relative.log2() + LAST.log2()],
             absolute: [Lanes::splat(1.0); N],
             state: [zero; N],
             unit: zero,
@@ -152,7 +155,7 @@ impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> LaneStepper<M, Q, N> {
 
     fn step_size_within(&self, theta: Lanes) -> Lanes {
         let (p, relative) = (self.order, Lanes::splat(self.relative));
-        let tolerance = Lanes::splat(self.relative.log2());
+        let [tolerance, last] = self.logarithms.map(Lanes::splat);
         let inverse: [Lanes; N] = core::array::from_fn(|i| {
             let end = theta.mul_add(self.series[1][i].abs(), self.series[0][i].abs());
             Lanes::splat(1.0) / relative.mul_add(end, self.absolute[i])
@@ -163,7 +166,7 @@ impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> LaneStepper<M, Q, N> {
             (size.rough_log2() + tolerance) * Lanes::splat(-1.0 / k as f64)
         };
         let pair = |k: usize, slack: f64| radius(p - k).min(radius(p - k - 1)) + Lanes::splat(slack);
-        let part = (tolerance + Lanes::splat(LAST.log2())) * Lanes::splat(1.0 / p as f64);
+        let part = last * Lanes::splat(1.0 / p as f64);
         let reach = pair(0, 0.0).min(pair(2, SYMMETRY));
         let reach = if p > 4 { reach.min(pair(4, SPARSENESS)) } else { reach };
         (reach + part).rough_exp2()
@@ -175,13 +178,17 @@ impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> LaneStepper<M, Q, N> {
         sizes.fold(Lanes::splat(0.0), |sum, size| sum + size).to_array().map(f64::is_finite)
     }
 
-    /// Σ cₖ θᵏ.
+    /// Σ cₖ θᵏ, even and odd terms side by side; the order is even.
     fn value(&self, theta: Lanes) -> [Lanes; N] {
-        let last = self.series[self.order];
-        self.series[..self.order]
-            .iter()
-            .rev()
-            .fold(last, |value, c| core::array::from_fn(|i| value[i].mul_add(theta, c[i])))
+        let square = theta * theta;
+        let (mut even, mut odd) = (self.series[self.order], [Lanes::splat(0.0); N]);
+        for pair in self.series[..self.order].rchunks_exact(2) {
+            for i in 0..N {
+                odd[i] = odd[i].mul_add(square, pair[1][i]);
+                even[i] = even[i].mul_add(square, pair[0][i]);
+            }
+        }
+        core::array::from_fn(|i| odd[i].mul_add(theta, even[i]))
     }
 }
 
