@@ -10,7 +10,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use wide::f64x8;
 
 use super::Real;
-use super::sin_cos::sin_cos;
+use super::sin_cos::sin_cos_all;
 
 /// How many.
 pub const LANES: usize = 8;
@@ -160,11 +160,15 @@ impl<const V: usize> Real for Lanes<V> {
 
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
-        let (mut sin, mut cos) = (self, self);
-        for v in 0..V {
-            (sin.0[v], cos.0[v]) = sin_cos::<{ cfg!(target_feature = "fma") }, f64x8>(self.0[v]);
-        }
+        let ([sin], [cos]) = Self::sin_cos_each([self]);
         (sin, cos)
+    }
+
+    #[inline(always)]
+    fn sin_cos_each<const K: usize>(angles: [Self; K]) -> ([Self; K], [Self; K]) {
+        let vectors = angles.map(|angle| angle.0);
+        let (sin, cos) = sin_cos_all::<{ cfg!(target_feature = "fma") }, f64x8, V, K>(vectors);
+        (sin.map(Self), cos.map(Self))
     }
 
     #[inline(always)]

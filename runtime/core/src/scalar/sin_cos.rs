@@ -59,6 +59,42 @@ pub(super) fn sin_cos<const FUSED: bool, X: Doubles>(x: X) -> (X, X) {
     if x.within(BOUND) { reduced::<FUSED, X>(x) } else { x.singly::<FUSED>() }
 }
 
+/// The same of several, each `V` times as many: without a branch between one and the next while all are within the bound.
+/// Sixteen states take 8.0 ns each for the angles of eight bars, 17.6 with one.
+#[cfg(feature = "std")]
+#[inline(always)]
+pub(super) fn sin_cos_all<const FUSED: bool, X: Doubles, const V: usize, const K: usize>(
+    angles: [[X; V]; K],
+) -> ([[X; V]; K], [[X; V]; K]) {
+    let within = angles.as_flattened().iter().fold(true, |within, x| within & x.within(BOUND));
+    if within { by(angles, reduced::<FUSED, X>) } else { all_beyond::<FUSED, X, V, K>(angles) }
+}
+
+/// Some are beyond the bound.
+#[cfg(feature = "std")]
+#[cold]
+#[inline(never)]
+fn all_beyond<const FUSED: bool, X: Doubles, const V: usize, const K: usize>(
+    angles: [[X; V]; K],
+) -> ([[X; V]; K], [[X; V]; K]) {
+    by(angles, sin_cos::<FUSED, X>)
+}
+
+#[cfg(feature = "std")]
+#[inline(always)]
+fn by<X: Copy, const V: usize, const K: usize>(
+    angles: [[X; V]; K],
+    sin_cos: impl Fn(X) -> (X, X),
+) -> ([[X; V]; K], [[X; V]; K]) {
+    let (mut sin, mut cos) = (angles, angles);
+    for k in 0..K {
+        for v in 0..V {
+            (sin[k][v], cos[k][v]) = sin_cos(angles[k][v]);
+        }
+    }
+    (sin, cos)
+}
+
 /// Sines and cosines of several angles, with the bits that each has by itself: side by side while all are within the bound.
 ///
 /// Four at most: what is computed with them afterwards is scalar, and vectors of eight keep one of two scalar units idle
