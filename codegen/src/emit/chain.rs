@@ -19,9 +19,8 @@ pub(super) fn by_loops(analysis: &Analysis, constants: &Constants, chain: &Chain
     quote! {
         #statements
         let chain = #runtime::chain::Chain::prepared(#mass, #length, #inertia, [#x, #y], #slenderness, #lever);
-        let angles: [S; #n] = ::core::array::from_fn(|i| state[i]);
-        let rates: [S; #n] = ::core::array::from_fn(|i| state[#n + i]);
-        let accelerations = chain.accelerations(&angles, &rates);
+        let ([angles, rates], _) = state.as_chunks::<#n>() else { return *state };
+        let accelerations = chain.accelerations(angles, rates);
         ::core::array::from_fn(|i| if i < #n { rates[i] } else { accelerations[i - #n] })
     }
 }

@@ -11,8 +11,10 @@
 //!
 //! (R. Featherstone, *Rigid Body Dynamics Algorithms*, 2008, § 7.1: the inverse inertias of a body with two handles).
 //! Neighbours share an end, and the pin rests: a symmetric block-tridiagonal system for the forces, which `elimination`
-//! solves from both ends at once in O(N). It is regular in every position, stretched or folded, as long as J > 0.
+//! solves from both ends at once in O(N); of many states side by side `articulated` computes the accelerations from the free end
+//! and back. Both are regular in every position, stretched or folded, as long as J > 0.
 
+mod articulated;
 mod dense;
 mod elimination;
 mod geometry;
@@ -54,6 +56,9 @@ impl<S: Real> Chain<S> {
     /// The angular acceleration of each bar.
     #[inline]
     pub fn accelerations<const N: usize>(&self, angles: &[S; N], rates: &[S; N]) -> [S; N] {
+        if S::MANY {
+            return self.from_free_end(angles, rates);
+        }
         let mut accelerations = *rates;
         Bars::of(self, angles, rates).solve(self.gravity, |bar, turn, _| accelerations[bar] = turn);
         accelerations

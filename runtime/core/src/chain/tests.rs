@@ -1,4 +1,4 @@
-//! The two ways to the accelerations against each other; the oracle of the tests crate has no part in either.
+//! The ways to the accelerations against the dense equations; the oracle of the tests crate has no part in either.
 
 use super::Chain;
 use crate::scalar::{DoubleDouble, Real, Scalar};
@@ -12,12 +12,20 @@ fn state<S: Real, const N: usize>(spread: f64) -> ([S; N], [S; N]) {
     (core::array::from_fn(|i| S::from_f64(value(i))), core::array::from_fn(|i| S::from_f64(value(i + N))))
 }
 
-/// |M ω̇ − f| over Σ |M ω̇| + |f|, the largest of all rows.
+/// |M ω̇ − f| over Σ |M ω̇| + |f|, the largest of all rows, of both ways.
 fn residual<S: Scalar, const N: usize>(spread: f64) -> f64 {
     let chain = chain::<S>();
     let (angles, rates) = state::<S, N>(spread);
-    let accelerations = chain.accelerations(&angles, &rates);
-    let (mass, forces) = (chain.mass_matrix(&angles), chain.forces(&angles, &rates));
+    let both = [chain.accelerations(&angles, &rates), chain.from_free_end(&angles, &rates)];
+    both.map(|found| missed(&chain, (&angles, &rates), &found)).into_iter().fold(0.0, f64::max)
+}
+
+fn missed<S: Scalar, const N: usize>(
+    chain: &Chain<S>,
+    (angles, rates): (&[S; N], &[S; N]),
+    accelerations: &[S; N],
+) -> f64 {
+    let (mass, forces) = (chain.mass_matrix(angles), chain.forces(angles, rates));
     let row = |k: usize| {
         let (mut sum, mut size) = (-forces[k], forces[k].abs());
         for j in 0..N {
@@ -41,6 +49,23 @@ fn solves_the_dense_equations() {
         assert!(residuals::<f64>(spread) < 4096.0 * f64::EPSILON, "{spread}: {:e}", residuals::<f64>(spread));
         let fine = residuals::<DoubleDouble>(spread);
         assert!(fine < 4096.0 * DoubleDouble::EPSILON.to_f64(), "{spread}: {fine:e}");
+    }
+}
+
+/// States side by side take the other way, each with its own bits.
+#[cfg(feature = "std")]
+#[test]
+fn states_side_by_side_are_as_one_alone() {
+    use crate::scalar::Lanes;
+    let states = |lane: usize| state::<f64, 9>(0.5 + lane as f64);
+    let of =
+        |part: fn(usize) -> [f64; 9]| core::array::from_fn(|k| Lanes::<2>::from_fn(|lane| part(lane)[k]));
+    let [angles, rates] = [of(|lane| state(0.5 + lane as f64).0), of(|lane| state(0.5 + lane as f64).1)];
+    let together = chain::<Lanes<2>>().accelerations(&angles, &rates);
+    for lane in 0..Lanes::<2>::COUNT {
+        let (angles, rates) = states(lane);
+        let alone = chain::<f64>().from_free_end(&angles, &rates);
+        assert_eq!(together.map(|turn| turn.lane(lane)), alone, "{lane}");
     }
 }
 
