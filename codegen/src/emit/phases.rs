@@ -158,31 +158,15 @@ fn with_carried(results: &[TokenStream], carried: impl Iterator<Item = TokenStre
     quote!([#(#results),*])
 }
 
-/// Of a chain with fewer bars straight lines take less for many states at once: 19 ns for 24 at 8 bars, 33 for 29 at 12, each.
-const LOOPS: usize = 12;
-
-/// The derivative; of a chain of equal bars by loops, and of a short one by straight lines for many states at once, which hide
-/// the waiting that the loops avoid.
+/// The derivative; of a chain of equal bars by loops.
 fn derivative(analysis: &Analysis, constants: &Constants, phase: &PhaseFunctions) -> TokenStream {
     let entries = entries(analysis, phase);
     let reduced = count(entries.len());
     let outputs: Vec<Id> = phase.rates.iter().chain(&phase.accelerations).copied().collect();
-    let straight =
-        body(analysis, constants, entries, &outputs, |results| with_carried(results, entries.slopes()));
-    let (body, by_lines) = match &phase.chain {
-        None => (straight, None),
-        Some(chain) if phase.kept.len() >= LOOPS => {
-            (by_loops(analysis, constants, chain, phase.kept.len()), None)
-        }
-        Some(chain) => {
-            let loops = by_loops(analysis, constants, chain, phase.kept.len());
-            let by_lines = quote! {
-                #[inline]
-                fn straight<S: Real>(k: &Constants<S>, state: &[S; #reduced]) -> [S; #reduced] {
-                    #straight
-                }
-            };
-            (quote!(if S::MANY { return Self::straight(k, state); } #loops), Some(by_lines))
+    let body = match &phase.chain {
+        Some(chain) => by_loops(analysis, constants, chain, phase.kept.len()),
+        None => {
+            body(analysis, constants, entries, &outputs, |results| with_carried(results, entries.slopes()))
         }
     };
     quote! {
@@ -190,7 +174,6 @@ fn derivative(analysis: &Analysis, constants: &Constants, phase: &PhaseFunctions
         fn derivative<S: Real>(k: &Constants<S>, _: &ContactSet, state: &[S; #reduced]) -> [S; #reduced] {
             #body
         }
-        #by_lines
     }
 }
 

@@ -6,8 +6,8 @@ use crate::scalar::Lanes;
 /// States side by side: twice as many as a vector holds, as elimination is a chain of operations that wait for one another.
 pub type Side = Lanes<2>;
 
-/// The right-hand side of a phase in closed form, for [`Side::COUNT`] states side by side, each with the bits that it has
-/// by itself.
+/// The right-hand side of a phase in closed form, for [`Side::COUNT`] states side by side. The bits of each do not depend on the
+/// others; they are those of one state alone, but for chains from six bars on, which are computed in another order.
 pub struct Batch<M: BarSystem> {
     constants: M::Constants<Side>,
     evaluate: Evaluate<M>,

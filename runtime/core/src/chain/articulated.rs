@@ -12,54 +12,84 @@
 //! (R. Featherstone, *Rigid Body Dynamics Algorithms*, 2008, ch. 7). These are fewer operations than those of `elimination`, in
 //! one chain twice as long: for many states at once, which hide the waiting.
 
+use core::array::from_fn;
+
 use super::Chain;
-use super::plane::Vector;
+use super::plane::{Symmetric, Vector};
 use crate::scalar::Real;
+
+/// A and b of what hangs from a joint.
+struct Hanging<S> {
+    mass: Symmetric<S>,
+    bias: Vector<S>,
+}
+
+/// l e, v/c, s/c and ω² of a bar.
+struct Answer<S> {
+    along: Vector<S>,
+    turn: Vector<S>,
+    bias: S,
+    square: S,
+}
 
 impl<S: Real> Chain<S> {
     /// The angular acceleration of each bar.
     #[inline(always)]
     pub(super) fn from_free_end<const N: usize>(&self, angles: &[S; N], rates: &[S; N]) -> [S; N] {
-        let (half, one, zero) = (S::ratio(1, 2), S::ratio(1, 1), S::ratio(0, 1));
-        // l e, its components one array each.
-        let (mut along_y, mut along_x) = S::sin_cos_each(*angles);
-        (0..N).for_each(|k| (along_x[k], along_y[k]) = (self.length * along_x[k], self.length * along_y[k]));
         let inertia = (self.length * self.length).mul_add(S::ratio(1, 4), self.inertia / self.mass);
-        // v/c and s/c.
-        let [mut turn_x, mut turn_y, mut bias] = [*rates; 3];
-        let (mut xx, mut xy, mut yy, mut b) = (zero, zero, zero, Vector { x: zero, y: zero });
-        for k in (0..N).rev() {
-            // l n = (−y, x).
-            let (x, y) = (along_x[k], along_y[k]);
-            let square = rates[k] * rates[k];
-            let r = Vector { x: square * x, y: square * y };
-            let carried = Vector { x: xy.mul_add(x, -(xx * y)), y: yy.mul_add(x, -(xy * y)) };
-            let v = Vector { x: (-half).mul_add(y, carried.x), y: half.mul_add(x, carried.y) };
-            let inverse = one / x.mul_add(carried.y, (-y).mul_add(carried.x, inertia));
-            let beyond = Vector {
-                x: (-xx).mul_add(r.x, (-xy).mul_add(r.y, b.x)),
-                y: (-xy).mul_add(r.x, (-yy).mul_add(r.y, b.y)),
-            };
-            let s = x.mul_add(beyond.y, -(y * beyond.x));
-            let turn = v.scaled(inverse);
-            xx = (-v.x).mul_add(turn.x, xx + one);
-            xy = (-v.x).mul_add(turn.y, xy);
-            yy = (-v.y).mul_add(turn.y, yy + one);
-            b = Vector {
-                x: (-s).mul_add(turn.x, (-half).mul_add(r.x, beyond.x)),
-                y: (-s).mul_add(turn.y, (-half).mul_add(r.y, beyond.y)),
-            };
-            (turn_x[k], turn_y[k], bias[k]) = (turn.x, turn.y, inverse * s);
-        }
-        let mut accelerations = bias;
-        let (mut ax, mut ay) = (-self.gravity.x, -self.gravity.y);
-        for k in 0..N {
-            let turn = -turn_x[k].mul_add(ax, turn_y[k].mul_add(ay, bias[k]));
-            let square = rates[k] * rates[k];
-            accelerations[k] = turn;
-            ax = (-turn).mul_add(along_y[k], (-square).mul_add(along_x[k], ax));
-            ay = turn.mul_add(along_x[k], (-square).mul_add(along_y[k], ay));
-        }
-        accelerations
+        let zero = S::ratio(0, 1);
+        let mass = Symmetric { xx: zero, xy: zero, yy: zero };
+        let mut hanging = Hanging { mass, bias: Vector::zero() };
+        // The last bar first; arrays are filled as they are made, for clearing them would take a tenth of the time.
+        let answers: [Answer<S>; N] = from_fn(|i| {
+            let (sin, cos) = angles[N - 1 - i].sin_cos();
+            let along = Vector { x: self.length * cos, y: self.length * sin };
+            hanging.pass(along, rates[N - 1 - i], inertia)
+        });
+        let mut a = Vector { x: -self.gravity.x, y: -self.gravity.y };
+        from_fn(|k| answers[N - 1 - k].pass(&mut a))
+    }
+}
+
+impl<S: Real> Hanging<S> {
+    /// From what hangs from the other end of a bar with this l e, ω and j to what hangs from the first.
+    #[inline(always)]
+    fn pass(&mut self, along: Vector<S>, rate: S, inertia: S) -> Answer<S> {
+        let (half, one) = (S::ratio(1, 2), S::ratio(1, 1));
+        let Self { mass: Symmetric { xx, xy, yy }, bias: b } = *self;
+        let (Vector { x, y }, square) = (along, rate * rate);
+        let r = along.scaled(square);
+        // l n = (−y, x).
+        let carried = Vector { x: xy.mul_add(x, -(xx * y)), y: yy.mul_add(x, -(xy * y)) };
+        let v = Vector { x: (-half).mul_add(y, carried.x), y: half.mul_add(x, carried.y) };
+        let inverse = one / x.mul_add(carried.y, (-y).mul_add(carried.x, inertia));
+        let beyond = Vector {
+            x: (-xx).mul_add(r.x, (-xy).mul_add(r.y, b.x)),
+            y: (-xy).mul_add(r.x, (-yy).mul_add(r.y, b.y)),
+        };
+        let s = x.mul_add(beyond.y, -(y * beyond.x));
+        let turn = v.scaled(inverse);
+        self.mass = Symmetric {
+            xx: (-v.x).mul_add(turn.x, xx + one),
+            xy: (-v.x).mul_add(turn.y, xy),
+            yy: (-v.y).mul_add(turn.y, yy + one),
+        };
+        self.bias = Vector {
+            x: (-s).mul_add(turn.x, (-half).mul_add(r.x, beyond.x)),
+            y: (-s).mul_add(turn.y, (-half).mul_add(r.y, beyond.y)),
+        };
+        Answer { along, turn, bias: inverse * s, square }
+    }
+}
+
+impl<S: Real> Answer<S> {
+    /// ω̇; from a at the first end to that at the other.
+    #[inline(always)]
+    fn pass(&self, a: &mut Vector<S>) -> S {
+        let Self { along: Vector { x, y }, turn, bias, square } = *self;
+        let turn = -turn.x.mul_add(a.x, turn.y.mul_add(a.y, bias));
+        a.x = (-turn).mul_add(y, (-square).mul_add(x, a.x));
+        a.y = turn.mul_add(x, (-square).mul_add(y, a.y));
+        turn
     }
 }

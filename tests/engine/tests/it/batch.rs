@@ -31,6 +31,56 @@ fn same_as_one_by_one<M: BarSystem + Phases>(model: &M, closed: &[&str], kept: u
     }
 }
 
+/// Seven bars that hang from a pin.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[pin(O = (0, 0))]
+#[chain(bar, links = 7, from = O, mass = m, length = l)]
+#[coordinate(phi_1 = angle(bar1), from = down)]
+#[coordinate(phi_2 = angle(bar2), from = down)]
+#[coordinate(phi_3 = angle(bar3), from = down)]
+#[coordinate(phi_4 = angle(bar4), from = down)]
+#[coordinate(phi_5 = angle(bar5), from = down)]
+#[coordinate(phi_6 = angle(bar6), from = down)]
+#[coordinate(phi_7 = angle(bar7), from = down)]
+struct Chain {
+    m: f64,
+    l: f64,
+    g: f64,
+}
+
+/// Computed another way than one state is, with the same bits whatever is beside it; folded and stretched too. M has a condition of
+/// some hundred.
+#[test]
+fn chains_side_by_side_agree_with_one() {
+    let chain = Chain { m: 0.7, l: 1.3, g: 9.81 };
+    let quarter = core::f64::consts::FRAC_PI_2;
+    let state = |k: usize| -> [f64; 14] {
+        core::array::from_fn(|i| match (k, i) {
+            (0..4, 0..7) => quarter * (k * i) as f64,
+            _ => 6.0 * (((1 + 14 * k + i) as f64 * 0.618_034).fract() - 0.5),
+        })
+    };
+    let states: Vec<_> = (0..Side::COUNT + 3).map(state).collect();
+    let batch = Batch::new(&chain, contact_set(Chain::LAYOUT, &[]).unwrap()).unwrap();
+    let of = |states: &[[f64; 14]]| {
+        let packed = Batch::<Chain>::pack(states);
+        let mut accelerations = vec![[Side::splat(0.0); 7]; packed.len()];
+        batch.reduced_accelerations(&packed, &mut accelerations);
+        accelerations
+    };
+    let (together, phase) = (of(&states), Phases::phase(&chain, &[]).unwrap());
+    for (k, state) in states.iter().enumerate() {
+        let lane = together[k / Side::COUNT].map(|a| a.lane(k % Side::COUNT));
+        assert_eq!(lane, of(&states[k..=k])[0].map(|a| a.lane(0)), "{k} beside others");
+        let alone = phase.reduced_accelerations(state);
+        let size = alone.iter().fold(0.0f64, |size, a| size.max(a.abs()));
+        for (a, alone) in lane.iter().zip(&alone) {
+            assert!((a - alone).abs() <= 1e-12 * size, "{k}: {a} for {alone}");
+        }
+    }
+}
+
 #[test]
 fn a_batch_needs_a_known_closed_form() {
     let pair = FallingPair { m: 1.0, l: 1.0, g: 9.81 };
