@@ -173,3 +173,31 @@ fn the_engine_is_small() {
     let both = lines("core") + lines("engine");
     assert!(both <= LINES, "{both} lines");
 }
+
+/// A package none of whose targets in `src` is built for tests has none there.
+#[test]
+fn no_tests_are_left_out() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let workspace: toml::Table =
+        fs::read_to_string(root.join("Cargo.toml")).expect("a manifest").parse().expect("TOML");
+    let members = workspace["workspace"]["members"].as_array().expect("a list");
+    let mut without = 0;
+    for package in members.iter().map(|member| root.join(member.as_str().expect("a folder"))) {
+        let manifest: toml::Table =
+            fs::read_to_string(package.join("Cargo.toml")).expect("a manifest").parse().expect("TOML");
+        let is_tested =
+            |target: &toml::Value| target.get("test").is_none_or(|test| test.as_bool() != Some(false));
+        let library = manifest.get("lib").map_or(package.join("src/lib.rs").exists(), is_tested);
+        let program = manifest.get("bin").and_then(toml::Value::as_array);
+        let program = program.map_or(package.join("src/main.rs").exists(), |all| all.iter().any(is_tested));
+        if library || program {
+            continue;
+        }
+        without += 1;
+        for file in sources(&package.join("src")) {
+            let text = fs::read_to_string(&file).expect("a source");
+            assert!(!text.contains("#[test]") && !text.contains("#[cfg(test)]"), "{}", file.display());
+        }
+    }
+    assert!(without > 8, "{without}");
+}

@@ -6,8 +6,8 @@ use std::path::Path;
 /// Word for word, for every mistake that the compiler's messages are tested on.
 #[test]
 fn mistakes_in_a_file_are_told_as_the_compiler_tells_them() {
-    let engine = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../runtime/engine");
-    let files = std::fs::read_dir(engine.join("tests/ui"))
+    let derive = Path::new(env!("CARGO_MANIFEST_DIR")).join("../derive");
+    let files = std::fs::read_dir(derive.join("tests/ui"))
         .expect("a folder")
         .map(|entry| entry.expect("an entry").path());
     let mut compared = 0;
@@ -15,7 +15,7 @@ fn mistakes_in_a_file_are_told_as_the_compiler_tells_them() {
         let name = format!("tests/ui/{}", file.file_name().expect("a name").display());
         let expected =
             std::fs::read_to_string(file.with_extension("stderr")).expect("what the compiler tells");
-        let told = command(&["explain", &name]).current_dir(&engine).output().expect("the program starts");
+        let told = command(&["explain", &name]).current_dir(&derive).output().expect("the program starts");
         assert_eq!(errors(&told).trim_end(), expected.trim_end(), "{name}");
         compared += 1;
     }

@@ -71,8 +71,3 @@ fn a_model_can_do_without() {
 
     assert_eq!(Rod::A + Rod { m: 1.0, l: 2.0 }.parameters()[0], 2.0);
 }
-
-#[test]
-fn names_of_another_kind_do_not_compile() {
-    trybuild::TestCases::new().compile_fail("tests/ui/*.rs");
-}
