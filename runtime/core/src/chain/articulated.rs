@@ -35,7 +35,7 @@ struct Answer<S> {
 impl<S: Real> Chain<S> {
     /// The angular acceleration of each bar.
     #[inline(always)]
-    pub(super) fn from_free_end<const N: usize>(&self, angles: &[S; N], rates: &[S; N]) -> [S; N] {
+    pub(super) fn articulated<const N: usize>(&self, angles: &[S; N], rates: &[S; N]) -> [S; N] {
         let inertia = (self.length * self.length).mul_add(S::ratio(1, 4), self.inertia / self.mass);
         let zero = S::ratio(0, 1);
         let mass = Symmetric { xx: zero, xy: zero, yy: zero };

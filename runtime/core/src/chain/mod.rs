@@ -57,7 +57,7 @@ impl<S: Real> Chain<S> {
     #[inline]
     pub fn accelerations<const N: usize>(&self, angles: &[S; N], rates: &[S; N]) -> [S; N] {
         if S::MANY {
-            return self.from_free_end(angles, rates);
+            return self.articulated(angles, rates);
         }
         let mut accelerations = *rates;
         Bars::of(self, angles, rates).solve(self.gravity, |bar, turn, _| accelerations[bar] = turn);

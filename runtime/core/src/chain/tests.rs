@@ -16,7 +16,7 @@ fn state<S: Real, const N: usize>(spread: f64) -> ([S; N], [S; N]) {
 fn residual<S: Scalar, const N: usize>(spread: f64) -> f64 {
     let chain = chain::<S>();
     let (angles, rates) = state::<S, N>(spread);
-    let both = [chain.accelerations(&angles, &rates), chain.from_free_end(&angles, &rates)];
+    let both = [chain.accelerations(&angles, &rates), chain.articulated(&angles, &rates)];
     both.map(|found| missed(&chain, (&angles, &rates), &found)).into_iter().fold(0.0, f64::max)
 }
 
@@ -64,7 +64,7 @@ fn states_side_by_side_are_as_one_alone() {
     let together = chain::<Lanes<2>>().accelerations(&angles, &rates);
     for lane in 0..Lanes::<2>::COUNT {
         let (angles, rates) = states(lane);
-        let alone = chain::<f64>().from_free_end(&angles, &rates);
+        let alone = chain::<f64>().articulated(&angles, &rates);
         assert_eq!(together.map(|turn| turn.lane(lane)), alone, "{lane}");
     }
 }
