@@ -68,8 +68,10 @@ impl Observation {
     fn read(&self, run: &Trajectory) -> Cell {
         let range = |output: &Output| run.range(output);
         let number = |value: Option<f64>| value.map_or(Cell::Missing, Cell::Number);
+        // Of conditions that are written in several lines: journals are read line by line.
+        let name = |text: String| Cell::Name(text.replace('\n', " "));
         match &self.quantity {
-            Quantity::Ending => Cell::Name(run.events().last().map_or(NONE.to_owned(), ending)),
+            Quantity::Ending => name(run.events().last().map_or(NONE.to_owned(), ending)),
             Quantity::End(output) => Cell::Number(run.value(output, run.end_time())),
             Quantity::Greatest(output) => number(range(output).map(|[_, greatest]| greatest)),
             Quantity::Least(output) => number(range(output).map(|[least, _]| least)),
@@ -78,7 +80,7 @@ impl Observation {
             }
             Quantity::Supports(which, filter) => {
                 let found = which.find(run.events(), filter).map(|k| &run.events()[k]);
-                Cell::Name(found.map_or(NONE.to_owned(), subject))
+                name(found.map_or(NONE.to_owned(), subject))
             }
             Quantity::Value(which, filter, output) => {
                 let found = which.find(run.events(), filter).map(|k| &run.events()[k]);

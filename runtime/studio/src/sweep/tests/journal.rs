@@ -38,6 +38,19 @@ fn a_journal_goes_on_where_it_was() {
     std::fs::remove_file(path).unwrap();
 }
 
+/// What a member ended at is a name that may have been written in several lines.
+#[test]
+fn names_take_one_line_of_a_journal() {
+    let (models, path) = (models(), journal("lines"));
+    let words = ["vary e=0.1:0.9:3", "until y' =\n 0.5", "observe end"];
+    let again = || sweep(&models, "ball", &words).unwrap().journal(&path).run().unwrap();
+    let (first, second) = (again(), again());
+    assert!(first.csv().contains("stop"), "{}", first.csv());
+    assert_eq!((first.computed, second.computed, second.damaged), (3, 0, 0));
+    assert_eq!(first.csv(), second.csv());
+    std::fs::remove_file(path).unwrap();
+}
+
 /// Wherever a journal is cut off, what is whole of it is kept, and the outcome is the same.
 #[test]
 fn a_journal_may_be_cut_anywhere() {
