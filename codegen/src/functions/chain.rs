@@ -24,6 +24,8 @@ pub struct Chain {
     pub slenderness: Id,
     /// m l/2J.
     pub lever: Id,
+    /// Whether J = m l²/12.
+    pub is_uniform: bool,
 }
 
 impl Chain {
@@ -51,9 +53,10 @@ impl Chain {
         if branches.len() < FROM || !plain || !uniform || !branches.iter().enumerate().all(ordered) {
             return None;
         }
+        let length = &bar.reach[0];
+        let is_uniform = lumped.inertia == (&(&lumped.mass * length) * length).scale(Rational::new(1, 12));
         let gravity = turned(system.gravity.as_ref(), first.sign, quarters(first));
-        let [mass, length, inertia] =
-            [&lumped.mass, &bar.reach[0], &lumped.inertia].map(|s| lowering.series(s));
+        let [mass, length, inertia] = [&lumped.mass, length, &lumped.inertia].map(|s| lowering.series(s));
         let gravity = gravity.map(|part| lowering.series(&part));
         let program = lowering.program();
         let half = program.ratio(Rational::new(1, 2));
@@ -61,12 +64,12 @@ impl Chain {
         let moment = program.mul(mass, half);
         let lever = program.div(moment, inertia);
         let slenderness = program.mul(lever, half);
-        Some(Self { mass, length, inertia, gravity, slenderness, lever })
+        Some(Self { mass, length, inertia, gravity, slenderness, lever, is_uniform })
     }
 
     /// All of them.
     pub fn constants(&self) -> [Id; 7] {
-        let Self { mass, length, inertia, gravity: [x, y], slenderness, lever } = *self;
+        let Self { mass, length, inertia, gravity: [x, y], slenderness, lever, .. } = *self;
         [mass, length, inertia, x, y, slenderness, lever]
     }
 }

@@ -10,7 +10,7 @@
 //! ```
 //!
 //! (R. Featherstone, *Rigid Body Dynamics Algorithms*, 2008, ch. 7). These are fewer operations than those of `elimination`, in
-//! one chain twice as long: for many states at once, which hide the waiting.
+//! one chain twice as long: for many states at once, which hide the waiting; and for small J, of which nothing is divided by.
 
 use core::array::from_fn;
 
@@ -33,9 +33,9 @@ struct Answer<S> {
 }
 
 impl<S: Real> Chain<S> {
-    /// The angular acceleration of each bar.
+    /// The angular acceleration of each bar, to more digits than [`Self::accelerations`] where J is small beside m l².
     #[inline(always)]
-    pub(super) fn articulated<const N: usize>(&self, angles: &[S; N], rates: &[S; N]) -> [S; N] {
+    pub fn articulated<const N: usize>(&self, angles: &[S; N], rates: &[S; N]) -> [S; N] {
         let inertia = (self.length * self.length).mul_add(S::ratio(1, 4), self.inertia / self.mass);
         let zero = S::ratio(0, 1);
         let mass = Symmetric { xx: zero, xy: zero, yy: zero };

@@ -52,6 +52,17 @@ fn solves_the_dense_equations() {
     }
 }
 
+/// Of bars whose mass is all but at their middle.
+#[test]
+fn small_inertia_costs_no_digits() {
+    let (angles, rates) = state::<f64, 17>(6.0);
+    for inertia in [1e-3, 1e-6, 1e-9] {
+        let chain = Chain::new(0.7, 1.3, inertia, [9.81, -1.5]);
+        let error = missed(&chain, (&angles, &rates), &chain.articulated(&angles, &rates));
+        assert!(error < 4096.0 * f64::EPSILON, "{inertia}: {error:e}");
+    }
+}
+
 /// States side by side take the other way, each with its own bits.
 #[cfg(feature = "std")]
 #[test]
