@@ -63,11 +63,7 @@ pub trait Real:
     /// The sines and the cosines of several angles, with the bits that each has by itself; side by side where that pays.
     #[inline(always)]
     fn sin_cos_each<const K: usize>(angles: [Self; K]) -> ([Self; K], [Self; K]) {
-        let (mut sin, mut cos) = (angles, angles);
-        for i in 0..K {
-            (sin[i], cos[i]) = angles[i].sin_cos();
-        }
-        (sin, cos)
+        sin_cos::each(angles, Self::sin_cos)
     }
     /// `self · a + b`, fused where the target has the instruction and plain elsewhere.
     fn mul_add(self, a: Self, b: Self) -> Self;

@@ -67,7 +67,7 @@ pub(super) fn sin_cos_all<const FUSED: bool, X: Doubles, const V: usize, const K
     angles: [[X; V]; K],
 ) -> ([[X; V]; K], [[X; V]; K]) {
     let within = angles.as_flattened().iter().fold(true, |within, x| within & x.within(BOUND));
-    if within { by(angles, reduced::<FUSED, X>) } else { all_beyond::<FUSED, X, V, K>(angles) }
+    if within { each(angles, |x| each(x, reduced::<FUSED, X>)) } else { all_beyond::<FUSED, X, V, K>(angles) }
 }
 
 /// Some are beyond the bound.
@@ -77,20 +77,18 @@ pub(super) fn sin_cos_all<const FUSED: bool, X: Doubles, const V: usize, const K
 fn all_beyond<const FUSED: bool, X: Doubles, const V: usize, const K: usize>(
     angles: [[X; V]; K],
 ) -> ([[X; V]; K], [[X; V]; K]) {
-    by(angles, sin_cos::<FUSED, X>)
+    each(angles, |x| each(x, sin_cos::<FUSED, X>))
 }
 
-#[cfg(feature = "std")]
+/// Sines and cosines one by one.
 #[inline(always)]
-fn by<X: Copy, const V: usize, const K: usize>(
-    angles: [[X; V]; K],
+pub(super) fn each<X: Copy, const K: usize>(
+    angles: [X; K],
     sin_cos: impl Fn(X) -> (X, X),
-) -> ([[X; V]; K], [[X; V]; K]) {
+) -> ([X; K], [X; K]) {
     let (mut sin, mut cos) = (angles, angles);
     for k in 0..K {
-        for v in 0..V {
-            (sin[k][v], cos[k][v]) = sin_cos(angles[k][v]);
-        }
+        (sin[k], cos[k]) = sin_cos(angles[k]);
     }
     (sin, cos)
 }
@@ -102,7 +100,7 @@ fn by<X: Copy, const V: usize, const K: usize>(
 #[inline(always)]
 pub(super) fn sin_cos_each<const FUSED: bool, const K: usize>(angles: [f64; K]) -> ([f64; K], [f64; K]) {
     #[cfg(not(feature = "std"))]
-    return one_by_one::<FUSED, K>(angles);
+    return each(angles, sin_cos::<FUSED, f64>);
     #[cfg(feature = "std")]
     {
         let (fours, rest) = angles.as_chunks::<4>();
@@ -144,20 +142,11 @@ fn side_by_side<const FUSED: bool, X, const W: usize, const K: usize>(
     cos[first..first + W].copy_from_slice(&c.into());
 }
 
-#[inline(always)]
-fn one_by_one<const FUSED: bool, const K: usize>(angles: [f64; K]) -> ([f64; K], [f64; K]) {
-    let (mut sin, mut cos) = ([0.0; K], [0.0; K]);
-    for i in 0..K {
-        (sin[i], cos[i]) = sin_cos::<FUSED, f64>(angles[i]);
-    }
-    (sin, cos)
-}
-
 /// Some are beyond the bound. Two arrays apart: of one, a vector of eight would be made where all are within.
 #[cfg(feature = "std")]
 #[cold]
 fn beyond<const FUSED: bool, const K: usize>(angles: [f64; K], sin: &mut [f64; K], cos: &mut [f64; K]) {
-    (*sin, *cos) = one_by_one::<FUSED, K>(angles);
+    (*sin, *cos) = each(angles, sin_cos::<FUSED, f64>);
 }
 
 /// For |x| ≤ [`BOUND`]. The sine of −x is that of x with its sign, that of −0 too.
