@@ -15,19 +15,19 @@ pub(in crate::sweep) fn checksum(seed: u64, bytes: &[u8]) -> u64 {
 /// A line of a table. Most have nothing to quote, and need no writer of their own.
 pub(in crate::sweep) fn record<T: AsRef<str>>(fields: impl IntoIterator<Item = T>) -> String {
     let fields: Vec<T> = fields.into_iter().collect();
-    let is_plain = |field: &T| !field.as_ref().contains([',', '"', '\n', '\r']);
-    if fields.len() > 1 && fields.iter().all(is_plain) {
-        let fields: Vec<&str> = fields.iter().map(AsRef::as_ref).collect();
-        return fields.join(",") + "\n";
+    let fields: Vec<&str> = fields.iter().map(AsRef::as_ref).collect();
+    let is_plain = |field: &&str| !field.contains([',', '"', '\n', '\r']);
+    match fields.len() > 1 && fields.iter().all(is_plain) {
+        true => fields.join(",") + "\n",
+        false => quoted(&fields),
     }
-    quoted(fields)
 }
 
 /// A line in which fields are quoted where they have to be.
-fn quoted<T: AsRef<str>>(fields: impl IntoIterator<Item = T>) -> String {
+fn quoted(fields: &[&str]) -> String {
     let mut writer = csv::WriterBuilder::new().flexible(true).from_writer(Vec::new());
     // Writing into memory does not fail.
-    let _ = writer.write_record(fields.into_iter().map(|field| field.as_ref().to_owned()));
+    let _ = writer.write_record(fields);
     String::from_utf8_lossy(&writer.into_inner().unwrap_or_default()).into_owned()
 }
 
@@ -131,10 +131,10 @@ mod tests {
     fn a_record_is_what_a_writer_of_tables_makes_of_it() {
         let texts = ["", "a", "1.5e-3", "a b", "a,b", "say \"a\"", "two\nlines", "a\r", "#", ";\t|"];
         for a in texts {
-            assert_eq!(record([a]), quoted([a]));
+            assert_eq!(record([a]), quoted(&[a]));
             for b in texts {
-                assert_eq!(record([a, b]), quoted([a, b]));
-                assert_eq!(record([a, b, "c"]), quoted([a, b, "c"]));
+                assert_eq!(record([a, b]), quoted(&[a, b]));
+                assert_eq!(record([a, b, "c"]), quoted(&[a, b, "c"]));
             }
         }
         assert_eq!(record(["a", "b,c", ""]), "a,\"b,c\",\n");
