@@ -49,8 +49,8 @@ impl Chain {
             next && alike && quarters(branch) == quarters(first) && branch.base.is_none()
         };
         let plain = motion.rows.is_empty() && motion.loads.actions.is_empty() && !lumped.inertia.is_zero();
-        let uniform = lumped.at == middle && bar.reach[1].is_zero();
-        if branches.len() < FROM || !plain || !uniform || !branches.iter().enumerate().all(ordered) {
+        let centred = lumped.at == middle && bar.reach[1].is_zero();
+        if branches.len() < FROM || !plain || !centred || !branches.iter().enumerate().all(ordered) {
             return None;
         }
         let length = &bar.reach[0];
