@@ -170,7 +170,7 @@ fn derivative(analysis: &Analysis, constants: &Constants, phase: &PhaseFunctions
         }
     };
     quote! {
-        #[inline]
+        #[inline(always)]
         fn derivative<S: Real>(k: &Constants<S>, _: &ContactSet, state: &[S; #reduced]) -> [S; #reduced] {
             #body
         }

@@ -1,23 +1,22 @@
 //! The equations of one phase for many states at once.
 
+use core::marker::PhantomData;
+
 use crate::model::{Array, BarSystem, ClosedForm, ContactSet, Form, Phase, PhaseVisitor};
-use crate::scalar::Lanes;
+use crate::scalar::dispatch::{ForVector, widest};
+use crate::scalar::{Inside, Lanes, Vector};
 
 /// States side by side: twice as many as a vector holds, as elimination is a chain of operations that wait for one another.
 pub type Side = Lanes<2>;
 
-/// The right-hand side of a phase in closed form, for [`Side::COUNT`] states side by side. The bits of each do not depend on the
-/// others; they are those of one state alone, but for chains from six bars on, which are computed in another order.
-pub struct Batch<M: BarSystem> {
-    constants: M::Constants<Side>,
-    evaluate: Evaluate<M>,
-}
+/// The right-hand side of a phase in closed form, for [`Side::COUNT`] states side by side, by the widest instructions that the
+/// processor has. The bits of each do not depend on the others; where the program is compiled for the same instructions they are
+/// those of one state alone, but for chains from six bars on, which are computed in another order.
+pub struct Batch<M: BarSystem>(Box<dyn Evaluate<M>>);
 
-type Evaluate<M> = fn(
-    &<M as BarSystem>::Constants<Side>,
-    &[<M as BarSystem>::State<Side>],
-    &mut [<M as BarSystem>::Accelerations<Side>],
-);
+trait Evaluate<M: BarSystem>: Send + Sync {
+    fn evaluate(&self, states: &[M::State<Side>], accelerations: &mut [M::Accelerations<Side>]);
+}
 
 /// A phase that is not solved in closed form, so that there is no batch of it.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -34,9 +33,8 @@ impl<M: BarSystem> Batch<M> {
     /// It has no closed form.
     pub fn new(model: &M, set: ContactSet) -> Result<Self, NoClosedForm> {
         let labels = || set.iter().map(|contact| M::LAYOUT.contacts[contact].label).collect();
-        let evaluate =
-            M::phase(set, Form::Closed, Select).ok_or_else(|| NoClosedForm { closed: labels() })?;
-        Ok(Self { constants: model.constants(), evaluate })
+        let found = widest(Find { model, set });
+        found.map(Self).ok_or_else(|| NoClosedForm { closed: labels() })
     }
 
     /// Accelerations of the coordinates that the phase keeps, in their order and first; zero after them. `states` are full,
@@ -47,7 +45,7 @@ impl<M: BarSystem> Batch<M> {
         states: &[M::State<Side>],
         accelerations: &mut [M::Accelerations<Side>],
     ) {
-        (self.evaluate)(&self.constants, states, accelerations);
+        self.0.evaluate(states, accelerations);
     }
 
     /// States side by side; the last is repeated where [`Side::COUNT`] does not divide their number.
@@ -60,29 +58,73 @@ impl<M: BarSystem> Batch<M> {
     }
 }
 
-struct Select;
+struct Find<'a, M> {
+    model: &'a M,
+    set: ContactSet,
+}
 
-impl<M: BarSystem> PhaseVisitor<M, f64> for Select {
-    type Output = Option<Evaluate<M>>;
+impl<M: BarSystem> ForVector for Find<'_, M> {
+    type Output = Option<Box<dyn Evaluate<M>>>;
+
+    fn with<X: Vector>(self) -> Self::Output {
+        M::phase(self.set, Form::Closed, Select::<M, X>(self.model, PhantomData))
+    }
+}
+
+struct Select<'a, M, X>(&'a M, PhantomData<X>);
+
+impl<M: BarSystem, X: Vector> PhaseVisitor<M, f64> for Select<'_, M, X> {
+    type Output = Option<Box<dyn Evaluate<M>>>;
 
     fn visit<const N: usize>(self, _: Phase<M, f64, N>) -> Self::Output {
         None
     }
 
     fn visit_closed<const N: usize, Q: ClosedForm<M, N>>(self, _: Phase<M, f64, N>) -> Self::Output {
-        Some(evaluate::<M, Q, N>)
+        Some(Box::new(Closed::<M, Q, X, N> { constants: self.0.constants(), form: PhantomData }))
     }
 }
 
-fn evaluate<M: BarSystem, Q: ClosedForm<M, N>, const N: usize>(
-    constants: &M::Constants<Side>,
-    states: &[M::State<Side>],
-    accelerations: &mut [M::Accelerations<Side>],
-) {
-    for (state, accelerations) in states.iter().zip(accelerations) {
-        let derivative = Q::derivative(constants, &Q::restrict(state));
-        let (kept, rest) = accelerations.as_mut().split_at_mut(Q::RATES);
-        kept.copy_from_slice(&derivative[Q::COORDINATES..][..Q::RATES]);
-        rest.fill(Side::splat(0.0));
+/// Constants in the vectors that have been found.
+struct Closed<M: BarSystem, Q, X: Vector, const N: usize> {
+    constants: M::Constants<Lanes<2, X>>,
+    form: PhantomData<fn() -> Q>,
+}
+
+impl<M: BarSystem, Q: ClosedForm<M, N>, X: Vector, const N: usize> Evaluate<M> for Closed<M, Q, X, N> {
+    fn evaluate(&self, states: &[M::State<Side>], accelerations: &mut [M::Accelerations<Side>]) {
+        X::inside(All { closed: self, states, accelerations });
     }
+}
+
+/// All states.
+struct All<'a, M: BarSystem, Q, X: Vector, const N: usize> {
+    closed: &'a Closed<M, Q, X, N>,
+    states: &'a [M::State<Side>],
+    accelerations: &'a mut [M::Accelerations<Side>],
+}
+
+impl<M: BarSystem, Q: ClosedForm<M, N>, X: Vector, const N: usize> Inside for All<'_, M, Q, X, N> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Self { closed, states, accelerations } = self;
+        for (state, accelerations) in states.iter().zip(accelerations) {
+            one::<M, Q, X, N>(&closed.constants, state, accelerations);
+        }
+    }
+}
+
+#[inline(always)]
+fn one<M: BarSystem, Q: ClosedForm<M, N>, X: Vector, const N: usize>(
+    constants: &M::Constants<Lanes<2, X>>,
+    state: &M::State<Side>,
+    accelerations: &mut M::Accelerations<Side>,
+) {
+    let Some(state) = M::State::of_slice(X::view(state.as_ref())) else { return };
+    let derivative = Q::derivative(constants, &Q::restrict(state));
+    let (kept, rest) = accelerations.as_mut().split_at_mut(Q::RATES);
+    X::view_mut(kept).copy_from_slice(&derivative[Q::COORDINATES..][..Q::RATES]);
+    rest.fill(Side::splat(0.0));
 }

@@ -12,7 +12,7 @@
 //! (R. Featherstone, *Rigid Body Dynamics Algorithms*, 2008, ch. 7). These are fewer operations than those of `elimination`, in
 //! one chain twice as long: for many states at once, which hide the waiting; and for small J, of which nothing is divided by.
 
-use core::array::from_fn;
+use arrayvec::ArrayVec;
 
 use super::Chain;
 use super::plane::{Symmetric, Vector};
@@ -40,14 +40,18 @@ impl<S: Real> Chain<S> {
         let zero = S::ratio(0, 1);
         let mass = Symmetric { xx: zero, xy: zero, yy: zero };
         let mut hanging = Hanging { mass, bias: Vector::zero() };
-        // The last bar first; arrays are filled as they are made, for clearing them would take a tenth of the time.
-        let answers: [Answer<S>; N] = from_fn(|i| {
-            let (sin, cos) = angles[N - 1 - i].sin_cos();
+        let mut answers = ArrayVec::<Answer<S>, N>::new();
+        for (angle, rate) in angles.iter().zip(rates).rev() {
+            let (sin, cos) = angle.sin_cos();
             let along = Vector { x: self.length * cos, y: self.length * sin };
-            hanging.pass(along, rates[N - 1 - i], inertia)
-        });
+            answers.push(hanging.pass(along, *rate, inertia));
+        }
         let mut a = Vector { x: -self.gravity.x, y: -self.gravity.y };
-        from_fn(|k| answers[N - 1 - k].pass(&mut a))
+        let mut accelerations = *rates;
+        for (acceleration, answer) in accelerations.iter_mut().zip(answers.iter().rev()) {
+            *acceleration = answer.pass(&mut a);
+        }
+        accelerations
     }
 }
 

@@ -41,7 +41,7 @@ pub struct Chain<S> {
 
 impl<S: Real> Chain<S> {
     /// `mass`, `length` and `inertia` of one bar, the last about its centre and positive; `gravity` along the two axes.
-    #[inline]
+    #[inline(always)]
     pub fn new(mass: S, length: S, inertia: S, gravity: [S; 2]) -> Self {
         let lever = mass * length * S::ratio(1, 2) / inertia;
         let slenderness = lever * length * S::ratio(1, 2);
@@ -49,7 +49,7 @@ impl<S: Real> Chain<S> {
     }
 
     /// The same from κ = m l²/4J, `slenderness`, and m l/2J, `lever`, computed before.
-    #[inline]
+    #[inline(always)]
     pub fn prepared(mass: S, length: S, inertia: S, gravity: [S; 2], slenderness: S, lever: S) -> Self {
         Self { mass, length, inertia, gravity: Vector::from(gravity), slenderness, lever }
     }

@@ -4,6 +4,8 @@
 pub trait Array<S>: Copy + AsRef<[S]> + AsMut<[S]> {
     /// The vector whose `i`-th entry is `entry(i)`.
     fn from_fn(entry: impl FnMut(usize) -> S) -> Self;
+    /// A slice of as many entries.
+    fn of_slice(entries: &[S]) -> Option<&Self>;
     /// As many entries of another type.
     type Of<T: Copy>: Array<T>;
 }
@@ -20,6 +22,10 @@ impl<S: Copy, const N: usize> Array<S> for [S; N] {
             all[i] = entry(i);
         }
         all
+    }
+    #[inline(always)]
+    fn of_slice(entries: &[S]) -> Option<&Self> {
+        entries.try_into().ok()
     }
     type Of<T: Copy> = [T; N];
 }

@@ -10,19 +10,21 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use wide::f64x8;
 
 use super::Real;
-use super::sin_cos::sin_cos_all;
+use super::dispatch::Vector;
 
 /// How many.
 pub const LANES: usize = 8;
 
-/// [`LANES`] doubles, or `V` times as many; every operation acts on each by itself, with the bits that it has on an `f64`.
+/// [`LANES`] doubles, or `V` times as many; every operation acts on each by itself, with the bits that it has on an `f64` of a
+/// target with the same instructions.
 ///
-/// [`LANES`] are one vector where the target has AVX-512, else two or four. Twice as many hide the latency of operations that
-/// wait for one another.
+/// [`LANES`] are one vector where there is AVX-512, else two or four. Twice as many hide the latency of operations that
+/// wait for one another. `X` are the vectors of the target, unless better ones have been found at run time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Lanes<const V: usize = 1>([f64x8; V]);
+#[repr(transparent)]
+pub struct Lanes<const V: usize = 1, X = f64x8>([X; V]);
 
-impl<const V: usize> Lanes<V> {
+impl<const V: usize, X: Vector> Lanes<V, X> {
     /// How many.
     pub const COUNT: usize = LANES * V;
 
@@ -30,14 +32,14 @@ impl<const V: usize> Lanes<V> {
     #[inline(always)]
     pub fn from_fn(value: impl Fn(usize) -> f64) -> Self {
         // One by one: an array that is copied whole is read before it has left the processor's store buffer.
-        let vector = |v: usize| f64x8::new(core::array::from_fn(|i| value(LANES * v + i)));
+        let vector = |v: usize| X::new(core::array::from_fn(|i| value(LANES * v + i)));
         Self(core::array::from_fn(vector))
     }
 
     /// One value in all lanes.
     #[inline(always)]
     pub fn splat(value: f64) -> Self {
-        Self([f64x8::splat(value); V])
+        Self([X::splat(value); V])
     }
 
     /// The value in one lane.
@@ -55,33 +57,39 @@ impl<const V: usize> Lanes<V> {
     /// Magnitudes.
     #[inline(always)]
     pub fn abs(self) -> Self {
-        self.map(f64x8::abs)
+        self.map(X::abs)
     }
 
     /// The larger of two; of a number and what is none, either.
     #[inline(always)]
     pub fn max(self, other: Self) -> Self {
-        self.zip(other, f64x8::fast_max)
+        self.zip(other, X::max)
     }
 
     /// The smaller of two; of a number and what is none, either.
     #[inline(always)]
     pub fn min(self, other: Self) -> Self {
-        self.zip(other, f64x8::fast_min)
+        self.zip(other, X::min)
     }
 
     #[inline(always)]
-    fn map(self, operation: impl Fn(f64x8) -> f64x8) -> Self {
-        Self(core::array::from_fn(|v| operation(self.0[v])))
+    fn map(mut self, operation: impl Fn(X) -> X) -> Self {
+        for v in 0..V {
+            self.0[v] = operation(self.0[v]);
+        }
+        self
     }
 
     #[inline(always)]
-    fn zip(self, other: Self, operation: impl Fn(f64x8, f64x8) -> f64x8) -> Self {
-        Self(core::array::from_fn(|v| operation(self.0[v], other.0[v])))
+    fn zip(mut self, other: Self, operation: impl Fn(X, X) -> X) -> Self {
+        for v in 0..V {
+            self.0[v] = operation(self.0[v], other.0[v]);
+        }
+        self
     }
 }
 
-impl Lanes {
+impl<X: Vector> Lanes<1, X> {
     /// These values.
     #[inline(always)]
     pub fn new(values: [f64; LANES]) -> Self {
@@ -91,11 +99,11 @@ impl Lanes {
     /// The values.
     #[inline(always)]
     pub fn to_array(self) -> [f64; LANES] {
-        self.0[0].to_array()
+        *self.0[0].as_array()
     }
 }
 
-impl<const V: usize> Add for Lanes<V> {
+impl<const V: usize, X: Vector> Add for Lanes<V, X> {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
@@ -103,7 +111,7 @@ impl<const V: usize> Add for Lanes<V> {
     }
 }
 
-impl<const V: usize> Sub for Lanes<V> {
+impl<const V: usize, X: Vector> Sub for Lanes<V, X> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
@@ -111,7 +119,7 @@ impl<const V: usize> Sub for Lanes<V> {
     }
 }
 
-impl<const V: usize> Mul for Lanes<V> {
+impl<const V: usize, X: Vector> Mul for Lanes<V, X> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
@@ -119,7 +127,7 @@ impl<const V: usize> Mul for Lanes<V> {
     }
 }
 
-impl<const V: usize> Div for Lanes<V> {
+impl<const V: usize, X: Vector> Div for Lanes<V, X> {
     type Output = Self;
     #[inline(always)]
     fn div(self, other: Self) -> Self {
@@ -127,7 +135,7 @@ impl<const V: usize> Div for Lanes<V> {
     }
 }
 
-impl<const V: usize> Neg for Lanes<V> {
+impl<const V: usize, X: Vector> Neg for Lanes<V, X> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -135,7 +143,7 @@ impl<const V: usize> Neg for Lanes<V> {
     }
 }
 
-impl<const V: usize> Real for Lanes<V> {
+impl<const V: usize, X: Vector> Real for Lanes<V, X> {
     const MANY: bool = true;
 
     #[inline(always)]
@@ -150,7 +158,7 @@ impl<const V: usize> Real for Lanes<V> {
 
     #[inline(always)]
     fn sqrt(self) -> Self {
-        self.map(f64x8::sqrt)
+        self.map(X::sqrt)
     }
 
     #[inline(always)]
@@ -167,16 +175,15 @@ impl<const V: usize> Real for Lanes<V> {
     #[inline(always)]
     fn sin_cos_each<const K: usize>(angles: [Self; K]) -> ([Self; K], [Self; K]) {
         let vectors = angles.map(|angle| angle.0);
-        let (sin, cos) = sin_cos_all::<{ cfg!(target_feature = "fma") }, f64x8, V, K>(vectors);
+        let (sin, cos) = X::sin_cos_all(vectors);
         (sin.map(Self), cos.map(Self))
     }
 
     #[inline(always)]
-    fn mul_add(self, a: Self, b: Self) -> Self {
-        if cfg!(target_feature = "fma") {
-            Self(core::array::from_fn(|v| self.0[v].mul_add(a.0[v], b.0[v])))
-        } else {
-            self * a + b
+    fn mul_add(mut self, a: Self, b: Self) -> Self {
+        for v in 0..V {
+            self.0[v] = self.0[v].multiply_add(a.0[v], b.0[v]);
         }
+        self
     }
 }

@@ -14,6 +14,8 @@ mod sin_cos;
 #[cfg(test)]
 mod tests;
 
+#[cfg(feature = "std")]
+pub(crate) use dispatch::{Inside, Vector};
 pub use double_double::DoubleDouble;
 pub use dual::{Dual, Dual4};
 #[cfg(not(feature = "std"))]

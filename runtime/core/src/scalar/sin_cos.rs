@@ -18,7 +18,7 @@ mod doubles;
 
 use core::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
-use doubles::Doubles;
+pub(super) use doubles::Doubles;
 #[cfg(feature = "std")]
 use wide::{f64x2, f64x4};
 
@@ -68,6 +68,30 @@ pub(super) fn sin_cos_all<const FUSED: bool, X: Doubles, const V: usize, const K
 ) -> ([[X; V]; K], [[X; V]; K]) {
     let within = angles.as_flattened().iter().fold(true, |within, x| within & x.within(BOUND));
     if within { each(angles, |x| each(x, reduced::<FUSED, X>)) } else { all_beyond::<FUSED, X, V, K>(angles) }
+}
+
+/// The same without closures, which are functions of their own: all of it is compiled for the instructions of what it stands in.
+#[cfg(all(feature = "std", target_arch = "x86_64", any(test, not(target_feature = "avx512f"))))]
+#[inline(always)]
+pub(super) fn sin_cos_inlined<const FUSED: bool, X: Doubles, const V: usize, const K: usize>(
+    angles: [[X; V]; K],
+) -> ([[X; V]; K], [[X; V]; K]) {
+    let mut within = true;
+    for k in 0..K {
+        for v in 0..V {
+            within &= angles[k][v].within(BOUND);
+        }
+    }
+    if !within {
+        return all_beyond::<FUSED, X, V, K>(angles);
+    }
+    let (mut sin, mut cos) = (angles, angles);
+    for k in 0..K {
+        for v in 0..V {
+            (sin[k][v], cos[k][v]) = reduced::<FUSED, X>(angles[k][v]);
+        }
+    }
+    (sin, cos)
 }
 
 /// Some are beyond the bound.

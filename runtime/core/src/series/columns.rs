@@ -67,7 +67,7 @@ impl<S: Real, const C: usize> Storage<S> for Columns<S, C> {
 }
 
 impl<S: Real, const C: usize> Columns<S, C> {
-    #[inline(never)]
+    #[inline(always)]
     fn convolve(&mut self, n: usize) {
         if n == 1 {
             self.sums = [S::ratio(0, 1); C];

@@ -1,9 +1,12 @@
 //! Motions of a compiled model side by side, its type erased: one call for a step of all lanes.
 
+use core::marker::PhantomData;
+
 use super::lifted::array;
 use crate::integrate::{Counts, Ended, LaneStepper, StepError, StepState, Tolerance, ToleranceError};
 use crate::model::{BarSystem, ContactSet, Form, Layout, Phase, PhaseSeries, PhaseVisitor};
 use crate::scalar::Lanes;
+use crate::scalar::dispatch::{ForVector, Vector, widest};
 
 /// Motions of one smooth phase at one relative tolerance by Taylor's method, at most
 /// [`LANES`](crate::scalar::LANES) at once. The bits of one depend neither on its lane nor on the others.
@@ -65,15 +68,26 @@ pub fn lanes<M: BarSystem>(parameters: &[f64], relative: f64) -> Option<Box<dyn 
     if watched {
         return None;
     }
-    M::phase(ContactSet::EMPTY, Form::Closed, Begin { parameters, relative })
+    widest(Begin::<M> { parameters, relative, model: PhantomData })
 }
 
-struct Begin<'a> {
+struct Begin<'a, M> {
     parameters: &'a [f64],
     relative: f64,
+    model: PhantomData<M>,
 }
 
-impl<M: BarSystem> PhaseVisitor<M, f64> for Begin<'_> {
+impl<M: BarSystem> ForVector for Begin<'_, M> {
+    type Output = Option<Box<dyn LaneGroup>>;
+
+    fn with<X: Vector>(self) -> Self::Output {
+        M::phase(ContactSet::EMPTY, Form::Closed, BeginWith::<M, X>(self, PhantomData))
+    }
+}
+
+struct BeginWith<'a, M, X>(Begin<'a, M>, PhantomData<X>);
+
+impl<M: BarSystem, X: Vector> PhaseVisitor<M, f64> for BeginWith<'_, M, X> {
     type Output = Option<Box<dyn LaneGroup>>;
 
     fn visit<const N: usize>(self, _: Phase<M, f64, N>) -> Self::Output {
@@ -81,18 +95,19 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Begin<'_> {
     }
 
     fn visit_series<const N: usize, Q: PhaseSeries<M, N>>(self, _: Phase<M, f64, N>) -> Self::Output {
-        let constants = M::from_parameters(self.parameters).constants::<Lanes>();
-        let stepper = LaneStepper::<M, Q, N>::new(constants, self.relative);
-        Some(Box::new(Group { relative: self.relative, stepper }))
+        let Begin { parameters, relative, .. } = self.0;
+        let constants = M::from_parameters(parameters).constants::<Lanes<1, X>>();
+        let stepper = LaneStepper::<M, Q, X, N>::new(constants, relative);
+        Some(Box::new(Group { relative, stepper }))
     }
 }
 
-struct Group<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> {
+struct Group<M: BarSystem, Q: PhaseSeries<M, N>, X: Vector, const N: usize> {
     relative: f64,
-    stepper: LaneStepper<M, Q, N>,
+    stepper: LaneStepper<M, Q, X, N>,
 }
 
-impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> LaneGroup for Group<M, Q, N> {
+impl<M: BarSystem, Q: PhaseSeries<M, N>, X: Vector, const N: usize> LaneGroup for Group<M, Q, X, N> {
     fn layout(&self) -> &'static Layout {
         M::LAYOUT
     }

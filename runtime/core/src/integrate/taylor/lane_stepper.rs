@@ -4,29 +4,15 @@
 //! share, and every operation acts on each lane alone. The steps are those of [`Taylor`](super::Taylor), with an order that
 //! suits convolutions whose cost grows with its square.
 
-use super::step_size::{LAST, SPARSENESS, SYMMETRY};
+use super::lane_series::{Each, LaneSeries};
 use super::{LARGEST, is_finite};
 use crate::integrate::{StepError, StepState};
 use crate::model::{BarSystem, PhaseSeries};
-#[cfg(not(feature = "std"))]
-use crate::scalar::Elementary as _;
-use crate::scalar::{LANES, Lanes, Real};
-use crate::series::{ORDERS, TaylorTape};
+use crate::scalar::{Inside, LANES, Vector};
 
 /// An integration of as many motions of one phase as there are lanes.
-pub struct LaneStepper<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> {
-    constants: M::Constants<Lanes>,
-    tape: Box<Q::Columns<Lanes>>,
-    /// y(t₀ + uθ) = Σ cₖ θᵏ.
-    series: Box<[[Lanes; N]; ORDERS]>,
-    order: usize,
-    relative: f64,
-    /// log₂ of the relative tolerance, and of the part of it that the last term may have.
-    logarithms: [f64; 2],
-    absolute: [Lanes; N],
-    state: [Lanes; N],
-    /// u, the length of the last step.
-    unit: Lanes,
+pub struct LaneStepper<M: BarSystem, Q: PhaseSeries<M, N>, X: Vector, const N: usize> {
+    series: LaneSeries<M, Q, X, N>,
     motions: [Option<LaneMotion<N>>; LANES],
 }
 
@@ -47,22 +33,10 @@ pub struct Ended<const N: usize> {
     pub error: Option<StepError>,
 }
 
-impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> LaneStepper<M, Q, N> {
+impl<M: BarSystem, Q: PhaseSeries<M, N>, X: Vector, const N: usize> LaneStepper<M, Q, X, N> {
     /// An empty one for a relative tolerance > 0, with any constants.
-    pub fn new(constants: M::Constants<Lanes>, relative: f64) -> Self {
-        let zero = Lanes::splat(0.0);
-        Self {
-            constants,
-            tape: Box::default(),
-            series: Box::new([[zero; N]; ORDERS]),
-            order: order(relative),
-            relative,
-            logarithms: [relative.log2(), relative.log2() + LAST.log2()],
-            absolute: [Lanes::splat(1.0); N],
-            state: [zero; N],
-            unit: zero,
-            motions: [const { None }; LANES],
-        }
+    pub fn new(constants: M::Constants<Each<X>>, relative: f64) -> Self {
+        Self { series: LaneSeries::new(constants, relative), motions: [const { None }; LANES] }
     }
 
     /// A lane without a motion.
@@ -84,111 +58,63 @@ impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> LaneStepper<M, Q, N> {
         constants: &M::Constants<f64>,
         unit: f64,
     ) {
-        Q::fill(&mut self.constants, constants, |all, own| all.set(lane, own));
+        let series = &mut self.series;
+        Q::fill(&mut series.constants, constants, |all, own| all.set(lane, own));
         for i in 0..N {
-            self.state[i].set(lane, step_state.state[i]);
-            self.absolute[i].set(lane, step_state.tolerance.absolute()[i]);
+            series.state[i].set(lane, step_state.state[i]);
+            series.absolute[i].set(lane, step_state.tolerance.absolute()[i]);
         }
-        self.unit.set(lane, unit);
+        series.unit.set(lane, unit);
         self.motions[lane] = Some(LaneMotion { step_state, shortened: false });
     }
 
     /// One step of all; those that end with it.
     pub fn step(&mut self) -> [Option<Ended<N>>; LANES] {
-        self.expand();
-        let (step_size, finite) = (self.step_size().to_array(), self.are_finite());
-        let unit = self.unit.to_array();
+        X::inside(Step(self))
+    }
+}
+
+/// One step of all.
+struct Step<'a, M: BarSystem, Q: PhaseSeries<M, N>, X: Vector, const N: usize>(
+    &'a mut LaneStepper<M, Q, X, N>,
+);
+
+impl<M: BarSystem, Q: PhaseSeries<M, N>, X: Vector, const N: usize> Inside for Step<'_, M, Q, X, N> {
+    type Output = [Option<Ended<N>>; LANES];
+
+    #[inline(always)]
+    fn run(self) -> Self::Output {
+        let LaneStepper { series, motions } = self.0;
+        series.expand();
+        let (step_size, finite) = (series.step_size(), series.are_finite());
+        let unit = series.unit.to_array();
         let mut ended = [const { None }; LANES];
         let (mut ratio, mut next, mut t1) = ([0.0; LANES], unit, [0.0; LANES]);
         for lane in 0..LANES {
-            let Some(motion) = &mut self.motions[lane] else { continue };
+            let Some(motion) = &mut motions[lane] else { continue };
             match motion.plan(unit[lane], finite[lane].then_some(step_size[lane])) {
                 Ok(step) => (ratio[lane], next[lane], t1[lane]) = step,
                 Err(error) => ended[lane] = Some(Some(error)),
             }
         }
-        let mut value = self.value(Lanes::new(ratio));
+        let mut value = series.value(Each::new(ratio));
         for lane in 0..LANES {
-            let (Some(motion), None) = (&mut self.motions[lane], &ended[lane]) else { continue };
+            let (Some(motion), None) = (&mut motions[lane], &ended[lane]) else { continue };
             if ratio[lane] > 0.0 {
-                let y1 = value.map(|y| y.lane(lane));
-                ended[lane] = motion.accept(y1, (t1[lane], next[lane]), self.order);
+                let y1 = core::array::from_fn(|i| value[i].lane(lane));
+                ended[lane] = motion.accept(y1, (t1[lane], next[lane]), series.order);
             }
         }
         for lane in (0..LANES).filter(|&lane| ratio[lane] == 0.0) {
             for i in 0..N {
-                value[i].set(lane, self.state[i].lane(lane));
+                value[i].set(lane, series.state[i].lane(lane));
             }
         }
-        (self.state, self.unit) = (value, Lanes::new(next));
-        let motions = &mut self.motions;
+        (series.state, series.unit) = (value, Each::new(next));
         core::array::from_fn(|lane| {
             let error = ended[lane].take()?;
             motions[lane].take().map(|motion| Ended { lane, step_state: motion.step_state, error })
         })
-    }
-
-    fn expand(&mut self) {
-        let Self { constants, tape, series, unit, .. } = self;
-        series[0] = self.state;
-        let rates = Q::order(constants, &mut tape.values(), &self.state).rates;
-        let mut state = rates.map(|rate| *unit * rate);
-        series[1] = state;
-        for n in 1..self.order {
-            let part = *unit * Lanes::splat(1.0 / (n + 1) as f64);
-            let rates = Q::order(constants, &mut tape.coefficients(n), &state).rates;
-            state = rates.map(|rate| part * rate);
-            series[n + 1] = state;
-        }
-    }
-
-    /// θ up to which each series meets the tolerance, as for one motion; of those that go less than half as far as the last,
-    /// once more with the state's size there.
-    fn step_size(&self) -> Lanes {
-        let theta = self.step_size_within(Lanes::splat(1.0));
-        if theta.to_array().iter().all(|theta| *theta >= 0.5) {
-            return theta;
-        }
-        let (far, near) = (theta.to_array(), self.step_size_within(theta).to_array());
-        Lanes::new(core::array::from_fn(|lane| if far[lane] < 0.5 { near[lane] } else { far[lane] }))
-    }
-
-    fn step_size_within(&self, theta: Lanes) -> Lanes {
-        let (p, relative) = (self.order, Lanes::splat(self.relative));
-        let [tolerance, last] = self.logarithms.map(Lanes::splat);
-        let inverse: [Lanes; N] = core::array::from_fn(|i| {
-            let end = theta.mul_add(self.series[1][i].abs(), self.series[0][i].abs());
-            Lanes::splat(1.0) / relative.mul_add(end, self.absolute[i])
-        });
-        let radius = |k: usize| {
-            let sizes = (0..N).map(|i| self.series[k][i].abs() * inverse[i]);
-            let size = sizes.fold(Lanes::splat(f64::MIN_POSITIVE), Lanes::max);
-            (size.rough_log2() + tolerance) * Lanes::splat(-1.0 / k as f64)
-        };
-        let pair = |k: usize, slack: f64| radius(p - k).min(radius(p - k - 1)) + Lanes::splat(slack);
-        let part = last * Lanes::splat(1.0 / p as f64);
-        let reach = pair(0, 0.0).min(pair(2, SYMMETRY));
-        let reach = if p > 4 { reach.min(pair(4, SPARSENESS)) } else { reach };
-        (reach + part).rough_exp2()
-    }
-
-    /// Whether the last two coefficients are finite.
-    fn are_finite(&self) -> [bool; LANES] {
-        let sizes = self.series[self.order - 1..=self.order].iter().flatten().map(|c| c.abs());
-        sizes.fold(Lanes::splat(0.0), |sum, size| sum + size).to_array().map(f64::is_finite)
-    }
-
-    /// Σ cₖ θᵏ, even and odd terms side by side; the order is even.
-    fn value(&self, theta: Lanes) -> [Lanes; N] {
-        let square = theta * theta;
-        let (mut even, mut odd) = (self.series[self.order], [Lanes::splat(0.0); N]);
-        for pair in self.series[..self.order].rchunks_exact(2) {
-            for i in 0..N {
-                odd[i] = odd[i].mul_add(square, pair[1][i]);
-                even[i] = even[i].mul_add(square, pair[0][i]);
-            }
-        }
-        core::array::from_fn(|i| odd[i].mul_add(theta, even[i]))
     }
 }
 
@@ -221,11 +147,4 @@ impl<const N: usize> LaneMotion<N> {
         self.step_state.accept(t1, y1, next);
         self.step_state.is_at_end().then_some(None)
     }
-}
-
-/// p = 4 − 0.55 ln ε, even as two orders are summed at once. Of four hundred double pendula at ε = 1e-9, 13.8, 15.9, 16.8 and
-/// 16.8 thousand were done in a second at p = 12, 14, 16 and 18.
-fn order(relative: f64) -> usize {
-    let half = 0.5 * (4.0 - 0.55 * relative.ln());
-    (2 * half.round() as usize).clamp(4, ORDERS - 2)
 }

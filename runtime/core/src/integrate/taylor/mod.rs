@@ -10,6 +10,9 @@
 mod defect;
 mod expansion;
 #[cfg(feature = "std")]
+#[cfg(feature = "std")]
+mod lane_series;
+#[cfg(feature = "std")]
 mod lane_stepper;
 mod phase;
 mod step_size;

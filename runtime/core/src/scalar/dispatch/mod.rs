@@ -1,0 +1,72 @@
+//! Code compiled several times where the target is any processor of its kind: for all of them, for those with AVX2 and FMA, and,
+//! where whole steps are made of vectors, for those with AVX-512; which it is, is found out at run time.
+//!
+//! Loops over arrays ([`vectorised`]) the compiler itself turns into vectors. A chain of eight bars takes 0.91, 0.76, 0.74 of the
+//! time by it, a double pendulum 0.96, 0.91, 0.82, at tolerances of 1e-6, 1e-9, 1e-12, in a binary for any x86-64. Numbers that
+//! are vectors ([`widest`]) have their instructions in `found`. Where the target has the instructions there is one function, and
+//! nothing to find out.
+//!
+//! The only `unsafe` code of this crate is in this folder: the call of a function that needs AVX2 and FMA, behind the standard
+//! library's test for both, and what `found` has, behind the same. Compiled for more instructions, a function does what its source
+//! says like any other.
+
+#[cfg(all(feature = "std", target_arch = "x86_64", any(test, not(target_feature = "avx512f"))))]
+mod found;
+#[cfg(all(test, feature = "std", target_arch = "x86_64"))]
+mod tests;
+#[cfg(feature = "std")]
+mod vector;
+
+#[cfg(feature = "std")]
+pub use vector::{Inside, Vector};
+
+/// A loop that is worth it.
+pub(crate) trait Vectorised {
+    /// Does it, multiplying and adding in one instruction if `FUSED`. To be marked `#[inline(always)]`: only what is inlined is
+    /// compiled for the instructions that were found.
+    fn run<const FUSED: bool>(self);
+}
+
+/// Whether the target multiplies and adds in one instruction. Without the standard library that is not to be had.
+pub(crate) const FUSED: bool = cfg!(all(target_feature = "fma", feature = "std"));
+
+/// Runs it with the widest instructions that there are.
+#[inline(always)]
+pub(crate) fn vectorised(work: impl Vectorised) {
+    #[cfg(all(feature = "std", target_arch = "x86_64", not(target_feature = "fma")))]
+    if std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma") {
+        // SAFETY: the processor has both, as was just found.
+        #[allow(unsafe_code, reason = "the module's proof")]
+        return unsafe { with_avx2(work) };
+    }
+    work.run::<FUSED>();
+}
+
+#[cfg(all(feature = "std", target_arch = "x86_64", not(target_feature = "fma")))]
+#[target_feature(enable = "avx2,fma")]
+fn with_avx2(work: impl Vectorised) {
+    work.run::<true>();
+}
+
+/// What asks for vectors.
+#[cfg(feature = "std")]
+pub(crate) trait ForVector {
+    /// What it makes of them.
+    type Output;
+    /// Makes it. What it computes with them is fast in [`Vector::inside`] only.
+    fn with<X: Vector>(self) -> Self::Output;
+}
+
+/// Hands out the widest vectors that the processor has.
+#[cfg(feature = "std")]
+pub(crate) fn widest<F: ForVector>(wanted: F) -> F::Output {
+    #[cfg(all(target_arch = "x86_64", not(target_feature = "avx512f")))]
+    if std::arch::is_x86_feature_detected!("avx512f") {
+        return wanted.with::<found::Avx512>();
+    }
+    #[cfg(all(target_arch = "x86_64", not(target_feature = "fma")))]
+    if std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma") {
+        return wanted.with::<found::Avx2>();
+    }
+    wanted.with::<wide::f64x8>()
+}
