@@ -10,7 +10,6 @@
 mod defect;
 mod expansion;
 #[cfg(feature = "std")]
-#[cfg(feature = "std")]
 mod lane_series;
 #[cfg(feature = "std")]
 mod lane_stepper;
