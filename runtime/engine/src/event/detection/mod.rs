@@ -229,6 +229,13 @@ impl<'a> EventDetector<'a> {
         }
     }
 
+    /// The height of the lowest flight that the phase begins with; zero if a guard is zero there of which nothing is known.
+    pub(crate) fn lowest_flight(&self) -> f64 {
+        let zero = self.list.iter().filter(|watch| watch.at_root);
+        let heights = zero.map(|watch| if watch.height.is_finite() { watch.height } else { 0.0 });
+        heights.reduce(f64::min).unwrap_or(0.0)
+    }
+
     /// Everything in (0, 1] up to the first event. On the last step a guard that has fallen to zero within rounding at its end
     /// counts as well: no later step would find it.
     pub(crate) fn examine(&mut self, step: &StepView<'_>, is_last: bool) -> Result<StepEvents, GuardError> {

@@ -31,8 +31,10 @@ use smallvec::smallvec;
 const FINENESS: f64 = 1e-4;
 
 /// The longest step while guards are watched, in natural times: over a longer one a short flight at its start would be lost in
-/// the rounding of the values at its end. A phase that has lasted longer may make steps as long as it has lasted.
+/// the rounding of the values at its end. A phase that has lasted longer may make steps as long as it has lasted; one that begins
+/// with a flight, as long as that will be by its height and the natural acceleration, and a little more, so that it lands.
 const LONGEST: f64 = 1.0;
+const LANDED: f64 = 1.0625;
 
 /// How a phase ended.
 pub(crate) enum Termination {
@@ -179,11 +181,16 @@ impl PhaseRun<'_> {
         (t, start, absolute): (f64, &'p [f64], &'p [f64]),
     ) -> Option<StartedStepper<'p>> {
         let Scales { time, damped, .. } = self.context.scales;
-        let longest = (!self.detector.is_empty()).then_some(LONGEST * time);
+        let longest = (!self.detector.is_empty()).then(|| time * LONGEST.max(LANDED * self.flight()));
         let (end, relative) = (self.horizon, self.tolerance);
         let problem = InitialValueProblem { phase, t, start, end, relative, absolute, longest };
         let problem = Problem { problem, time, damped };
         method.begin(&problem).map(|begun| cut(begun, &problem))
+    }
+
+    /// The time of the shortest flight that begins with the phase, in natural times: T² = 8 H/g.
+    fn flight(&self) -> f64 {
+        (8.0 * self.detector.lowest_flight() / self.context.scales.length).sqrt()
     }
 
     /// Logs the changes of the method up to the end of the phase.
