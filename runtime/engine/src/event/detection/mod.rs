@@ -267,7 +267,10 @@ impl<'a> EventDetector<'a> {
         }
         findings.touches.sort_by(|a, b| a.0.total_cmp(&b.0));
         self.pass(step, findings.first.as_ref().map_or(1.0, |(theta, _)| theta.min(1.0)));
-        self.leave_roots(step);
+        // No step follows an event.
+        if findings.first.is_none() {
+            self.leave_roots(step);
+        }
         Ok(findings)
     }
 
