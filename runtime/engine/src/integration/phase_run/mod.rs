@@ -215,7 +215,7 @@ impl PhaseRun<'_> {
         if !self.bridged {
             self.project(&*phase, &mut state);
         }
-        let reactions = PhasePoint::new(Arc::clone(&phase), self.closed, t, reduced).reactions().to_vec();
+        let reactions = self.reactions(t, reduced);
         let end = match (end, &mut loops) {
             (end @ (Termination::Failed(_) | Termination::Singular(_)), Some(loops)) => {
                 loops.diagnose(self.context, &state).map_or(end, Termination::Loop)
@@ -239,6 +239,15 @@ impl PhaseRun<'_> {
             work: self.work,
             memory,
         }
+    }
+
+    /// Those at the end; none where nothing is closed.
+    fn reactions(&self, t: f64, reduced: Numbers) -> Vec<f64> {
+        let layout = self.context.layout();
+        if self.closed.is_empty() && !layout.has_hinges() {
+            return vec![0.0; layout.reactions()];
+        }
+        PhasePoint::new(Arc::clone(&self.phase), self.closed, t, reduced).reactions().to_vec()
     }
 
     /// Brings the state of a projected phase back on its constraints.

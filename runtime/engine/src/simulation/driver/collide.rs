@@ -225,7 +225,7 @@ impl Driver<'_> {
         let rounding = self.rounding_of_the_way();
         self.state[n..2 * n].copy_from_slice(rates.as_slice());
         self.restore(touching, rounding)?;
-        self.trajectory.last = self.public_state().to_vec();
+        self.keep_last();
         (self.touching, self.sensed) = (touching, ContactSet::EMPTY);
         self.decide(ContactSet::EMPTY)
     }

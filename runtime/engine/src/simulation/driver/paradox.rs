@@ -1,7 +1,6 @@
 //! Painlevé's paradox in a run: a slip that no reaction obeys the law of friction in, or whose reaction grows beyond all bounds, is
 //! ended by an impact without collision, unless a contact jams.
 
-
 use super::collide::allowed_gain;
 use super::friction::LocatedSlips;
 use super::{Driver, Next};
