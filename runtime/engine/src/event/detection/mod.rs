@@ -267,8 +267,8 @@ impl<'a> EventDetector<'a> {
         }
         findings.touches.sort_by(|a, b| a.0.total_cmp(&b.0));
         self.pass(step, findings.first.as_ref().map_or(1.0, |(theta, _)| theta.min(1.0)));
-        // No step follows an event.
-        if findings.first.is_none() {
+        // No step follows an event, but what seems one across a singular position may be none.
+        if findings.first.is_none() || step.is_bridge() {
             self.leave_roots(step);
         }
         Ok(findings)

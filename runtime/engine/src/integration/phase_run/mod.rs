@@ -95,7 +95,7 @@ pub(crate) struct PhaseRun<'a> {
     pub(crate) phase: Arc<dyn Phase>,
     /// The closed contacts: those of the phase, and those that depend on them.
     pub(crate) closed: ContactSet,
-    pub(crate) detector: EventDetector<'a>,
+    pub(crate) detector: &'a mut EventDetector<'a>,
     pub(crate) tolerance: f64,
     pub(crate) t: f64,
     pub(crate) horizon: f64,

@@ -232,11 +232,12 @@ impl Driver<'_> {
         let located: Vec<(usize, bool)> =
             located.map(|k| (k, matches!(self.role(k), Role::Switch { .. }))).collect();
         let conditions = (&self.conditions[..], &located[..]);
+        let mut detector = EventDetector::new(self.layout(), self.bearing, contacts, conditions, bounds);
         let run = PhaseRun {
             context,
             phase: self.phase.take().unwrap_or_else(|| context.phase(self.bearing, self.form)),
             closed: self.closed,
-            detector: EventDetector::new(self.layout(), self.bearing, contacts, conditions, bounds),
+            detector: &mut detector,
             tolerance: *tolerance,
             t: self.t,
             horizon: self.horizon(),
