@@ -350,14 +350,14 @@ impl<'a> EventDetector<'a> {
                 let at_root = watch.at_root && WITHIN.iter().all(within);
                 let flight = watch.flight.filter(|_| self.is_low(value)).zip(contact);
                 let flight = flight.map(|(flight, contact)| self.follow(flight, contact, step));
-                // A comparison that ends the step at zero is on the side that it came from.
                 let stays = matches!(watch.guard, Guard::Condition(k) if self.conditions[k].relation() != Relation::Equal)
-                    && self.is_zero(watch, step, 1.0);
+                    && (value.abs() <= watch.zero.get() || self.is_zero(watch, step, 1.0));
                 let came_from = || watch.sign.unwrap_or_else(|| self.value(step, watch, 0.0) > 0.0);
                 let side = if stays { came_from() } else { value > 0.0 };
                 let sign = is_followed.then_some(side);
                 let watch = &mut self.list[k];
                 (watch.sign, watch.at_root, watch.flight) = (sign, at_root, flight);
+                watch.stays = stays;
             }
         }
     }
