@@ -164,21 +164,13 @@ impl Collision {
         self.drift[row].is_finite() && self.jacobian.row(row).iter().all(|entry| entry.is_finite())
     }
 
-    /// Whether a row takes no part: that of an open contact, or of the tangent of one.
-    pub(super) fn is_open(&self, row: &Row) -> bool {
-        match *row {
-            Row::Open => true,
-            Row::Tangent { of } | Row::Friction { of, .. } => self.rows[of] == Row::Open,
-            Row::TwoSided | Row::Contact { .. } | Row::Guide => false,
-        }
-    }
-
     /// The same with zeros for open rows: that of a thread whose points meet has no number, or a rounding that would be taken for
     /// that of the others.
     pub(super) fn without_open_rows(&self) -> Option<Self> {
         let is_zero = |row: usize| self.drift[row] == 0.0 && self.jacobian.row(row).iter().all(|x| *x == 0.0);
-        let open: Vec<usize> =
-            (0..self.rows.len()).filter(|&row| self.is_open(&self.rows[row]) && !is_zero(row)).collect();
+        let open: Vec<usize> = (0..self.rows.len())
+            .filter(|&row| is_open(&self.rows, &self.rows[row]) && !is_zero(row))
+            .collect();
         (!open.is_empty()).then(|| {
             let mut acting = self.clone();
             for row in open {
@@ -187,6 +179,15 @@ impl Collision {
             }
             acting
         })
+    }
+}
+
+/// Whether one of the rows takes no part: that of an open contact, or of the tangent of one.
+pub(super) fn is_open(rows: &[Row], row: &Row) -> bool {
+    match *row {
+        Row::Open => true,
+        Row::Tangent { of } | Row::Friction { of, .. } => rows[of] == Row::Open,
+        Row::TwoSided | Row::Contact { .. } | Row::Guide => false,
     }
 }
 

@@ -13,7 +13,7 @@
 //! branches meet, as those of sin α = sin β at cos α = 0, positions within δ leave the Jacobian, and with it the rates, unknown
 //! by √δ; rates are compared to within √δ.
 
-use crate::integration::form_selection::least_pivot;
+use crate::integration::form_selection::{eliminates, least_pivot};
 use crate::integration::phase_point::{Numbers, RunContext};
 use crate::model::{ContactSet, Form};
 use crate::system::Phase;
@@ -64,6 +64,9 @@ pub(crate) fn at(
 fn image_of(phase: &dyn Phase, state: &[f64], tolerance: f64) -> Result<Numbers, Chart> {
     if phase.info().form == Form::Projected {
         return Err(Chart::Absent);
+    }
+    if !eliminates(phase) {
+        return Ok(state.into());
     }
     let (reduced, image) = image(phase, state);
     if phase.pivot(&reduced) < least_pivot(tolerance) { Err(Chart::SmallPivot) } else { Ok(image) }

@@ -80,7 +80,7 @@ fn memory(bytes: usize) -> String {
     unit.map_or_else(|| format!("{bytes} bytes"), |(size, name)| format!("{} {name}", bytes / size))
 }
 
-/// What is left of a budget.
+/// A budget, and what has been spent of it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Allowance {
     pub(crate) budget: Budget,
@@ -93,21 +93,21 @@ impl Allowance {
     /// All of it, from now on.
     pub(crate) fn of(budget: Budget) -> Self {
         let end = budget.time.and_then(|time| Instant::now().checked_add(time));
-        Self { budget, steps: budget.steps, memory: budget.memory, end }
+        Self { budget, steps: 0, memory: 0, end }
     }
 
-    /// Takes away what a phase needed.
+    /// Takes note of what a phase needed.
     pub(crate) fn spend(&mut self, steps: u64, memory: usize) {
-        self.steps = self.steps.saturating_sub(steps);
-        self.memory = self.memory.saturating_sub(memory);
+        self.steps = self.steps.saturating_add(steps);
+        self.memory = self.memory.saturating_add(memory);
     }
 
     /// The whole of what a phase with so many steps and so much memory takes too much of.
     pub(crate) fn exceeded_by(&self, steps: u64, memory: usize) -> Option<Exhausted> {
-        if steps > self.steps {
+        if self.steps.saturating_add(steps) > self.budget.steps {
             return Some(Exhausted::Steps(self.budget.steps));
         }
-        if memory > self.memory {
+        if self.memory.saturating_add(memory) > self.budget.memory {
             return Some(Exhausted::Memory(self.budget.memory));
         }
         let is_late = self.end.is_some_and(|end| Instant::now() >= end);

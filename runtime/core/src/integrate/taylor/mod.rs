@@ -31,8 +31,9 @@ use step_size::StepSize;
 /// Steps are shorter than the radius of convergence; its end is nearer than this many of them.
 const BEYOND: f64 = 100.0;
 
-/// A step, and the unit of its series, is at most this many times longer than the last.
-const LARGEST: f64 = 1e3;
+/// A step, and the unit of its series, is at most this many times longer than the last: a state of which an entry all but
+/// vanishes begins in a unit as much too short, and its power by the highest order is far from overflow.
+const LARGEST: f64 = 1e6;
 
 /// An integration by Taylor's method.
 pub struct Taylor<E, const N: usize> {
@@ -91,11 +92,9 @@ impl<E: Expansion<N>, const N: usize> Taylor<E, N> {
 
     /// A length of the first step: the time in which the state changes by its own size.
     fn first_unit(&mut self) -> Result<f64, StepError> {
-        for order in [1, 2] {
-            self.expansion.expand(&self.step_state.state, 1.0, order);
-            self.step_state.counts.evaluations += order as u64;
-            self.step_state.check(&self.expansion.series()[1])?;
-        }
+        self.expansion.expand(&self.step_state.state, 1.0, 2);
+        self.step_state.counts.evaluations += 2;
+        self.step_state.check(&self.expansion.series()[1])?;
         let [y, slope, bend, ..] = *self.expansion.series();
         let rate = step_size::rate(&[y, slope, bend], &self.step_state.tolerance);
         Ok(self.step_state.begin((rate > 0.0).then(|| 1.0 / rate)))

@@ -26,14 +26,14 @@ impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> Default for Columns<M, 
 /// What an expansion writes besides.
 struct Work<M: BarSystem, const N: usize> {
     series: [[f64; N]; ORDERS],
-    guards: [Guard<M>; ORDERS],
-    scaled: Scaled<M>,
+    guards: GuardSeries<M>,
+    /// The same over the step.
+    scaled: GuardSeries<M>,
 }
 
 impl<M: BarSystem, const N: usize> Default for Work<M, N> {
     fn default() -> Self {
-        let guards = core::array::from_fn(|_| Guard::default());
-        Self { series: [[0.0; N]; ORDERS], guards, scaled: Scaled::default() }
+        Self { series: [[0.0; N]; ORDERS], guards: GuardSeries::default(), scaled: GuardSeries::default() }
     }
 }
 
@@ -63,17 +63,29 @@ impl<M: BarSystem> Default for Guard<M> {
 /// Coefficients of an array's entries.
 type Series<A> = <A as Array<f64>>::Of<[f64; ORDERS]>;
 
-/// All coefficients of each guard, over the step.
-struct Scaled<M: BarSystem> {
+/// All coefficients of each guard.
+struct GuardSeries<M: BarSystem> {
     reactions: Series<M::Reactions<f64>>,
     gaps: Series<M::Reactions<f64>>,
     feet: Series<M::Feet<f64>>,
 }
 
-impl<M: BarSystem> Default for Scaled<M> {
+impl<M: BarSystem> Default for GuardSeries<M> {
     fn default() -> Self {
         let (contacts, feet) = (Array::from_fn(|_| [0.0; ORDERS]), Array::from_fn(|_| [0.0; ORDERS]));
         Self { reactions: contacts, gaps: contacts, feet }
+    }
+}
+
+impl<M: BarSystem> GuardSeries<M> {
+    #[inline(always)]
+    fn set(&mut self, order: usize, guard: &Guard<M>) {
+        let write = |series: &mut [[f64; ORDERS]], terms: &[f64]| {
+            series.iter_mut().zip(terms).for_each(|(series, term)| series[order] = *term);
+        };
+        write(self.reactions.as_mut(), guard.reactions.as_ref());
+        write(self.gaps.as_mut(), guard.gaps.as_ref());
+        write(self.feet.as_mut(), guard.feet.as_ref());
     }
 }
 
@@ -98,11 +110,8 @@ impl<'a, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> PhaseExpansion<'a, 
     }
 
     #[inline(always)]
-    fn take(guard: &mut Guard<M>, terms: TermsOf<M, f64, N>) -> [f64; N] {
-        if !M::LAYOUT.contacts.is_empty() {
-            *guard = Guard { reactions: terms.reactions, gaps: terms.gaps, feet: terms.feet };
-        }
-        terms.rates
+    fn apart(terms: TermsOf<M, f64, N>) -> ([f64; N], Guard<M>) {
+        (terms.rates, Guard { reactions: terms.reactions, gaps: terms.gaps, feet: terms.feet })
     }
 
     /// Order 0 at a state, unless it is known.
@@ -110,7 +119,7 @@ impl<'a, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> PhaseExpansion<'a, 
         let Self { constants, tape, values, .. } = self;
         if !values.known || values.state != *state {
             (values.known, values.state) = (true, *state);
-            values.rates = Self::take(&mut values.guard, Q::order(constants, &mut tape.0.values(), state));
+            (values.rates, values.guard) = Self::apart(Q::order(constants, &mut tape.0.values(), state));
         }
     }
 }
@@ -122,18 +131,18 @@ impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> Expansion<N> for PhaseE
         let (Columns(tape), Work { series, guards, .. }) = (&mut **tape, &mut **work);
         series[0] = *state;
         *terms = if M::LAYOUT.contacts.is_empty() { 0 } else { order };
-        let Guard { reactions, gaps, feet } = values.guard;
-        guards[0] = Guard { reactions, gaps, feet };
+        guards.set(0, &values.guard);
         // Kept out of memory: an order need not wait for what the last one stores.
         let mut state = values.rates.map(|rate| unit * rate);
         series[1] = state;
         // The orders that follow write over some of it.
         values.known = false;
         for n in 1..order {
-            let terms = Q::order(constants, &mut tape.coefficients(n), &state);
+            let (rates, guard) = Self::apart(Q::order(constants, &mut tape.coefficients(n), &state));
             let part = unit / (n + 1) as f64;
-            state = Self::take(&mut guards[n], terms).map(|rate| part * rate);
+            state = rates.map(|rate| part * rate);
             series[n + 1] = state;
+            guards.set(n, &guard);
         }
     }
 
@@ -149,32 +158,25 @@ impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> Expansion<N> for PhaseE
     fn guards(&mut self, ratio: f64) -> Option<Guards<'_>> {
         let terms = self.terms;
         let Work { guards, scaled, .. } = &mut *self.work;
-        let Scaled { reactions, gaps, feet } = scaled;
-        let rows = &guards[..terms];
         let mut powers = [1.0; ORDERS];
         for k in 1..terms {
             powers[k] = ratio * powers[k - 1];
         }
-        scale(reactions.as_mut(), &powers, rows, |guard, i| guard.reactions.as_ref()[i]);
-        scale(gaps.as_mut(), &powers, rows, |guard, i| guard.gaps.as_ref()[i]);
-        scale(feet.as_mut(), &powers, rows, |guard, i| guard.feet.as_ref()[i]);
-        let Scaled { reactions, gaps, feet } = &*scaled;
-        Some(Guards::new(terms, reactions.as_ref(), gaps.as_ref(), feet.as_ref()))
+        scale(scaled.reactions.as_mut(), (&powers, terms), guards.reactions.as_ref());
+        scale(scaled.gaps.as_mut(), (&powers, terms), guards.gaps.as_ref());
+        scale(scaled.feet.as_mut(), (&powers, terms), guards.feet.as_ref());
+        Some(Guards::new(terms, scaled.reactions.as_ref(), scaled.gaps.as_ref(), scaled.feet.as_ref()))
     }
 }
 
-/// Each series from its terms in `rows` times powers of the step; zero stays zero where those overflow.
+/// The first terms of each series times powers of the step, four at once; zero stays zero where those overflow.
 #[inline(always)]
-fn scale<G>(
-    series: &mut [[f64; ORDERS]],
-    powers: &[f64; ORDERS],
-    rows: &[G],
-    term: impl Fn(&G, usize) -> f64,
-) {
-    for (i, series) in series.iter_mut().enumerate() {
-        for ((scaled, power), row) in series.iter_mut().zip(powers).zip(rows) {
-            let term = term(row, i);
-            *scaled = if term == 0.0 { 0.0 } else { power * term };
+fn scale(scaled: &mut [[f64; ORDERS]], (powers, terms): (&[f64; ORDERS], usize), series: &[[f64; ORDERS]]) {
+    let (powers, []) = powers.as_chunks::<4>() else { unreachable!("as many orders as are summed at once") };
+    for (scaled, series) in scaled.iter_mut().zip(series) {
+        let fours = scaled.as_chunks_mut::<4>().0.iter_mut().zip(series.as_chunks::<4>().0);
+        for ((scaled, terms), powers) in fours.zip(&powers[..terms.div_ceil(4)]) {
+            *scaled = core::array::from_fn(|i| if terms[i] == 0.0 { 0.0 } else { powers[i] * terms[i] });
         }
     }
 }

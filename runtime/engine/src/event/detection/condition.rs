@@ -52,13 +52,14 @@ impl EventDetector<'_> {
         let start = match watch.sign {
             _ if watch.at_root => Start::Root,
             Some(positive) if condition.relation() == Relation::Equal => Start::Continues { positive },
-            sign if was_false(condition, sign) && self.is_zero(watch, step, 0.0) => Start::Root,
+            sign if was_false(condition, sign) && watch.stays => Start::Root,
             _ => Start::Free,
         };
         if start == Start::Free && watch.is_state && watch.sign.is_none() && self.holds_from_zero(step, k) {
             return Ok(Some(0.0));
         }
         if let Some(sides) = exact {
+            watch.zero.set(of_series(&sides));
             return of_difference(condition, sides.difference(), start, of_series(&sides));
         }
         let (spent, most) = (Cell::new(0), watch.patience.get());
@@ -102,6 +103,7 @@ impl EventDetector<'_> {
     ) -> Result<Option<f64>, GuardError> {
         let condition = &self.conditions[k];
         let bound = self.bound(watch, step, &[0.0, 0.5, 1.0]);
+        watch.zero.set(bound);
         let value = |theta: f64| match spend() {
             true => step.difference(theta, condition, &mut self.values.borrow_mut()).0,
             false => f64::NAN,

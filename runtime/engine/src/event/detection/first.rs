@@ -16,11 +16,13 @@ impl EventDetector<'_> {
             let (guard, limit) = (self.list[k].guard, self.list[k].limit);
             step.write_rubbing(guard, limit, &mut self.list[k].rubbing);
             let watch = &self.list[k];
-            let (series, bound) = (watch.series(step), self.bound(watch, step, &[]));
-            let series = series.filter(|series| guard_source::is_exact(series, bound));
-            let found = (series.is_some(), series.is_some_and(|series| stays_above(series, bound)));
+            let found = watch.series(step).map_or([false; 2], |series| {
+                let bound = self.bound(watch, step, &[]);
+                let is_exact = guard_source::is_exact(series, bound);
+                [is_exact, is_exact && stays_above(series, bound)]
+            });
             let watch = &mut self.list[k];
-            (watch.has_series, watch.is_clear) = found;
+            [watch.has_series, watch.is_clear] = found;
             if step.is_fitted() {
                 watch.order = None;
             }

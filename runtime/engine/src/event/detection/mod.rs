@@ -229,6 +229,13 @@ impl<'a> EventDetector<'a> {
         }
     }
 
+    /// The height of the lowest flight that the phase begins with; zero if a guard is zero there of which nothing is known.
+    pub(crate) fn lowest_flight(&self) -> f64 {
+        let zero = self.list.iter().filter(|watch| watch.at_root);
+        let heights = zero.map(|watch| if watch.height.is_finite() { watch.height } else { 0.0 });
+        heights.reduce(f64::min).unwrap_or(0.0)
+    }
+
     /// Everything in (0, 1] up to the first event. On the last step a guard that has fallen to zero within rounding at its end
     /// counts as well: no later step would find it.
     pub(crate) fn examine(&mut self, step: &StepView<'_>, is_last: bool) -> Result<StepEvents, GuardError> {
@@ -260,7 +267,10 @@ impl<'a> EventDetector<'a> {
         }
         findings.touches.sort_by(|a, b| a.0.total_cmp(&b.0));
         self.pass(step, findings.first.as_ref().map_or(1.0, |(theta, _)| theta.min(1.0)));
-        self.leave_roots(step);
+        // No step follows an event, but what seems one across a singular position may be none.
+        if findings.first.is_none() || step.is_bridge() {
+            self.leave_roots(step);
+        }
         Ok(findings)
     }
 
@@ -340,14 +350,14 @@ impl<'a> EventDetector<'a> {
                 let at_root = watch.at_root && WITHIN.iter().all(within);
                 let flight = watch.flight.filter(|_| self.is_low(value)).zip(contact);
                 let flight = flight.map(|(flight, contact)| self.follow(flight, contact, step));
-                // A comparison that ends the step at zero is on the side that it came from.
                 let stays = matches!(watch.guard, Guard::Condition(k) if self.conditions[k].relation() != Relation::Equal)
-                    && self.is_zero(watch, step, 1.0);
+                    && (value.abs() <= watch.zero.get() || self.is_zero(watch, step, 1.0));
                 let came_from = || watch.sign.unwrap_or_else(|| self.value(step, watch, 0.0) > 0.0);
                 let side = if stays { came_from() } else { value > 0.0 };
                 let sign = is_followed.then_some(side);
                 let watch = &mut self.list[k];
                 (watch.sign, watch.at_root, watch.flight) = (sign, at_root, flight);
+                watch.stays = stays;
             }
         }
     }

@@ -14,6 +14,9 @@ impl StepView<'_> {
     /// The series of a guard of friction, with the coefficient of its limit; nothing if the method does not have it.
     pub(super) fn write_rubbing(&self, guard: Guard, limit: f64, series: &mut Vec<f64>) {
         series.clear();
+        if !matches!(guard, Guard::Side(..) | Guard::Limit(_) | Guard::Slip(_)) {
+            return;
+        }
         // A contact that is closed because others are has no series in their phase.
         let own = |contact: usize| self.phase.info().set.contains(contact);
         let (Some(guards), contacts) = (self.guards, self.context.layout().contacts.len()) else { return };

@@ -94,6 +94,10 @@ pub(super) struct Watch {
     pub(super) is_entire: bool,
     /// Of a condition, its difference at the end of the step, if its series is known there to be beyond its bound.
     pub(super) end: Cell<Option<f64>>,
+    /// Of a condition, what counted as zero in the step.
+    pub(super) zero: Cell<f64>,
+    /// Whether a comparison has ended the last step at zero: it is on the side that it came from.
+    pub(super) stays: bool,
     /// How often a condition is evaluated in a step at most.
     pub(super) patience: Cell<u32>,
 }
@@ -125,6 +129,8 @@ impl Watch {
             is_state: false,
             is_entire: matches!(guard, Guard::Condition(k) if conditions[k].is_entire()),
             end: Cell::new(None),
+            zero: Cell::new(0.0),
+            stays: false,
             patience: Cell::new(PATIENCE),
         }
     }

@@ -39,9 +39,13 @@ impl<'a> Series<'a> {
         if self.order > 0 { 0.0 } else { delta }
     }
 
-    /// Whether bounds of the divided series are as wanted, the cheap ones first.
+    /// Whether bounds of the divided series are as wanted, the cheap ones first; none are where its ends are not.
     pub(super) fn is_within(&self, wanted: impl Fn([f64; 2]) -> bool) -> bool {
-        wanted(self.reach()) || wanted(self.partial_sums()) || wanted(self.range())
+        let is_possible = |value: f64| wanted([value; 2]);
+        self.terms.first().is_none_or(|first| is_possible(*first))
+            && (wanted(self.reach())
+                || is_possible(self.terms.iter().sum())
+                    && (wanted(self.partial_sums()) || wanted(self.range())))
     }
 
     /// Bounds of the divided series, the one farther from zero left out: for a₀ > 0, it is at least a₀ + Σ min(aₖ, 0).

@@ -10,7 +10,7 @@ use crate::contact::{ContactError, refuse_singular};
 use crate::event::detection::{AffineGuards, Guard, StepEvents, StepView};
 use crate::event::root_isolation::GuardError;
 use crate::integrate::{Counts, DenseOutput, Guards, PhaseStepper, StepError};
-use crate::integration::form_selection::least_pivot;
+use crate::integration::form_selection::{eliminates, least_pivot};
 use crate::integration::phase_point::Numbers;
 use crate::integration::singular::SingularityMonitor;
 use crate::model::Form;
@@ -53,8 +53,7 @@ impl<'a> PhaseRun<'a> {
         loops: &mut Option<SingularityMonitor>,
         touches: &mut Vec<Touch>,
     ) -> Result<Termination, StepError> {
-        let least = least_pivot(self.tolerance);
-        let is_closed = self.phase.info().form == Form::Closed;
+        let least = eliminates(&*self.phase).then(|| least_pivot(self.tolerance));
         let mut stagnation = Stagnation::default();
         let mut affine = None;
         if let Some(loops) = loops
@@ -93,7 +92,8 @@ impl<'a> PhaseRun<'a> {
                     return Err(StepError::Floor { t: t1, h });
                 }
             }
-            if is_closed && t1 < self.horizon && self.phase.pivot(stepper.state()) < least {
+            let is_small = |least| t1 < self.horizon && self.phase.pivot(stepper.state()) < least;
+            if least.is_some_and(is_small) {
                 return Ok(Termination::Pivot);
             }
             if let Some(loops) = loops
@@ -255,7 +255,7 @@ impl<'a> PhaseRun<'a> {
     /// Whether the closed form is not to be trusted within a step, though it was at its start: what the guards have there is the
     /// error of the state by the third power of the pivot.
     fn is_nearly_singular(&self, dense: &DenseOutput, theta: f64) -> bool {
-        if self.phase.info().form != Form::Closed {
+        if !eliminates(&*self.phase) {
             return false;
         }
         let mut reduced: Numbers = smallvec![0.0; dense.entries()];

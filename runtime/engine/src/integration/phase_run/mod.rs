@@ -31,8 +31,10 @@ use smallvec::smallvec;
 const FINENESS: f64 = 1e-4;
 
 /// The longest step while guards are watched, in natural times: over a longer one a short flight at its start would be lost in
-/// the rounding of the values at its end. A phase that has lasted longer may make steps as long as it has lasted.
+/// the rounding of the values at its end. A phase that has lasted longer may make steps as long as it has lasted; one that begins
+/// with a flight, as long as that will be by its height and the natural acceleration, and a little more, so that it lands.
 const LONGEST: f64 = 1.0;
+const LANDED: f64 = 1.0625;
 
 /// How a phase ended.
 pub(crate) enum Termination {
@@ -93,7 +95,7 @@ pub(crate) struct PhaseRun<'a> {
     pub(crate) phase: Arc<dyn Phase>,
     /// The closed contacts: those of the phase, and those that depend on them.
     pub(crate) closed: ContactSet,
-    pub(crate) detector: EventDetector<'a>,
+    pub(crate) detector: &'a mut EventDetector<'a>,
     pub(crate) tolerance: f64,
     pub(crate) t: f64,
     pub(crate) horizon: f64,
@@ -179,11 +181,16 @@ impl PhaseRun<'_> {
         (t, start, absolute): (f64, &'p [f64], &'p [f64]),
     ) -> Option<StartedStepper<'p>> {
         let Scales { time, damped, .. } = self.context.scales;
-        let longest = (!self.detector.is_empty()).then_some(LONGEST * time);
+        let longest = (!self.detector.is_empty()).then(|| time * LONGEST.max(LANDED * self.flight()));
         let (end, relative) = (self.horizon, self.tolerance);
         let problem = InitialValueProblem { phase, t, start, end, relative, absolute, longest };
         let problem = Problem { problem, time, damped };
         method.begin(&problem).map(|begun| cut(begun, &problem))
+    }
+
+    /// The time of the shortest flight that begins with the phase, in natural times: T² = 8 H/g.
+    fn flight(&self) -> f64 {
+        (8.0 * self.detector.lowest_flight() / self.context.scales.length).sqrt()
     }
 
     /// Logs the changes of the method up to the end of the phase.
@@ -208,7 +215,7 @@ impl PhaseRun<'_> {
         if !self.bridged {
             self.project(&*phase, &mut state);
         }
-        let reactions = PhasePoint::new(Arc::clone(&phase), self.closed, t, reduced).reactions().to_vec();
+        let reactions = self.reactions(t, reduced);
         let end = match (end, &mut loops) {
             (end @ (Termination::Failed(_) | Termination::Singular(_)), Some(loops)) => {
                 loops.diagnose(self.context, &state).map_or(end, Termination::Loop)
@@ -217,7 +224,7 @@ impl PhaseRun<'_> {
         };
         // What an event at the very end of the run leaves is kept as a phase of no duration.
         let kept = t > recording.t0() || matches!(end, Termination::Horizon);
-        let memory = if kept { recording.memory() } else { 0 };
+        let memory = if kept { recording.whole_memory() } else { 0 };
         let recorded = kept.then(|| recording.into_recorded());
         Outcome {
             recorded,
@@ -232,6 +239,15 @@ impl PhaseRun<'_> {
             work: self.work,
             memory,
         }
+    }
+
+    /// Those at the end; none where nothing is closed.
+    fn reactions(&self, t: f64, reduced: Numbers) -> Vec<f64> {
+        let layout = self.context.layout();
+        if self.closed.is_empty() && !layout.has_hinges() {
+            return vec![0.0; layout.reactions()];
+        }
+        PhasePoint::new(Arc::clone(&self.phase), self.closed, t, reduced).reactions().to_vec()
     }
 
     /// Brings the state of a projected phase back on its constraints.

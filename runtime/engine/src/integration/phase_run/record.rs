@@ -165,9 +165,14 @@ impl Recording {
         self.recorded.choice = choice;
     }
 
-    /// Bytes of what is kept.
+    /// Bytes of what is kept, before the last step.
     pub(super) fn memory(&self) -> usize {
         self.memory
+    }
+
+    /// Bytes of all that is kept.
+    pub(super) fn whole_memory(&self) -> usize {
+        self.memory + self.last().filter(|_| self.keeps).map_or(0, DenseOutput::memory)
     }
 
     pub(super) fn t0(&self) -> f64 {

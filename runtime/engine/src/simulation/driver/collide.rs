@@ -5,13 +5,22 @@ use nalgebra::{DMatrix, DVector};
 use super::Driver;
 use super::plan::split;
 use crate::contact::impulse::{Collision, CollisionError, Outcome, Row};
-use crate::contact::{ContactError, hinges, labels, singular};
+use crate::contact::{ContactError, SingleContact, hinges, labels, singular};
 use crate::error::RunCause;
 use crate::event::detection::LOW;
 use crate::event::{EventKind, ImpactOrder, Note};
+use crate::integration::phase_point::Numbers;
 use crate::model::{ContactSet, Layout};
 use crate::scales::without_rounding;
+use crate::system::Equations;
 use crate::trajectory::LoggedDecision;
+
+/// What an impact does, what it may gain, J, and the contacts of which the order of simultaneous impacts matters.
+struct Impact {
+    outcome: Outcome,
+    allowed: f64,
+    order: Option<ImpactOrder>,
+}
 
 impl Driver<'_> {
     /// The impact of contacts whose gaps close.
@@ -21,11 +30,10 @@ impl Driver<'_> {
         }
         let (before, energy) = (self.closed, self.setup.context.system().energy(&self.state));
         self.take_hold(closing);
-        let present = self.present(closing);
-        let collision = self.collision(present, DVector::zeros(self.layout().coordinates.len()));
-        let outcome = self.collide(&collision, present)?;
-        self.refuse_gain(&energy, allowed_gain(&collision, &outcome))?;
-        let order = impact_order(self.layout(), &collision, &outcome);
+        let equations = self.setup.context.system().equations(&self.state);
+        let present = self.present(closing, &equations);
+        let Impact { outcome, allowed, order } = self.strike(present, &equations)?;
+        self.refuse_gain(&energy, allowed)?;
         let acting = outcome.acting.iter().fold(closing, |set, &i| set.with(i));
         // Those that were closed before pass an impulse on; of open ones within their bounds those that have one are struck.
         let struck = acting.difference(before.difference(closing));
@@ -40,6 +48,25 @@ impl Driver<'_> {
         }
         self.record_rebounds(before, &outcome);
         self.follow_flights(present, &outcome)
+    }
+
+    /// The impact of what is present; that of a single contact takes no search.
+    fn strike(&mut self, present: ContactSet, equations: &Equations<f64>) -> Result<Impact, RunCause> {
+        let (rows, rates) = (self.rows(present), self.known_rates());
+        if let Some(mut outcome) = self.single(&rows, equations, &rates) {
+            self.go_on(&rates, &mut outcome, present)?;
+            return Ok(Impact { allowed: allowed_gain(equations.drift(), &outcome), outcome, order: None });
+        }
+        let collision = collision(equations, (&rates, DVector::zeros(rates.len())), rows);
+        let outcome = self.collide(&collision, present)?;
+        let order = impact_order(self.layout(), &collision, &outcome);
+        Ok(Impact { allowed: allowed_gain(equations.drift(), &outcome), outcome, order })
+    }
+
+    fn single(&self, rows: &[Row], equations: &Equations<f64>, rates: &[f64]) -> Option<Outcome> {
+        let single = SingleContact::of(rows).filter(|_| !self.layout().has_hinges())?;
+        let row = (equations.jacobian(single.row()), equations.drift()[single.row()]);
+        single.outcome(|i, j| equations.mass(i)[j], row, rates)
     }
 
     /// A note on an event of several struck contacts; where one acts through others at rest, once in the log.
@@ -57,8 +84,9 @@ impl Driver<'_> {
     /// An impulse from outside.
     pub(super) fn apply_impulse(&mut self, applied: DVector<f64>, note: Note) -> Result<(), RunCause> {
         let before = self.closed;
-        let present = self.present(ContactSet::EMPTY);
-        let collision = self.collision(present, applied);
+        let equations = self.setup.context.system().equations(&self.state);
+        let present = self.present(ContactSet::EMPTY, &equations);
+        let collision = collision(&equations, (&self.known_rates(), applied), self.rows(present));
         let outcome = self.collide(&collision, present)?;
         let order = impact_order(self.layout(), &collision, &outcome);
         self.tell_order(order, false);
@@ -71,8 +99,7 @@ impl Driver<'_> {
 
     /// Contacts with g = 0: the closed ones, those that close, and open ones within the error bound of their gap, in a low
     /// flight a part of its height. A drive that waits is there from its own event on.
-    pub(super) fn present(&self, closing: ContactSet) -> ContactSet {
-        let equations = self.setup.context.system().equations(&self.state);
+    pub(super) fn present(&self, closing: ContactSet, equations: &Equations<f64>) -> ContactSet {
         let usual = self.relative_bound() * self.setup.context.scales.length;
         let bound = |i: usize| {
             let flight = self.bounces.heights.iter().find(|(contact, _)| *contact == i);
@@ -86,19 +113,21 @@ impl Driver<'_> {
         near.fold(self.closed.union(closing), ContactSet::with)
     }
 
-    pub(super) fn collision(&self, present: ContactSet, applied: DVector<f64>) -> Collision {
-        let equations = self.setup.context.system().equations(&self.state);
-        let (n, r) = (self.layout().coordinates.len(), self.layout().rows());
-        let unit = |i: usize| self.setup.context.scales.entry(self.layout(), n + i);
-        let rate = |i: usize| without_rounding(self.state[n + i], unit(i));
-        Collision {
-            mass: DMatrix::from_fn(n, n, |i, j| equations.mass(i)[j]),
-            jacobian: DMatrix::from_fn(r, n, |i, j| equations.jacobian(i)[j]),
-            rates: DVector::from_fn(n, |i, _| rate(i)),
-            drift: DVector::from_row_slice(equations.drift()),
-            applied,
-            rows: (0..r).map(|row| self.part(row, present)).collect(),
-        }
+    /// The collision of what is present, without an impulse from outside.
+    pub(super) fn collision(&self, present: ContactSet, equations: &Equations<f64>) -> Collision {
+        let rates = self.known_rates();
+        collision(equations, (&rates, DVector::zeros(rates.len())), self.rows(present))
+    }
+
+    /// Rates without what rounding makes of zero.
+    fn known_rates(&self) -> Numbers {
+        let (context, n) = (&self.setup.context, self.layout().coordinates.len());
+        let unit = |i: usize| context.scales.entry(self.layout(), n + i);
+        (0..n).map(|i| without_rounding(self.state[n + i], unit(i))).collect()
+    }
+
+    fn rows(&self, present: ContactSet) -> Vec<Row> {
+        (0..self.layout().rows()).map(|row| self.part(row, present)).collect()
     }
 
     fn part(&self, row: usize, present: ContactSet) -> Row {
@@ -129,12 +158,18 @@ impl Driver<'_> {
         self.setup.restitution.get(contact).copied().unwrap_or(0.0)
     }
 
-    /// The state after the collision, exactly zero where contacts stay closed, and the phase that follows.
+    /// What the collision does, and the phase that follows.
     fn collide(&mut self, collision: &Collision, present: ContactSet) -> Result<Outcome, RunCause> {
         let most = self.setup.budget.trials;
         let answer = hinges::answer(self.setup.context.system(), &self.state, collision, most);
         let mut outcome = answer.map_err(|error| self.collision_error(error, present))?;
-        self.round_openings(collision, &mut outcome);
+        self.go_on(collision.rates.as_slice(), &mut outcome, present)?;
+        Ok(outcome)
+    }
+
+    /// The state after an impact, exactly zero where contacts stay closed, and the phase that follows.
+    fn go_on(&mut self, before: &[f64], outcome: &mut Outcome, present: ContactSet) -> Result<(), RunCause> {
+        self.round_openings(before, outcome);
         if !outcome.unique {
             self.log(LoggedDecision::ImpulsesNotUnique);
         }
@@ -146,15 +181,14 @@ impl Driver<'_> {
         }
         let stays = |i: &usize| outcome.opening[*i] == 0.0;
         let touching = present.iter().filter(stays).collect();
-        self.proceed(&outcome.rates, touching)?;
-        Ok(outcome)
+        self.proceed(&outcome.rates, touching)
     }
 
     /// A contact does not open at a speed that the rounding of the pose makes of zero, relative to the fastest motion before.
-    fn round_openings(&self, collision: &Collision, outcome: &mut Outcome) {
+    fn round_openings(&self, before: &[f64], outcome: &mut Outcome) {
         let (layout, scales) = (self.layout(), &self.setup.context.scales);
         let n = layout.coordinates.len();
-        let natural = |i: usize| collision.rates[i].abs() / scales.entry(layout, n + i);
+        let natural = |i: usize| before[i].abs() / scales.entry(layout, n + i);
         let fastest = (0..n).map(natural).fold(1.0, f64::max);
         for (row, speed) in outcome.opening.iter_mut().enumerate() {
             *speed = without_rounding(*speed, fastest * layout.unit(row, scales.length) / scales.time);
@@ -191,7 +225,7 @@ impl Driver<'_> {
         let rounding = self.rounding_of_the_way();
         self.state[n..2 * n].copy_from_slice(rates.as_slice());
         self.restore(touching, rounding)?;
-        self.trajectory.last = self.public_state().to_vec();
+        self.keep_last();
         (self.touching, self.sensed) = (touching, ContactSet::EMPTY);
         self.decide(ContactSet::EMPTY)
     }
@@ -209,8 +243,25 @@ impl Driver<'_> {
 }
 
 /// The energy that an impact may gain, J: what its law has told, and the work of moving surfaces and drives, −Σ P ∂g/∂t.
-pub(super) fn allowed_gain(collision: &Collision, outcome: &Outcome) -> f64 {
-    outcome.gained.max(0.0) - outcome.impulses.dot(&collision.drift)
+pub(super) fn allowed_gain(drift: &[f64], outcome: &Outcome) -> f64 {
+    let work: f64 = outcome.impulses.iter().zip(drift).map(|(impulse, drift)| impulse * drift).sum();
+    outcome.gained.max(0.0) - work
+}
+
+fn collision(
+    equations: &Equations<f64>,
+    (rates, applied): (&[f64], DVector<f64>),
+    rows: Vec<Row>,
+) -> Collision {
+    let (n, r) = (rates.len(), rows.len());
+    Collision {
+        mass: DMatrix::from_fn(n, n, |i, j| equations.mass(i)[j]),
+        jacobian: DMatrix::from_fn(r, n, |i, j| equations.jacobian(i)[j]),
+        rates: DVector::from_row_slice(rates),
+        drift: DVector::from_row_slice(equations.drift()),
+        applied,
+        rows,
+    }
 }
 
 /// The contacts of which the order of simultaneous impacts matters, if there are any.

@@ -140,6 +140,9 @@ impl Driver<'_> {
 
     /// What of the contacts that were closed before has come open, or slips otherwise.
     pub(super) fn record_changes(&mut self, before: ContactSet) {
+        if before == self.closed {
+            return;
+        }
         self.record_opened(before.difference(self.closed));
         self.record_slips(before);
     }
@@ -227,18 +230,17 @@ impl Driver<'_> {
     /// Shows the observer what has happened since it was last shown, and keeps what it has not taken, what the run waits for, and
     /// what ends it.
     pub(super) fn show_events(&mut self, ends: bool) {
-        let fresh = self.trajectory.events.split_off(self.shown);
-        for event in fresh {
-            let is_kept = ends
-                || self.trajectory.events.is_empty()
-                || self.setup.event_filters.iter().any(|awaited| awaited.is(&event));
-            if self.observer.happened(&event) && !is_kept {
+        let events = &mut self.trajectory.events;
+        while let Some(event) = events.get(self.shown) {
+            let is_awaited = || self.setup.event_filters.iter().any(|awaited| awaited.is(event));
+            let is_kept = ends || self.shown == 0 || is_awaited();
+            if self.observer.happened(event) && !is_kept {
+                events.remove(self.shown);
                 self.taken += 1;
             } else {
-                self.trajectory.events.push(event);
+                self.shown += 1;
             }
         }
-        self.shown = self.trajectory.events.len();
     }
 
     pub(super) fn log(&mut self, decision: LoggedDecision) {

@@ -18,6 +18,7 @@ mod zeno;
 
 pub(crate) use plan::{Action, Scheduled, Trigger};
 
+use std::cell::RefCell;
 use std::sync::Arc;
 
 use zeno::{BounceHistory, Rise, ZenoClosure};
@@ -30,6 +31,7 @@ use crate::assembly::Start;
 use crate::event::detection::{Guard, KnownAffineGuards};
 use crate::expression::Condition;
 use crate::integrate::Counts;
+use crate::integration::phase_point::Numbers;
 use crate::integration::phase_run::{Outcome, RecordedPhase, Termination};
 use crate::simulation::{Allowance, Exhausted, Simulation};
 use crate::system::Phase;
@@ -75,6 +77,8 @@ pub(crate) struct Driver<'a> {
     bounces: BounceHistory,
     /// Contacts that rise at the start of the phase that follows, with those that bear it, until it is integrated.
     risen: Option<(ContactSet, Vec<Rise>)>,
+    /// The last accelerations that were asked for, with the state and the set of which they are.
+    accelerations: RefCell<Option<(Numbers, ContactSet, Numbers)>>,
     settling: Vec<ZenoClosure>,
     allowance: Allowance,
     /// How many events of the trajectory the observer has been shown, and how many it has taken.
@@ -117,6 +121,7 @@ impl<'a> Driver<'a> {
             done: vec![false; setup.plan.len()],
             bounces: BounceHistory::new(setup.layout().contacts.len()),
             risen: None,
+            accelerations: RefCell::default(),
             settling: Vec::new(),
             trajectory: Trajectory::empty(setup.context.clone(), setup.tolerance, (setup.begin, last)),
             form: setup.form,
@@ -157,6 +162,12 @@ impl<'a> Driver<'a> {
     /// Coordinates and rates as users see them.
     fn public_state(&self) -> &[f64] {
         self.setup.context.layout().public_state(&self.state)
+    }
+
+    fn keep_last(&mut self) {
+        let last = &mut self.trajectory.last;
+        last.clear();
+        last.extend_from_slice(self.setup.context.layout().public_state(&self.state));
     }
 
     pub(crate) fn run(mut self) -> Result<Trajectory, RunError> {
@@ -234,7 +245,7 @@ impl<'a> Driver<'a> {
         (self.stalled, self.wedged) = if t > self.t { (0, 0) } else { (self.stalled + 1, self.wedged) };
         (self.t, self.state) = (t, state);
         self.trajectory.end = t;
-        self.trajectory.last = self.public_state().to_vec();
+        self.keep_last();
         self.trajectory.statistics.add(counts);
         (self.reactions, self.passed) = (reactions, passed);
         self.trajectory.log.extend(log);

@@ -1,8 +1,6 @@
 //! Painlevé's paradox in a run: a slip that no reaction obeys the law of friction in, or whose reaction grows beyond all bounds, is
 //! ended by an impact without collision, unless a contact jams.
 
-use nalgebra::DVector;
-
 use super::collide::allowed_gain;
 use super::friction::LocatedSlips;
 use super::{Driver, Next};
@@ -53,7 +51,7 @@ impl Driver<'_> {
             return Err(self.contact_error(source));
         }
         let (before, energy) = (self.touching, self.setup.context.system().energy(&self.state));
-        let mut collision = self.collision(before, DVector::zeros(layout.coordinates.len()));
+        let mut collision = self.collision(before, &self.setup.context.system().equations(&self.state));
         for row in &mut collision.rows {
             if let Row::Friction { of, mu, .. } = row
                 && let Some((_, hold)) = at_border.iter().find(|(contact, _)| contact == of)
@@ -66,7 +64,7 @@ impl Driver<'_> {
         };
         let touching = before.iter().filter(|i| outcome.opening[*i] == 0.0).collect();
         self.proceed(&outcome.rates, touching)?;
-        self.refuse_gain(&energy, allowed_gain(&collision, &outcome))?;
+        self.refuse_gain(&energy, allowed_gain(collision.drift.as_slice(), &outcome))?;
         let acting: ContactSet = outcome.acting.iter().copied().collect();
         let acting = acting.union(self.both_ways_struck(&outcome));
         let note = Some(Note::WithoutCollision);

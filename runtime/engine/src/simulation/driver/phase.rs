@@ -147,13 +147,15 @@ impl Driver<'_> {
     /// Projects the state onto the contacts of a set. A correction larger than the errors that positions cause in rates and
     /// than accumulated rounding would be a jump, which is an error.
     pub(super) fn restore(&mut self, set: ContactSet, rounding: f64) -> Result<(), RunCause> {
-        let context = &self.setup.context;
+        let (context, layout) = (&self.setup.context, self.layout());
+        if !(0..layout.rows()).any(|row| layout.is_closed(row, &set)) {
+            return Ok(());
+        }
         let mut restored = self.state.clone();
         context.system().project(set, &mut restored, context.scales.length);
         let [positions, rates] = chart::apart(context, &self.state, &restored);
         let by = positions.max(rates);
         if by > self.relative_bound().sqrt() + rounding {
-            let layout = self.layout();
             let contacts = if set.is_empty() { joint_names(layout) } else { labels(layout, set) };
             return Err(RunCause::Jump { t: self.t, contacts, by });
         }
@@ -230,11 +232,12 @@ impl Driver<'_> {
         let located: Vec<(usize, bool)> =
             located.map(|k| (k, matches!(self.role(k), Role::Switch { .. }))).collect();
         let conditions = (&self.conditions[..], &located[..]);
+        let mut detector = EventDetector::new(self.layout(), self.bearing, contacts, conditions, bounds);
         let run = PhaseRun {
             context,
             phase: self.phase.take().unwrap_or_else(|| context.phase(self.bearing, self.form)),
             closed: self.closed,
-            detector: EventDetector::new(self.layout(), self.bearing, contacts, conditions, bounds),
+            detector: &mut detector,
             tolerance: *tolerance,
             t: self.t,
             horizon: self.horizon(),
@@ -334,6 +337,9 @@ impl Driver<'_> {
     /// Open contacts whose foot is at the end of its bar or beyond.
     pub(super) fn beyond_end(&self) -> ContactSet {
         let context = &self.setup.context;
+        if self.layout().feet() == 0 && context.switches.is_empty() {
+            return ContactSet::EMPTY;
+        }
         let mut feet: Numbers = smallvec![0.0; 2 * self.layout().feet()];
         context.system().feet(&self.state, &mut feet);
         let bound = self.relative_bound() * context.scales.length;

@@ -138,7 +138,8 @@ impl Driver<'_> {
             self.removed = self.removed.difference(armed);
             self.refuse_vanishing()?;
             self.record(EventKind::Arm, armed, notes[0].clone());
-            let struck = self.present(ContactSet::EMPTY).intersection(armed);
+            let equations = self.setup.context.system().equations(&self.state);
+            let struck = self.present(ContactSet::EMPTY, &equations).intersection(armed);
             let bound = self.relative_bound() * self.setup.context.scales.speed();
             let (met, [mut closing, struck]) =
                 (self.met(armed), [-bound, bound].map(|v| self.slower(struck, v)));

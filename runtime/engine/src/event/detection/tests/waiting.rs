@@ -94,3 +94,15 @@ fn a_condition_that_touches() {
         assert_eq!(met(&scene, "z > 0", false, steps), None);
     }
 }
+
+/// Between two steps it has come to zero from the side where it is false, and is beyond by less than its bound.
+#[test]
+fn a_comparison_is_met_at_the_seam_of_two_steps() {
+    for beyond in [1e-13, 0.0, -1e-13] {
+        for (sign, text) in [(1.0, "z > 0"), (-1.0, "z < 0")] {
+            let scene = of(move |t| sign * (t - 0.41 + beyond));
+            let found = met(&scene, text, false, &[0.2, 0.41, 1.0]);
+            assert!(found.is_some_and(|at| (at - 0.41).abs() < 1e-9), "{text} {beyond} {found:?}");
+        }
+    }
+}

@@ -53,15 +53,16 @@ impl Driver<'_> {
     pub(super) fn settle(&mut self, settles: Vec<ZenoClosure>) -> Result<(), RunCause> {
         let set = settles.iter().fold(ContactSet::EMPTY, |set, settling| set.union(settling.set));
         let end = settles.iter().map(|settling| settling.end).fold(self.t, f64::max);
-        let (closed, present) = (self.closed.union(set), self.present(set));
-        let collision = self.collision(present, DVector::zeros(self.layout().coordinates.len()));
+        let equations = self.setup.context.system().equations(&self.state);
+        let (closed, present) = (self.closed.union(set), self.present(set, &equations));
+        let collision = self.collision(present, &equations);
         let outcome =
             self.rest(&collision, closed, end).map_err(|error| self.collision_error(error, present))?;
         let stay = outcome.acting.iter().copied().filter(|&i| outcome.opening[i] == 0.0);
         let struck = stay.collect::<ContactSet>().difference(closed);
         let energy = self.setup.context.system().energy(&self.state);
         self.proceed(&outcome.rates, closed.union(struck))?;
-        self.refuse_gain(&energy, allowed_gain(&collision, &outcome))?;
+        self.refuse_gain(&energy, allowed_gain(collision.drift.as_slice(), &outcome))?;
         if let Some(gained) = self.gained(&outcome) {
             self.log(LoggedDecision::FrictionAhead(gained));
         }
@@ -128,9 +129,16 @@ impl Driver<'_> {
 
     /// Those with a set closed.
     pub(in super::super) fn accelerations(&self, state: &[f64], set: ContactSet) -> Numbers {
+        let mut known = self.accelerations.borrow_mut();
+        if let Some((at, with, a)) = &*known
+            && (&at[..], *with) == (state, set)
+        {
+            return a.clone();
+        }
         let mut a: Numbers = smallvec![0.0; self.layout().coordinates.len()];
         let mut multipliers: Numbers = smallvec![0.0; self.layout().rows()];
         self.setup.context.system().solve(state, set, &mut a, &mut multipliers);
+        *known = Some((state.into(), set, a.clone()));
         a
     }
 
