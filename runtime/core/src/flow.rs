@@ -1,11 +1,16 @@
 //! Motion without events: a stepper and what it steps through, nothing round it. No guard, contact or impact is compiled for
 //! it, and without the standard library nothing is allocated.
 
+use core::marker::PhantomData;
+
 use crate::integrate::{
-    Dop853, PhaseExpansion, StepError, StepState, Stepper, Taylor, Tolerance, ToleranceError,
+    Dop853, Expansion, ExpansionBy, PhaseExpansion, StepError, StepState, Stepper, Taylor, Tolerance,
+    ToleranceError,
 };
 use crate::model::{Array, BarSystem, ContactSet, Form, Phase, PhaseSeries, PhaseVisitor};
 use crate::project::project;
+use crate::scalar::Double;
+use crate::scalar::dispatch::{ForDouble, by_doubles};
 use crate::scales::Scales;
 
 /// Why a motion was not computed.
@@ -67,11 +72,13 @@ pub fn flow<M: BarSystem>(
     M::phase(
         ContactSet::EMPTY,
         Form::Closed,
-        Flow { constants: &constants, scales, state, duration, tolerance },
+        Flow { model, constants: &constants, scales, state, duration, tolerance },
     )
 }
 
 struct Flow<'a, M: BarSystem> {
+    #[allow(dead_code, reason = "for doubles that the target need not have")]
+    model: &'a M,
     constants: &'a M::Constants<f64>,
     scales: Scales,
     state: &'a M::State<f64>,
@@ -109,11 +116,38 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Flow<'_, M> {
         if const { !M::LAYOUT.kinks.is_empty() } {
             return self.visit(phase);
         }
-        let expansion = PhaseExpansion::<M, Q, N>::new(self.constants);
-        let mut stepper = Taylor::new(expansion, self.start(&phase)?);
-        while stepper.step_state().time() < self.duration {
+        by_doubles(FlowBy::<M, Q, N> { flow: self, phase, series: PhantomData })
+    }
+}
+
+/// A motion by Taylor's method.
+struct FlowBy<'a, M: BarSystem, Q, const N: usize> {
+    flow: Flow<'a, M>,
+    phase: Phase<M, f64, N>,
+    series: PhantomData<Q>,
+}
+
+impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> ForDouble for FlowBy<'_, M, Q, N> {
+    type Output = Result<M::State<f64>, FlowError>;
+
+    fn plain(self) -> Self::Output {
+        let constants = self.flow.constants;
+        self.run(PhaseExpansion::<M, Q, N>::new(constants))
+    }
+
+    fn with<S: Double>(self) -> Self::Output {
+        let constants = self.flow.model.constants();
+        self.run(ExpansionBy::<_, S, M, Q, N>::new(&constants))
+    }
+}
+
+impl<M: BarSystem, Q, const N: usize> FlowBy<'_, M, Q, N> {
+    fn run(self, expansion: impl Expansion<N>) -> Result<M::State<f64>, FlowError> {
+        let Self { flow, phase, .. } = self;
+        let mut stepper = Taylor::new(expansion, flow.start(&phase)?);
+        while stepper.step_state().time() < flow.duration {
             stepper.step()?;
         }
-        Ok((phase.embed)(self.constants, stepper.step_state().state()))
+        Ok((phase.embed)(flow.constants, stepper.step_state().state()))
     }
 }

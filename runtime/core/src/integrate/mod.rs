@@ -33,6 +33,7 @@ pub use gauss::Gauss;
 #[cfg(feature = "std")]
 pub use radau::Radau;
 pub use step_state::StepState;
+pub(crate) use taylor::ExpansionBy;
 #[cfg(feature = "std")]
 pub use taylor::{Ended, LaneStepper};
 pub use taylor::{Expansion, Guards, PhaseExpansion, Taylor};

@@ -15,7 +15,8 @@ mod sin_cos;
 mod tests;
 
 #[cfg(feature = "std")]
-pub(crate) use dispatch::{Inside, Vector};
+pub(crate) use dispatch::Vector;
+pub(crate) use dispatch::{Double, Inside};
 pub use double_double::DoubleDouble;
 pub use dual::{Dual, Dual4};
 #[cfg(not(feature = "std"))]

@@ -65,12 +65,23 @@ impl<S: Real> Convolution<'_, S> {
 
     #[inline(always)]
     fn sum_blocks<const B: usize, const FUSED: bool>(&mut self, n: usize, blocks: [usize; B]) {
+        // Loops, as closures are functions of their own.
         match n {
-            0 | 1 => blocks.iter().for_each(|&i| self.sums[i] = zero()),
-            2 => blocks.iter().for_each(|&i| {
-                self.sums[i] = products::<_, FUSED>(self.left(1, i), self.right(1, i), zero())
-            }),
-            3 => blocks.iter().for_each(|&i| self.sums[i] = self.newest::<FUSED>(n, i, zero())),
+            0 | 1 => {
+                for i in blocks {
+                    self.sums[i] = zero();
+                }
+            }
+            2 => {
+                for i in blocks {
+                    self.sums[i] = products::<_, FUSED>(self.left(1, i), self.right(1, i), zero());
+                }
+            }
+            3 => {
+                for i in blocks {
+                    self.sums[i] = self.newest::<FUSED>(n, i, zero());
+                }
+            }
             _ if n.is_multiple_of(2) => self.sum_two::<_, FUSED>(n, blocks),
             _ => self.sum_rest::<_, FUSED>(n, blocks),
         }

@@ -7,12 +7,13 @@ use super::jacobian::{self, JacobianOf};
 use super::lifted::Lifted;
 use super::projected::{KernelOrders, TakeOrder, projected_series};
 use super::{Jacobian, Phase, System};
-use crate::integrate::{PhaseExpansion, SeriesExpansion};
+use crate::integrate::{ExpansionBy, PhaseExpansion, SeriesExpansion};
 use crate::model::{
     self, Array, BarSystem, ClosedForm, ContactSet, Energy, Form, KernelSeries, OfState, PhaseSeries,
     PhaseVisitor, Varying,
 };
-use crate::scalar::{DoubleDouble, Dual4, Scalar};
+use crate::scalar::dispatch::{ForDouble, by_doubles};
+use crate::scalar::{Double, DoubleDouble, Dual4, Scalar};
 use crate::series::TaylorTape;
 
 /// What a phase is and how large.
@@ -77,8 +78,12 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for WithSeries<M> {
         phase: model::Phase<M, f64, N>,
     ) -> Self::Output {
         let jacobian = jacobian::of_projected::<M, N>();
-        let series: SeriesOf<M, f64> = |constants, set| {
-            let orders = OrdersOf::<M, Q, N> { constants, tape: Box::default(), series: PhantomData };
+        let series: SeriesOf<M, f64> = |system, set| {
+            let orders = OrdersOf::<M, Q, N> {
+                constants: &system.constants,
+                tape: Box::default(),
+                series: PhantomData,
+            };
             projected_series(M::LAYOUT, set, Box::new(orders))
         };
         Arc::new(LiftedPhase { jacobian, series: Some(series), ..LiftedPhase::new(self.0, phase) })
@@ -98,7 +103,7 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for WithSeries<M> {
     ) -> Self::Output {
         let (reduced, jacobian) = (Reduced::<M, f64, N>::of::<Q>(), jacobian::of_closed::<M, Q, N>());
         let series: SeriesOf<M, f64> =
-            |constants, _| Some(Box::new(PhaseExpansion::<M, Q, N>::new(constants)));
+            |system, set| Some(by_doubles(SeriesBy::<M, Q, N> { system, set, series: PhantomData }));
         Arc::new(LiftedPhase { reduced, jacobian, series: Some(series), ..LiftedPhase::new(self.0, phase) })
     }
 }
@@ -113,8 +118,29 @@ impl<M: BarSystem, S: Liftable> PhaseVisitor<M, S> for Plain<M, S> {
     }
 }
 
-type SeriesOf<M, S> =
-    for<'a> fn(&'a <M as BarSystem>::Constants<S>, ContactSet) -> Option<Box<dyn SeriesExpansion + 'a>>;
+type SeriesOf<M, S> = for<'a> fn(&'a Lifted<M, S>, ContactSet) -> Option<Box<dyn SeriesExpansion + 'a>>;
+
+/// The series of a closed form.
+struct SeriesBy<'a, M: BarSystem, Q, const N: usize> {
+    system: &'a Lifted<M, f64>,
+    #[allow(dead_code, reason = "for doubles that the target need not have")]
+    set: ContactSet,
+    series: PhantomData<Q>,
+}
+
+impl<'a, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> ForDouble for SeriesBy<'a, M, Q, N> {
+    type Output = Box<dyn SeriesExpansion + 'a>;
+
+    fn plain(self) -> Self::Output {
+        Box::new(PhaseExpansion::<M, Q, N>::new(&self.system.constants))
+    }
+
+    fn with<S: Double>(self) -> Self::Output {
+        let parameters = M::Parameters::from_fn(|i| S::from_f64(self.system.parameters.as_ref()[i]));
+        let constants = Box::new(M::constants_of(&parameters, &self.set));
+        Box::new(ExpansionBy::<_, S, M, Q, N>::new(constants))
+    }
+}
 
 /// The full equations of a compiled model, order by order.
 struct OrdersOf<'a, M: BarSystem, Q: KernelSeries<M, N>, const N: usize> {
@@ -222,7 +248,7 @@ impl<M: BarSystem, S: Liftable, const N: usize> Phase<S> for LiftedPhase<M, S, N
     }
 
     fn series(&self) -> Option<Box<dyn SeriesExpansion + '_>> {
-        self.series.and_then(|series| series(&self.system.constants, self.phase.set))
+        self.series.and_then(|series| series(&self.system, self.phase.set))
     }
 
     fn jacobian(&self) -> Option<Jacobian<'_>> {

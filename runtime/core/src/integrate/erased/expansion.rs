@@ -1,8 +1,11 @@
 //! Taylor series of a phase of any dimension.
 
+use core::ops::Deref;
+
 use super::InitialValueProblem;
-use crate::integrate::{Expansion, Guards, PhaseExpansion};
+use crate::integrate::{Expansion, ExpansionBy, Guards};
 use crate::model::{BarSystem, Form, PhaseSeries};
+use crate::scalar::Double;
 use crate::series::ORDERS;
 use crate::system::to_array;
 
@@ -19,7 +22,11 @@ pub trait SeriesExpansion {
     fn guards(&mut self, ratio: f64) -> Option<Guards<'_>>;
 }
 
-impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> SeriesExpansion for PhaseExpansion<'_, M, Q, N> {
+impl<C, S, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> SeriesExpansion for ExpansionBy<C, S, M, Q, N>
+where
+    C: Deref<Target = M::Constants<S>>,
+    S: Double,
+{
     fn expand(&mut self, state: &[f64], unit: f64, order: usize) {
         Expansion::expand(self, &to_array(state), unit, order);
     }

@@ -21,6 +21,7 @@ mod tests;
 pub use expansion::{Expansion, Guards};
 #[cfg(feature = "std")]
 pub use lane_stepper::{Ended, LaneStepper};
+pub(crate) use phase::ExpansionBy;
 pub use phase::PhaseExpansion;
 
 use super::{Dense, StepError, StepState, Stepper, is_finite};
@@ -92,9 +93,11 @@ impl<E: Expansion<N>, const N: usize> Taylor<E, N> {
 
     /// A length of the first step: the time in which the state changes by its own size.
     fn first_unit(&mut self) -> Result<f64, StepError> {
+        let rates = self.expansion.rates(&self.step_state.state);
+        self.step_state.counts.evaluations += 1;
+        self.step_state.check(&rates)?;
         self.expansion.expand(&self.step_state.state, 1.0, 2);
-        self.step_state.counts.evaluations += 2;
-        self.step_state.check(&self.expansion.series()[1])?;
+        self.step_state.counts.evaluations += 1;
         let [y, slope, bend, ..] = *self.expansion.series();
         let rate = step_size::rate(&[y, slope, bend], &self.step_state.tolerance);
         Ok(self.step_state.begin((rate > 0.0).then(|| 1.0 / rate)))

@@ -1,23 +1,30 @@
 //! The series of a phase.
 
+use core::ops::Deref;
+
 use super::{Expansion, Guards};
 use crate::integrate::store::Store;
 use crate::model::{Array, BarSystem, PhaseSeries, TermsOf};
+use crate::scalar::{Double, Inside};
 use crate::series::{ORDERS, TaylorTape};
 
-/// The equations of a closed form on Taylor series, with the guards of its contacts.
-pub struct PhaseExpansion<'a, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> {
-    constants: &'a M::Constants<f64>,
-    tape: Store<Columns<M, Q, N>>,
+/// The equations of a closed form on Taylor series, with the guards of its contacts, by doubles `S`, whose constants are `C`.
+pub struct ExpansionBy<C, S: Double, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> {
+    constants: C,
+    tape: Store<Columns<S, M, Q, N>>,
     work: Store<Work<M, N>>,
     terms: usize,
     values: Values<M, N>,
 }
 
-/// A tape of this phase alone: columns that it does not use stay zero.
-struct Columns<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize>(Q::Tape<f64>);
+/// The same by the doubles of the target.
+pub type PhaseExpansion<'a, M, Q, const N: usize> =
+    ExpansionBy<&'a <M as BarSystem>::Constants<f64>, f64, M, Q, N>;
 
-impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> Default for Columns<M, Q, N> {
+/// A tape of this phase alone: columns that it does not use stay zero.
+struct Columns<S: Double, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize>(Q::Tape<S>);
+
+impl<S: Double, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> Default for Columns<S, M, Q, N> {
     fn default() -> Self {
         Self(Q::Tape::default())
     }
@@ -89,9 +96,13 @@ impl<M: BarSystem> GuardSeries<M> {
     }
 }
 
-impl<'a, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> PhaseExpansion<'a, M, Q, N> {
+impl<C, S, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> ExpansionBy<C, S, M, Q, N>
+where
+    C: Deref<Target = M::Constants<S>>,
+    S: Double,
+{
     /// The series of `Q` with these constants.
-    pub fn new(constants: &'a M::Constants<f64>) -> Self {
+    pub fn new(constants: C) -> Self {
         let mut work = Store::<Work<M, N>>::default();
         // Orders above the last are none: the one before may have had more.
         work.series = [[0.0; N]; ORDERS];
@@ -110,40 +121,115 @@ impl<'a, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> PhaseExpansion<'a, 
     }
 
     #[inline(always)]
-    fn apart(terms: TermsOf<M, f64, N>) -> ([f64; N], Guard<M>) {
-        (terms.rates, Guard { reactions: terms.reactions, gaps: terms.gaps, feet: terms.feet })
+    fn apart(terms: &TermsOf<M, S, N>) -> ([f64; N], Guard<M>) {
+        let mut rates = [0.0; N];
+        for i in 0..N {
+            rates[i] = terms.rates[i].value();
+        }
+        let mut guard = Guard::<M>::default();
+        read(guard.reactions.as_mut(), terms.reactions.as_ref());
+        read(guard.gaps.as_mut(), terms.gaps.as_ref());
+        read(guard.feet.as_mut(), terms.feet.as_ref());
+        (rates, guard)
     }
 
     /// Order 0 at a state, unless it is known.
     fn begin(&mut self, state: &[f64; N]) {
-        let Self { constants, tape, values, .. } = self;
-        if !values.known || values.state != *state {
-            (values.known, values.state) = (true, *state);
-            (values.rates, values.guard) = Self::apart(Q::order(constants, &mut tape.0.values(), state));
+        if !self.values.known || self.values.state != *state {
+            S::inside(Begin(self, state));
         }
     }
 }
 
-impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> Expansion<N> for PhaseExpansion<'_, M, Q, N> {
-    fn expand(&mut self, state: &[f64; N], unit: f64, order: usize) {
-        self.begin(state);
-        let Self { constants, tape, work, terms, values } = self;
+#[inline(always)]
+fn numbers<S: Double, const N: usize>(values: &[f64; N]) -> [S; N] {
+    let mut numbers = [S::ratio(0, 1); N];
+    for i in 0..N {
+        numbers[i] = S::from_f64(values[i]);
+    }
+    numbers
+}
+
+#[inline(always)]
+fn read<S: Double>(values: &mut [f64], numbers: &[S]) {
+    for (value, number) in values.iter_mut().zip(numbers) {
+        *value = number.value();
+    }
+}
+
+/// Order 0 at a state.
+struct Begin<'a, E, const N: usize>(&'a mut E, &'a [f64; N]);
+
+impl<C, S, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> Inside
+    for Begin<'_, ExpansionBy<C, S, M, Q, N>, N>
+where
+    C: Deref<Target = M::Constants<S>>,
+    S: Double,
+{
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let ExpansionBy { constants, tape, values, .. } = self.0;
+        (values.known, values.state) = (true, *self.1);
+        let terms = Q::order(&**constants, &mut tape.0.values(), &numbers(self.1));
+        (values.rates, values.guard) = ExpansionBy::<C, S, M, Q, N>::apart(&terms);
+    }
+}
+
+/// The orders above, in a unit.
+struct Expand<'a, E, const N: usize> {
+    of: &'a mut E,
+    state: &'a [f64; N],
+    unit: f64,
+    order: usize,
+}
+
+impl<C, S, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> Inside
+    for Expand<'_, ExpansionBy<C, S, M, Q, N>, N>
+where
+    C: Deref<Target = M::Constants<S>>,
+    S: Double,
+{
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Self { of, state, unit, order } = self;
+        let ExpansionBy { constants, tape, work, terms, values } = of;
         let (Columns(tape), Work { series, guards, .. }) = (&mut **tape, &mut **work);
         series[0] = *state;
         *terms = if M::LAYOUT.contacts.is_empty() { 0 } else { order };
         guards.set(0, &values.guard);
         // Kept out of memory: an order need not wait for what the last one stores.
-        let mut state = values.rates.map(|rate| unit * rate);
+        let mut state = values.rates;
+        for i in 0..N {
+            state[i] *= unit;
+        }
         series[1] = state;
         // The orders that follow write over some of it.
         values.known = false;
         for n in 1..order {
-            let (rates, guard) = Self::apart(Q::order(constants, &mut tape.coefficients(n), &state));
+            let terms = Q::order(&**constants, &mut tape.coefficients(n), &numbers(&state));
+            let (rates, guard) = ExpansionBy::<C, S, M, Q, N>::apart(&terms);
             let part = unit / (n + 1) as f64;
-            state = rates.map(|rate| part * rate);
+            for i in 0..N {
+                state[i] = part * rates[i];
+            }
             series[n + 1] = state;
             guards.set(n, &guard);
         }
+    }
+}
+
+impl<C, S, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> Expansion<N> for ExpansionBy<C, S, M, Q, N>
+where
+    C: Deref<Target = M::Constants<S>>,
+    S: Double,
+{
+    fn expand(&mut self, state: &[f64; N], unit: f64, order: usize) {
+        self.begin(state);
+        S::inside(Expand { of: self, state, unit, order });
     }
 
     fn series(&self) -> &[[f64; N]; ORDERS] {

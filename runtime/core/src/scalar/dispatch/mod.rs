@@ -1,24 +1,37 @@
 //! Code compiled several times where the target is any processor of its kind: for all of them, for those with AVX2 and FMA, and,
 //! where whole steps are made of vectors, for those with AVX-512; which it is, is found out at run time.
 //!
-//! Loops over arrays ([`vectorised`]) the compiler itself turns into vectors. A chain of eight bars takes 0.91, 0.76, 0.74 of the
-//! time by it, a double pendulum 0.96, 0.91, 0.82, at tolerances of 1e-6, 1e-9, 1e-12, in a binary for any x86-64. Numbers that
-//! are vectors ([`widest`]) have their instructions in `found`. Where the target has the instructions there is one function, and
-//! nothing to find out.
+//! Loops over arrays ([`vectorised`]) the compiler itself turns into vectors. Series are made of doubles that multiply and add in
+//! one instruction ([`by_doubles`]), what is side by side of vectors ([`widest`]). Where the target has the instructions there is
+//! one function, and nothing to find out. What is gained stands where it is gained: in `fused`, `found`.
 //!
-//! The only `unsafe` code of this crate is in this folder: the call of a function that needs AVX2 and FMA, behind the standard
+//! The only `unsafe` code of this crate is in this folder: calls of functions that need AVX2 and FMA, behind the standard
 //! library's test for both, and what `found` has, behind the same. Compiled for more instructions, a function does what its source
 //! says like any other.
 
+mod double;
 #[cfg(all(feature = "std", target_arch = "x86_64", any(test, not(target_feature = "avx512f"))))]
 mod found;
+#[cfg(all(feature = "std", target_arch = "x86_64", any(test, not(target_feature = "fma"))))]
+mod fused;
 #[cfg(all(test, feature = "std", target_arch = "x86_64"))]
 mod tests;
 #[cfg(feature = "std")]
 mod vector;
 
+pub use double::Double;
+pub(crate) use double::{ForDouble, by_doubles};
 #[cfg(feature = "std")]
-pub use vector::{Inside, Vector};
+pub use vector::Vector;
+
+/// A piece of work that is compiled for the instructions of its numbers.
+pub trait Inside {
+    /// What it gives.
+    type Output;
+    /// Does it. To be marked `#[inline(always)]`, like all that it calls with such numbers: what is not inlined calls each instruction
+    /// as a function.
+    fn run(self) -> Self::Output;
+}
 
 /// A loop that is worth it.
 pub(crate) trait Vectorised {

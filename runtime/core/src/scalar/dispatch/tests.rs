@@ -3,7 +3,8 @@
 use proptest::prelude::*;
 
 use super::found::{Avx2, Avx512};
-use super::{Inside, Vector};
+use super::fused::Fused;
+use super::{Double, Inside, Vector};
 use crate::chain::Chain;
 use crate::scalar::{LANES, Lanes, Real};
 
@@ -39,6 +40,34 @@ fn as_one_by_one<X: Vector>(values: &[[f64; 3]]) {
                 assert_eq!(found.to_bits(), one.to_bits(), "{alone:?}");
             } else {
                 assert!((found - one).abs() <= 1e-9 * one.abs().max(1.0), "{found} for {one} at {alone:?}");
+            }
+        }
+    }
+}
+
+struct Alone<'a, S>(&'a [S; 3]);
+
+impl<S: Double> Inside for Alone<'_, S> {
+    type Output = [f64; 5];
+
+    #[inline(always)]
+    fn run(self) -> [f64; 5] {
+        formula(*self.0).map(S::value)
+    }
+}
+
+/// The bits of doubles that are fused, or nearly the values of those that are not.
+fn fused_is_as_plain(values: &[[f64; 3]]) {
+    for value in values {
+        let (fused, plain) = (Fused::inside(Alone(&value.map(Fused::from_f64))), f64::inside(Alone(value)));
+        for (fused, plain) in fused.into_iter().zip(plain) {
+            if cfg!(target_feature = "fma") {
+                assert_eq!(fused.to_bits(), plain.to_bits(), "{value:?}");
+            } else {
+                assert!(
+                    (fused - plain).abs() <= 1e-9 * plain.abs().max(1.0),
+                    "{fused} for {plain} at {value:?}"
+                );
             }
         }
     }
@@ -82,6 +111,7 @@ proptest! {
             views_agree::<Avx512>(&values);
         }
         if std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma") {
+            fused_is_as_plain(&values);
             as_one_by_one::<Avx2>(&values);
             views_agree::<Avx2>(&values);
         }

@@ -4,6 +4,7 @@ use core::ops::{BitOr, Div, Shr};
 
 use wide::f64x8;
 
+use super::Inside;
 use crate::scalar::sin_cos::{Doubles, sin_cos_all};
 use crate::scalar::{LANES, Lanes};
 
@@ -41,15 +42,6 @@ pub trait Vector:
     fn view_mut<const V: usize>(lanes: &mut [Lanes<V>]) -> &mut [Lanes<V, Self>];
     /// Runs what is made of these vectors, compiled for the instructions that they have.
     fn inside<W: Inside>(work: W) -> W::Output;
-}
-
-/// A piece of work made of vectors.
-pub trait Inside {
-    /// What it gives.
-    type Output;
-    /// Does it. To be marked `#[inline(always)]`, like all that it calls with vectors: what is not inlined calls each instruction
-    /// as a function.
-    fn run(self) -> Self::Output;
 }
 
 /// What the compiler makes of the target.
