@@ -92,7 +92,7 @@ impl Collision {
 /// M⁻¹ b with M = L Lᵀ; none where a pivot is not clear.
 fn solution(mass: impl Fn(usize, usize) -> f64, b: &[f64]) -> Option<Numbers> {
     let n = b.len();
-    let (mut factor, mut x): (Numbers, Numbers) = (smallvec![0.0; n * n], b.into());
+    let (mut factor, mut x): (Numbers, Numbers) = (smallvec![0.0; n * n], Numbers::from_slice(b));
     let less = |value: f64, one: &[f64], other: &[f64]| {
         one.iter().zip(other).fold(value, |rest, (a, b)| rest - a * b)
     };

@@ -66,7 +66,7 @@ fn image_of(phase: &dyn Phase, state: &[f64], tolerance: f64) -> Result<Numbers,
         return Err(Chart::Absent);
     }
     if !eliminates(phase) {
-        return Ok(state.into());
+        return Ok(Numbers::from_slice(state));
     }
     let (reduced, image) = image(phase, state);
     if phase.pivot(&reduced) < least_pivot(tolerance) { Err(Chart::SmallPivot) } else { Ok(image) }

@@ -1,5 +1,6 @@
 //! Sequences of impacts, their accumulation among them (catalogue 8).
 
+use liftoff::method::MethodId;
 use liftoff::prelude::*;
 use liftoff_fixtures::Particle;
 
@@ -58,6 +59,16 @@ fn an_elastic_point_bounces_until_the_limit() {
     }
     let energy = Output::parse(Particle::LAYOUT, "E").unwrap();
     assert!((run.value(&energy, 100.0) - 1.0).abs() < 1e-12);
+}
+
+/// A flight is a parabola, one polynomial from impact to impact, also where it lasts many natural times; the drop begins with a step of one.
+#[test]
+fn a_flight_is_one_step_of_taylors_method() {
+    for e in [1.0, 0.9] {
+        let run = drop(e).method(MethodId::Taylor).tolerance(1e-12).limit(20.0).run().unwrap();
+        let impacts = run.events().iter().filter(|event| event.kind == EventKind::Impact).count() as u64;
+        assert!(impacts > 5 && run.statistics().steps <= impacts + 3, "{impacts} {:?}", run.statistics());
+    }
 }
 
 /// Rates that drive a closed contact into its support are an impact at t = 0.

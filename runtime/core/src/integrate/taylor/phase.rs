@@ -258,11 +258,12 @@ where
 /// The first terms of each series times powers of the step, four at once; zero stays zero where those overflow.
 #[inline(always)]
 fn scale(scaled: &mut [[f64; ORDERS]], (powers, terms): (&[f64; ORDERS], usize), series: &[[f64; ORDERS]]) {
-    let (powers, []) = powers.as_chunks::<4>() else { unreachable!("as many orders as are summed at once") };
+    let (powers, fours) = (powers.as_chunks::<4>().0, terms.div_ceil(4).min(ORDERS / 4));
     for (scaled, series) in scaled.iter_mut().zip(series) {
-        let fours = scaled.as_chunks_mut::<4>().0.iter_mut().zip(series.as_chunks::<4>().0);
-        for ((scaled, terms), powers) in fours.zip(&powers[..terms.div_ceil(4)]) {
-            *scaled = core::array::from_fn(|i| if terms[i] == 0.0 { 0.0 } else { powers[i] * terms[i] });
+        let (scaled, series) = (scaled.as_chunks_mut::<4>().0, series.as_chunks::<4>().0);
+        for k in 0..fours {
+            let (terms, powers) = (&series[k], &powers[k]);
+            scaled[k] = core::array::from_fn(|i| if terms[i] == 0.0 { 0.0 } else { powers[i] * terms[i] });
         }
     }
 }

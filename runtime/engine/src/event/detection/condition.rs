@@ -116,7 +116,7 @@ impl EventDetector<'_> {
             self.undecided.set(self.undecided.get().or(Some(0.0)));
             return Ok(None);
         }
-        let leaves = if watch.is_noisy { None } else { self.leaves(&watch.reads, step)? };
+        let leaves = if watch.is_noisy { None } else { self.leaves(&condition.reads(), step)? };
         let Some(leaves) = leaves else {
             let accuracy = Accuracy { delta: bound, is_noisy: watch.is_noisy };
             return of_values(condition, &value, (start, accuracy));

@@ -31,6 +31,7 @@ use crate::integration::phase_point::Numbers;
 use crate::model::{ContactSet, Layout, Side, Slip};
 use known::Known;
 use memo::Memo;
+use smallvec::SmallVec;
 use step::{Kinds, Values};
 use watch::{Watch, guards};
 
@@ -241,7 +242,7 @@ impl<'a> EventDetector<'a> {
     pub(crate) fn examine(&mut self, step: &StepView<'_>, is_last: bool) -> Result<StepEvents, GuardError> {
         self.sample(step);
         let mut findings = StepEvents::default();
-        let mut decisive = Vec::new();
+        let mut decisive: SmallVec<[(f64, Guard); 4]> = SmallVec::new();
         self.undecided.set(None);
         self.unresolved = None;
         for k in 0..self.list.len() {

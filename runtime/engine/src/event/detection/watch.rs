@@ -6,7 +6,7 @@ use super::condition::PATIENCE;
 use super::low_flight::LowFlight;
 use super::{Guard, Rub, StepView};
 use crate::contact::friction::Grip;
-use crate::expression::{Condition, Variable};
+use crate::expression::Condition;
 use crate::model::{ContactKind, ContactSet, Layout, Slip};
 
 /// Contacts as the run treats them.
@@ -86,8 +86,6 @@ pub(super) struct Watch {
     pub(super) is_clear: bool,
     /// Whether it is taken for noise where it turns too often to be followed.
     pub(super) is_noisy: bool,
-    /// Of a condition, what it reads of the motion.
-    pub(super) reads: Vec<Variable>,
     /// Whether a condition arms or disarms: what holds or not on either side of a pole is then there or not.
     pub(super) is_state: bool,
     /// Of a condition, whether series of its sides show by their size how well they converge.
@@ -125,7 +123,6 @@ impl Watch {
             has_series: false,
             is_clear: false,
             is_noisy: false,
-            reads: if let Guard::Condition(k) = guard { conditions[k].reads() } else { Vec::new() },
             is_state: false,
             is_entire: matches!(guard, Guard::Condition(k) if conditions[k].is_entire()),
             end: Cell::new(None),

@@ -21,9 +21,12 @@ const RESOLUTION: f64 = f64::EPSILON / 4.0;
 /// Bisection alone needs 53; the method at most some three times that.
 const MOST: usize = 200;
 
+/// The first place is that of the chord, and at least so much of the interval from its ends.
+const FIRST: f64 = 0.1;
+
 /// The root between `a` and `b`, to rounding: the nearest point found, and the one across the change of sign.
 pub(super) fn root(f: &mut dyn FnMut(f64) -> f64, a: Point, b: Point) -> [Point; 2] {
-    let (mut new, mut old, mut fraction) = (a, b, 0.5);
+    let (mut new, mut old, mut fraction) = (a, b, (a.value / (a.value - b.value)).clamp(FIRST, 1.0 - FIRST));
     for _ in 0..MOST {
         let [best, other] = if new.value.abs() < old.value.abs() { [new, old] } else { [old, new] };
         let width = (old.theta - new.theta).abs();

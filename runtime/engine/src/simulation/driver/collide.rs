@@ -127,17 +127,18 @@ impl Driver<'_> {
     }
 
     fn rows(&self, present: ContactSet) -> Vec<Row> {
-        (0..self.layout().rows()).map(|row| self.part(row, present)).collect()
+        let guides = self.guides();
+        (0..self.layout().rows()).map(|row| self.part(row, present, guides)).collect()
     }
 
-    fn part(&self, row: usize, present: ContactSet) -> Row {
+    fn part(&self, row: usize, present: ContactSet, guides: ContactSet) -> Row {
         let (contacts, joints) = (self.layout().contacts.len(), self.layout().joints.len());
         if row >= contacts + joints {
             let of = self.layout().tangents[row - contacts - joints];
             self.layout().contacts[of].friction.map_or(Row::Tangent { of }, |entry| self.rubbing(of, entry))
         } else if row < contacts && self.layout().contacts[row].is_hinge() {
             Row::Open
-        } else if self.guides().contains(row) {
+        } else if guides.contains(row) {
             Row::Guide
         } else if row >= contacts || self.is_held(row) {
             Row::TwoSided

@@ -337,17 +337,19 @@ impl Driver<'_> {
     /// Open contacts whose foot is at the end of its bar or beyond.
     pub(super) fn beyond_end(&self) -> ContactSet {
         let context = &self.setup.context;
-        if self.layout().feet() == 0 && context.switches.is_empty() {
+        let contacts = self.layout().contacts.iter().enumerate();
+        let mut open = contacts
+            .filter_map(|(i, contact)| Some((i, contact.foot?)))
+            .filter(|(i, _)| !self.closed.contains(*i))
+            .peekable();
+        if open.peek().is_none() && context.switches.is_empty() {
             return ContactSet::EMPTY;
         }
         let mut feet: Numbers = smallvec![0.0; 2 * self.layout().feet()];
         context.system().feet(&self.state, &mut feet);
         let bound = self.relative_bound() * context.scales.length;
-        let off = |i: &usize| {
-            let foot = self.layout().contacts[*i].foot.filter(|_| !self.closed.contains(*i));
-            foot.is_some_and(|k| feet[2 * k..2 * k + 2].iter().any(|margin| *margin <= bound))
-        };
-        let off: ContactSet = (0..self.layout().contacts.len()).filter(off).collect();
+        let is_off = |(_, k): &(usize, usize)| feet[2 * k..2 * k + 2].iter().any(|margin| *margin <= bound);
+        let off: ContactSet = open.filter(is_off).map(|(i, _)| i).collect();
         if context.switches.is_empty() {
             return off;
         }

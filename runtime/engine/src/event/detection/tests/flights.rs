@@ -114,3 +114,21 @@ fn what_is_low() {
     let most = BOUNDS.relative * BOUNDS.length;
     assert!(detector.is_low(most) && detector.is_low(0.0) && !detector.is_low(1.001 * most));
 }
+
+/// Of several the lowest; none where something else is zero at the start, or nothing is.
+#[test]
+fn the_lowest_flight_that_a_phase_begins_with() {
+    let lowest = |gaps: [f64; 2], heights: &[(usize, f64)]| {
+        let scene = Scene::closed(ContactSet::EMPTY, move |_| {
+            let mut shown = Shown { gaps: [1.0; CONTACTS], ..Shown::default() };
+            [shown.gaps[PLAIN], shown.gaps[THREAD]] = gaps;
+            shown
+        });
+        scene.begun(ContactStatus { heights, ..roles(ContactSet::EMPTY) }, (&[], false)).lowest_flight()
+    };
+    let both = [(PLAIN, 1e-3), (THREAD, 1e-5)];
+    assert_eq!(lowest([0.0, 0.0], &both), 1e-5);
+    assert_eq!(lowest([0.0, 1.0], &both), 1e-3);
+    assert_eq!(lowest([0.0, 0.0], &both[..1]), 0.0);
+    assert_eq!(lowest([1.0, 1.0], &both), 0.0);
+}

@@ -80,6 +80,14 @@ fn what_lets_a_series_fall_bounds_it() {
     // One term is rounded once for each of the terms that there is room for.
     let least = 1.0 - 33.0 * f64::EPSILON;
     assert!(!stays_above(&[1.0], least) && stays_above(&[1.0], least.next_down()));
+    // What is no number proves nothing, wherever it stands.
+    for k in 0..7 {
+        for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            let mut c = [9.0, 1.0, -1.0, 1.0, -1.0, 1.0, -1.0];
+            c[k] = wrong;
+            assert!(!stays_above(&c, 0.0), "{c:?}");
+        }
+    }
     // Above its bound by less than the rounding of its terms.
     assert!(!stays_above(&[1.0, -1.0 + 1e-14], -1.0) && stays_above(&[1.0, -1.0 + 1e-12], -1.0));
 }

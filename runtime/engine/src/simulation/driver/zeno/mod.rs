@@ -229,8 +229,8 @@ impl Driver<'_> {
     /// Contacts within the bound of their gaps. A foot that has slid off the end of its bar has nothing to fall back on.
     fn near(&self, gaps: &[f64]) -> ContactSet {
         let bound = self.relative_bound() * self.setup.context.scales.length;
-        let away = self.removed.union(self.beyond_end());
-        (0..gaps.len()).filter(|i| gaps[*i].abs() <= bound && !away.contains(*i)).collect()
+        let near: ContactSet = (0..gaps.len()).filter(|i| gaps[*i].abs() <= bound).collect();
+        if near.is_empty() { near } else { near.difference(self.removed.union(self.beyond_end())) }
     }
 
     /// Open contacts within the bound of their gaps, above their bars, that do not approach their supports but will fall back.

@@ -133,12 +133,12 @@ impl Driver<'_> {
         if let Some((at, with, a)) = &*known
             && (&at[..], *with) == (state, set)
         {
-            return a.clone();
+            return Numbers::from_slice(a);
         }
         let mut a: Numbers = smallvec![0.0; self.layout().coordinates.len()];
         let mut multipliers: Numbers = smallvec![0.0; self.layout().rows()];
         self.setup.context.system().solve(state, set, &mut a, &mut multipliers);
-        *known = Some((state.into(), set, a.clone()));
+        *known = Some((Numbers::from_slice(state), set, Numbers::from_slice(&a)));
         a
     }
 
