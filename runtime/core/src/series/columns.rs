@@ -32,6 +32,8 @@ impl<S: Real, const C: usize> Default for Columns<S, C> {
 }
 
 impl<S: Real, const C: usize> TaylorTape<S> for Columns<S, C> {
+    const COLUMNS: usize = C;
+
     #[inline(always)]
     fn values(&mut self) -> impl SeriesOps<S> {
         Values(self)

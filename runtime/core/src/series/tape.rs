@@ -17,6 +17,8 @@ struct Kept<S>([S; 2]);
 
 /// What a Taylor expansion keeps: the operands of its convolutions up to the last order computed.
 pub trait TaylorTape<S: Real>: Default {
+    /// How many convolutions it has room for.
+    const COLUMNS: usize;
     /// Order 0.
     fn values(&mut self) -> impl SeriesOps<S>;
     /// Order n > 0, one above the last; n < [`ORDERS`].
@@ -48,6 +50,8 @@ impl<S: Real, const BLOCKS: usize> Default for Tape<S, BLOCKS> {
 }
 
 impl<S: Real, const BLOCKS: usize> TaylorTape<S> for Tape<S, BLOCKS> {
+    const COLUMNS: usize = LANES * BLOCKS;
+
     #[inline(always)]
     fn values(&mut self) -> impl SeriesOps<S> {
         Values(self)

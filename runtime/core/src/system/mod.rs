@@ -83,6 +83,10 @@ pub trait Phase<S: Scalar = f64>: Send + Sync {
     fn series(&self) -> Option<Box<dyn SeriesExpansion + '_>> {
         None
     }
+    /// How many products and quotients of series a closed form has; 0 where that is not known.
+    fn products(&self) -> usize {
+        0
+    }
     /// ∂f/∂y, if it is known exactly; what can be stiff should know it.
     fn jacobian(&self) -> Option<Jacobian<'_>> {
         None

@@ -104,7 +104,14 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for WithSeries<M> {
         let (reduced, jacobian) = (Reduced::<M, f64, N>::of::<Q>(), jacobian::of_closed::<M, Q, N>());
         let series: SeriesOf<M, f64> =
             |system, set| Some(by_doubles(SeriesBy::<M, Q, N> { system, set, series: PhantomData }));
-        Arc::new(LiftedPhase { reduced, jacobian, series: Some(series), ..LiftedPhase::new(self.0, phase) })
+        let products = <Q::Columns<f64> as TaylorTape<f64>>::COLUMNS;
+        Arc::new(LiftedPhase {
+            reduced,
+            jacobian,
+            series: Some(series),
+            products,
+            ..LiftedPhase::new(self.0, phase)
+        })
     }
 }
 
@@ -171,6 +178,7 @@ struct LiftedPhase<M: BarSystem, S: Scalar, const N: usize> {
     kept: [usize; N],
     reduced: Option<Reduced<M, S, N>>,
     series: Option<SeriesOf<M, S>>,
+    products: usize,
     jacobian: Option<JacobianOf<M, S>>,
 }
 
@@ -193,7 +201,7 @@ impl<M: BarSystem, S: Scalar, const N: usize> LiftedPhase<M, S, N> {
         let kept = indices.map(|index| index.to_f64() as usize);
         let model::Phase { set, form, coordinates, rates, affine, .. } = phase;
         let info = PhaseInfo { set, form, coordinates, rates, entries: N, affine };
-        Self { system, phase, info, kept, reduced: None, series: None, jacobian: None }
+        Self { system, phase, info, kept, reduced: None, series: None, products: 0, jacobian: None }
     }
 }
 
@@ -249,6 +257,10 @@ impl<M: BarSystem, S: Liftable, const N: usize> Phase<S> for LiftedPhase<M, S, N
 
     fn series(&self) -> Option<Box<dyn SeriesExpansion + '_>> {
         self.series.and_then(|series| series(&self.system, self.phase.set))
+    }
+
+    fn products(&self) -> usize {
+        self.products
     }
 
     fn jacobian(&self) -> Option<Jacobian<'_>> {

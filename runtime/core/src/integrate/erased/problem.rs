@@ -22,6 +22,8 @@ pub struct InitialValueProblem<'a> {
     pub relative: f64,
     /// And absolute.
     pub absolute: &'a [f64],
+    /// By which both are multiplied.
+    pub tightness: f64,
     /// No step is longer.
     pub longest: Option<f64>,
 }

@@ -183,7 +183,8 @@ impl PhaseRun<'_> {
         let Scales { time, damped, .. } = self.context.scales;
         let longest = (!self.detector.is_empty()).then(|| time * LONGEST.max(LANDED * self.flight()));
         let (end, relative) = (self.horizon, self.tolerance);
-        let problem = InitialValueProblem { phase, t, start, end, relative, absolute, longest };
+        let tightness = 1.0;
+        let problem = InitialValueProblem { phase, t, start, end, relative, absolute, tightness, longest };
         let problem = Problem { problem, time, damped };
         method.begin(&problem).map(|begun| cut(begun, &problem))
     }
