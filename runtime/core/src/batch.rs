@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 
 use crate::model::{Array, BarSystem, ClosedForm, ContactSet, Form, Phase, PhaseVisitor};
 use crate::scalar::dispatch::{ForVector, widest};
-use crate::scalar::{Inside, Lanes, Vector};
+use crate::scalar::{Inside, Lanes, Real, Vector};
 
 /// States side by side: twice as many as a vector holds, as elimination is a chain of operations that wait for one another.
 pub type Side = Lanes<2>;
@@ -67,11 +67,11 @@ impl<M: BarSystem> ForVector for Find<'_, M> {
     type Output = Option<Box<dyn Evaluate<M>>>;
 
     fn with<X: Vector>(self) -> Self::Output {
-        M::phase(self.set, Form::Closed, Select::<M, X>(self.model, PhantomData))
+        M::phase(self.set, Form::Closed, Select::<M, X>(&self, PhantomData))
     }
 }
 
-struct Select<'a, M, X>(&'a M, PhantomData<X>);
+struct Select<'a, M, X>(&'a Find<'a, M>, PhantomData<X>);
 
 impl<M: BarSystem, X: Vector> PhaseVisitor<M, f64> for Select<'_, M, X> {
     type Output = Option<Box<dyn Evaluate<M>>>;
@@ -81,7 +81,10 @@ impl<M: BarSystem, X: Vector> PhaseVisitor<M, f64> for Select<'_, M, X> {
     }
 
     fn visit_closed<const N: usize, Q: ClosedForm<M, N>>(self, _: Phase<M, f64, N>) -> Self::Output {
-        Some(Box::new(Closed::<M, Q, X, N> { constants: self.0.constants(), form: PhantomData }))
+        let own = self.0.model.parameters();
+        let parameters = M::Parameters::from_fn(|i| Lanes::from_f64(own.as_ref()[i]));
+        let constants = M::constants_of(&parameters, &self.0.set);
+        Some(Box::new(Closed::<M, Q, X, N> { constants, form: PhantomData }))
     }
 }
 

@@ -4,7 +4,7 @@ use liftoff::method::MethodId;
 use liftoff::model::Array;
 use liftoff::prelude::*;
 use liftoff::{Batch, NoClosedForm, Side, contact_set};
-use liftoff_fixtures::{Bob, FallingPair, Ladder};
+use liftoff_fixtures::{Belt, Bob, FallingPair, Ladder};
 
 /// The same bits as one by one, in a reduced phase and in a free one; the last states are fewer than stand side by side.
 #[test]
@@ -30,6 +30,23 @@ fn same_as_one_by_one<M: BarSystem + Phases>(model: &M, closed: &[&str], kept: u
             assert_eq!(a.lane(k % Side::COUNT), alone.get(i).copied().unwrap_or(0.0));
         }
     }
+}
+
+/// A block that slides on a belt: m ẍ = −k x ∓ μ m g.
+#[test]
+fn a_batch_slides_with_friction() {
+    let rough = Belt { m: 2.0, g: 9.81, k: 30.0, mu: 0.3, mu_s: 0.4, w: 0.0 };
+    same_as_one_by_one(&rough, &["P"], 1);
+    let state = [0.5, 0.0, 1.0, 0.0];
+    let accelerated = |belt: &Belt| {
+        let batch = Batch::new(belt, contact_set(Belt::LAYOUT, &["P"]).unwrap()).unwrap();
+        let mut accelerations = vec![[Side::splat(0.0); 2]];
+        batch.reduced_accelerations(&Batch::<Belt>::pack(&[state]), &mut accelerations);
+        accelerations[0][0].lane(0)
+    };
+    let smooth = Belt { mu: 0.0, mu_s: 0.0, ..rough };
+    assert!((accelerated(&smooth) + 30.0 * 0.5 / 2.0).abs() < 1e-14);
+    assert!(((accelerated(&rough) - accelerated(&smooth)).abs() - 0.3 * 9.81).abs() < 1e-14);
 }
 
 /// Seven bars that hang from a pin.
