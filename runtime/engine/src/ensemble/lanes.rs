@@ -9,15 +9,17 @@ use crate::integration::phase_point::PhasePoint;
 use crate::integration::phase_run::absolute_tolerance;
 use crate::model::{ContactSet, Form, Layout};
 use crate::scalar::LANES;
-use crate::simulation::Simulation;
+use crate::simulation::{Budget, Simulation};
 use crate::system::{LaneConstructor, LaneEnd, LaneGroup, LaneStart};
 
 /// A guess at the first step, in natural times.
 const FIRST: f64 = 0.1;
 
-/// Whether the run can have no event before its end and would use Taylor's method by itself too.
+/// Whether the run can have no event before its end, would use Taylor's method by itself too, and nothing else may end it.
 pub(super) fn is_smooth(simulation: &Simulation) -> bool {
-    let Simulation { context, plan, conditions, event_filters, form, method, tolerance, .. } = simulation;
+    let Simulation {
+        context, plan, conditions, event_filters, form, method, tolerance, budget, cancel, ..
+    } = simulation;
     let layout = context.layout();
     layout.contacts.is_empty()
         && layout.joints.is_empty()
@@ -25,6 +27,8 @@ pub(super) fn is_smooth(simulation: &Simulation) -> bool {
         && plan.is_empty()
         && conditions.is_empty()
         && event_filters.is_empty()
+        && *budget == Budget::default()
+        && cancel.is_none()
         && *form == Form::Closed
         && method.takes_series()
         && *tolerance > 0.0

@@ -1,7 +1,8 @@
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
 
 use super::{Ensemble, Member, MemberError};
+use crate::Budget;
 use crate::prelude::*;
 use crate::system::lanes;
 
@@ -165,6 +166,21 @@ fn lanes_are_entered_by_their_own_model_only() {
     let other = |i| Ensemble::new(1, move |_| member(i)).side_by_side(lanes::<Pendulum>).run();
     assert_eq!(states(&other(3)), states(&Ensemble::new(1, |_| member(3)).run()));
     assert_ne!(states(&other(3)), states(&side_by_side(1, |_| member(3)).run()));
+}
+
+/// What a member has of its own that may end it holds beside others too.
+#[test]
+fn members_keep_their_budgets_and_are_cancelled() {
+    let cancelled = Arc::new(AtomicBool::new(true));
+    let ends = side_by_side(6, |i| match i {
+        1 => Ok(member(i)?.budget(Budget { steps: 3, ..Budget::default() })),
+        4 => Ok(member(i)?.cancel(Arc::clone(&cancelled))),
+        _ => member(i),
+    })
+    .run();
+    for (i, end) in ends.iter().enumerate() {
+        assert_eq!(end.is_err(), i == 1 || i == 4, "{i}: {end:?}");
+    }
 }
 
 /// Contacts are met one by one: h = 1, e = ½, the first impact at √(2h/g).
