@@ -78,7 +78,7 @@ fn long_series_are_left_without_loss_of_digits() {
     for k in 0..4 {
         let angle = |i: i32| 0.5 + (0.618 * f64::from(i + 7 * k)).fract();
         let first = Pose::at("phi_1", angle(1));
-        let pose = (2..=7).fold(first, |pose, i| pose.with(&format!("phi_{i}"), angle(i)));
+        let pose = (2..=7).fold(first, |pose, i| pose.with(format!("phi_{i}"), angle(i)));
         let swings = Simulation::new(&chain).unwrap().limit(2.0).start(pose).unwrap();
         let exact = swings.clone().method(Taylor).tolerance(1e-14).run().unwrap().final_state();
         for (tolerance, method) in
