@@ -7,7 +7,7 @@
 
 use liftoff::method::{Dop853, Method, Radau, Taylor, Tsit5};
 use liftoff::prelude::*;
-use liftoff_fixtures::AFrame;
+use liftoff_fixtures::{AFrame, Particle};
 
 const EXCESSES: [f64; 6] = [1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9];
 
@@ -41,4 +41,32 @@ fn landings(method: &(impl Method + Clone)) {
         let expected = sum / 3.0 - 3.0 * half;
         assert!((lands - expected).abs() < within, "{name} {excess:e} {tolerance:e}: {lands} for {expected}");
     }
+}
+
+/// h = v t + g t²/2, from heights below and above what counts as zero behind an event.
+#[test]
+fn falls_from_low_heights_end_on_the_floor() {
+    let ball = Particle { m: 1.0, g: 9.81, e: 0.9 };
+    let mut falls = 0;
+    for (tolerance, heights) in [
+        (1e-6, [1e-9, 1e-8, 3e-7, 9.8e-7, 9.9e-7, 1.01e-6, 1.02e-6, 3e-6, 9e-6, 1e-5, 1.1e-5]),
+        (1e-9, [2e-10, 1e-9, 5e-9, 9e-9, 9.9e-9, 1e-8, 1.01e-8, 1e-7, 1e-6, 1e-5, 1e-4]),
+    ] {
+        for (h, v) in heights.into_iter().flat_map(|h| [0.0, 1e-3, 1.0].map(|v| (h, v))) {
+            let start = Pose::at("y", h).with("y'", -v).with("x'", 1.0);
+            let lands = 2.0 * h / (v + (v * v + 2.0 * ball.g * h).sqrt());
+            let simulation = Simulation::new(&ball).unwrap().tolerance(tolerance).start(start).unwrap();
+            let run = simulation.limit(lands + 0.01).run().unwrap();
+            let impact = &run.events()[1];
+            assert_eq!(impact.kind, EventKind::Impact, "{h:e} {v:e} {tolerance:e}");
+            assert!(
+                (impact.t / lands - 1.0).abs() < 1e-6,
+                "{h:e} {v:e} {tolerance:e}: {:e} {lands:e}",
+                impact.t
+            );
+            assert!(run.final_state()[1] > -1e-2 * h, "{h:e} {v:e} {tolerance:e}: {:?}", run.final_state());
+            falls += 1;
+        }
+    }
+    assert_eq!(falls, 66);
 }

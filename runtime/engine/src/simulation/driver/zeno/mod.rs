@@ -22,6 +22,7 @@ pub(super) use rest::ZenoClosure;
 use sequence::Sequence;
 
 use super::Driver;
+use crate::assembly::CLOSED;
 use crate::contact::impulse::Outcome;
 use crate::error::RunCause;
 use crate::integration::phase_point::Numbers;
@@ -196,7 +197,25 @@ impl Driver<'_> {
                 flights.push((contact, height));
             }
         }
+        if self.t == self.setup.begin {
+            flights.extend(self.falling_at_start());
+        }
         flights
+    }
+
+    /// Open contacts that begin the run within the bound of their gap and do not rise, with the height that they fall from: it is
+    /// given, and known better than what an integration leaves.
+    fn falling_at_start(&self) -> Vec<(usize, f64)> {
+        let gaps = self.gaps();
+        let low = self.near(&gaps).difference(self.closed).difference(self.layout().drives());
+        if low.is_empty() {
+            return Vec::new();
+        }
+        let context = &self.setup.context;
+        let (equations, rates) = (context.system().equations(&self.state), &self.state[context.rates()]);
+        let falls =
+            |i: &usize| gaps[*i] > CLOSED * context.scales.length && equations.gap_rate(*i, rates) <= 0.0;
+        low.iter().filter(falls).map(|i| (i, gaps[i])).collect()
     }
 
     /// Closes open contacts that rise too little to be seen: they are back at once, and their impacts over.
