@@ -4,7 +4,7 @@ use liftoff::method::MethodId;
 use liftoff::model::Array;
 use liftoff::prelude::*;
 use liftoff::{Batch, NoClosedForm, Side, contact_set};
-use liftoff_fixtures::{Belt, Bob, FallingPair, Ladder};
+use liftoff_fixtures::{Belt, Bob, FallingPair, HangingChain, Ladder};
 
 /// The same bits as one by one, in a reduced phase and in a free one; the last states are fewer than stand side by side.
 #[test]
@@ -49,29 +49,11 @@ fn a_batch_slides_with_friction() {
     assert!(((accelerated(&rough) - accelerated(&smooth)).abs() - 0.3 * 9.81).abs() < 1e-14);
 }
 
-/// Seven bars that hang from a pin.
-#[derive(BarSystem)]
-#[gravity(g)]
-#[pin(O = (0, 0))]
-#[chain(bar, links = 7, from = O, mass = m, length = l)]
-#[coordinate(phi_1 = angle(bar1), from = down)]
-#[coordinate(phi_2 = angle(bar2), from = down)]
-#[coordinate(phi_3 = angle(bar3), from = down)]
-#[coordinate(phi_4 = angle(bar4), from = down)]
-#[coordinate(phi_5 = angle(bar5), from = down)]
-#[coordinate(phi_6 = angle(bar6), from = down)]
-#[coordinate(phi_7 = angle(bar7), from = down)]
-struct Chain {
-    m: f64,
-    l: f64,
-    g: f64,
-}
-
 /// Computed another way than one state is, with the same bits whatever is beside it; folded and stretched too. M has a condition of
 /// some hundred.
 #[test]
 fn chains_side_by_side_agree_with_one() {
-    let chain = Chain { m: 0.7, l: 1.3, g: 9.81 };
+    let chain = HangingChain { m: 0.7, l: 1.3, g: 9.81 };
     let quarter = core::f64::consts::FRAC_PI_2;
     let state = |k: usize| -> [f64; 14] {
         core::array::from_fn(|i| match (k, i) {
@@ -80,9 +62,9 @@ fn chains_side_by_side_agree_with_one() {
         })
     };
     let states: Vec<_> = (0..Side::COUNT + 3).map(state).collect();
-    let batch = Batch::new(&chain, contact_set(Chain::LAYOUT, &[]).unwrap()).unwrap();
+    let batch = Batch::new(&chain, contact_set(HangingChain::LAYOUT, &[]).unwrap()).unwrap();
     let of = |states: &[[f64; 14]]| {
-        let packed = Batch::<Chain>::pack(states);
+        let packed = Batch::<HangingChain>::pack(states);
         let mut accelerations = vec![[Side::splat(0.0); 7]; packed.len()];
         batch.reduced_accelerations(&packed, &mut accelerations);
         accelerations

@@ -3,8 +3,7 @@
 use liftoff::LoggedDecision;
 use liftoff::method::{Auto, Dop853, Gauss, Method, Radau, Taylor, Tsit5};
 use liftoff::prelude::*;
-use liftoff_fixtures::PairOnCorners;
-use liftoff_fixtures::SpringPendulum;
+use liftoff_fixtures::{HangingChain, PairOnCorners, SpringPendulum};
 
 /// From φ = 0.1 at rest: lift-off and φ = π/2, by quadrature with 21 digits.
 const OPENS: f64 = 0.829_361_847_228_260_4;
@@ -53,28 +52,10 @@ fn a_segment_tells_what_integrates_it() {
     assert_eq!(run.segments()[0].choice.method, "radau");
 }
 
-/// Seven bars that hang from a pin, whose series have many products.
-#[derive(BarSystem)]
-#[gravity(g)]
-#[pin(O = (0, 0))]
-#[chain(bar, links = 7, from = O, mass = m, length = l)]
-#[coordinate(phi_1 = angle(bar1), from = down)]
-#[coordinate(phi_2 = angle(bar2), from = down)]
-#[coordinate(phi_3 = angle(bar3), from = down)]
-#[coordinate(phi_4 = angle(bar4), from = down)]
-#[coordinate(phi_5 = angle(bar5), from = down)]
-#[coordinate(phi_6 = angle(bar6), from = down)]
-#[coordinate(phi_7 = angle(bar7), from = down)]
-struct Chain {
-    m: f64,
-    l: f64,
-    g: f64,
-}
-
 /// Where Auto leaves the series of a long chain for shorter work, its errors stay as small as theirs: below the tolerance.
 #[test]
 fn long_series_are_left_without_loss_of_digits() {
-    let chain = Chain { m: 0.7, l: 1.3, g: 9.81 };
+    let chain = HangingChain { m: 0.7, l: 1.3, g: 9.81 };
     for k in 0..4 {
         let angle = |i: i32| 0.5 + (0.618 * f64::from(i + 7 * k)).fract();
         let first = Pose::at("phi_1", angle(1));
