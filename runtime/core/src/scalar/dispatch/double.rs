@@ -37,7 +37,7 @@ pub(crate) trait ForDouble {
 /// Hands out doubles that multiply and add in one instruction, where the processor has it and the target need not.
 pub(crate) fn by_doubles<F: ForDouble>(wanted: F) -> F::Output {
     #[cfg(all(feature = "std", target_arch = "x86_64", not(target_feature = "fma")))]
-    if std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma") {
+    if super::has_fma() {
         return wanted.with::<super::fused::Fused>();
     }
     wanted.plain()

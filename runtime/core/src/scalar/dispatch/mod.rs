@@ -47,12 +47,19 @@ pub(crate) const FUSED: bool = cfg!(all(target_feature = "fma", feature = "std")
 #[inline(always)]
 pub(crate) fn vectorised(work: impl Vectorised) {
     #[cfg(all(feature = "std", target_arch = "x86_64", not(target_feature = "fma")))]
-    if std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma") {
+    if has_fma() {
         // SAFETY: the processor has both, as was just found.
         #[allow(unsafe_code, reason = "the module's proof")]
         return unsafe { with_avx2(work) };
     }
     work.run::<FUSED>();
+}
+
+/// Whether the processor has AVX2 and FMA, where the target need not.
+#[cfg(all(feature = "std", target_arch = "x86_64", any(test, not(target_feature = "fma"))))]
+#[inline(always)]
+fn has_fma() -> bool {
+    std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma")
 }
 
 #[cfg(all(feature = "std", target_arch = "x86_64", not(target_feature = "fma")))]
@@ -78,7 +85,7 @@ pub(crate) fn widest<F: ForVector>(wanted: F) -> F::Output {
         return wanted.with::<found::Avx512>();
     }
     #[cfg(all(target_arch = "x86_64", not(target_feature = "fma")))]
-    if std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma") {
+    if has_fma() {
         return wanted.with::<found::Avx2>();
     }
     wanted.with::<wide::f64x8>()

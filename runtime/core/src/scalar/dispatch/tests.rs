@@ -4,7 +4,7 @@ use proptest::prelude::*;
 
 use super::found::{Avx2, Avx512};
 use super::fused::Fused;
-use super::{Double, Inside, Vector};
+use super::{Double, Inside, Vector, has_fma};
 use crate::chain::Chain;
 use crate::scalar::{LANES, Lanes, Real};
 
@@ -110,7 +110,7 @@ proptest! {
             as_one_by_one::<Avx512>(&values);
             views_agree::<Avx512>(&values);
         }
-        if std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma") {
+        if has_fma() {
             fused_is_as_plain(&values);
             as_one_by_one::<Avx2>(&values);
             views_agree::<Avx2>(&values);
@@ -124,7 +124,7 @@ fn rough_functions_of_every_set() {
     if std::arch::is_x86_feature_detected!("avx512f") {
         rough::<Avx512>();
     }
-    if std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma") {
+    if has_fma() {
         rough::<Avx2>();
     }
 }
