@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 
 use crate::model::{Array, BarSystem, ClosedForm, ContactSet, Form, Phase, PhaseVisitor};
 use crate::scalar::dispatch::{ForVector, widest};
-use crate::scalar::{Inside, Lanes, Real, Vector};
+use crate::scalar::{Inside, Lanes, Vector};
 
 /// States side by side: twice as many as a vector holds, as elimination is a chain of operations that wait for one another.
 pub type Side = Lanes<2>;
@@ -81,9 +81,7 @@ impl<M: BarSystem, X: Vector> PhaseVisitor<M, f64> for Select<'_, M, X> {
     }
 
     fn visit_closed<const N: usize, Q: ClosedForm<M, N>>(self, _: Phase<M, f64, N>) -> Self::Output {
-        let own = self.0.model.parameters();
-        let parameters = M::Parameters::from_fn(|i| Lanes::from_f64(own.as_ref()[i]));
-        let constants = M::constants_of(&parameters, &self.0.set);
+        let constants = M::constants_from(self.0.model.parameters().as_ref(), &self.0.set);
         Some(Box::new(Closed::<M, Q, X, N> { constants, form: PhantomData }))
     }
 }

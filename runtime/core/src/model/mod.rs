@@ -78,8 +78,11 @@ pub trait BarSystem: Sized + 'static {
     fn constants_of<S: Real>(parameters: &Self::Parameters<S>, set: &ContactSet) -> Self::Constants<S>;
     /// The same of this model, where no contact slides.
     fn constants<S: Real>(&self) -> Self::Constants<S> {
-        let own = self.parameters();
-        Self::constants_of(&Array::from_fn(|i| S::from_f64(own.as_ref()[i])), &ContactSet::EMPTY)
+        Self::constants_from(self.parameters().as_ref(), &ContactSet::EMPTY)
+    }
+    /// [`Self::constants_of`] values that are doubles.
+    fn constants_from<S: Real>(parameters: &[f64], set: &ContactSet) -> Self::Constants<S> {
+        Self::constants_of(&Array::from_fn(|i| S::from_f64(parameters[i])), set)
     }
     /// The full equations at a state.
     fn kernel<S: Real>(constants: &Self::Constants<S>, state: &Self::State<S>) -> Self::Kernel<S>;

@@ -143,9 +143,8 @@ impl<'a, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> ForDouble for Serie
     }
 
     fn with<S: Double>(self) -> Self::Output {
-        let parameters = M::Parameters::from_fn(|i| S::from_f64(self.system.parameters.as_ref()[i]));
-        let constants = Box::new(M::constants_of(&parameters, &self.set));
-        Box::new(ExpansionBy::<_, S, M, Q, N>::new(constants))
+        let constants = M::constants_from(self.system.parameters.as_ref(), &self.set);
+        Box::new(ExpansionBy::<_, S, M, Q, N>::new(Box::new(constants)))
     }
 }
 
