@@ -5,11 +5,11 @@
 //! sliding in the sense σ:    w N = −g̈°,    w = W_NN − σ μ W_Nt
 //! ```
 //!
-//! With w > 0 the sense that it slides in leaves one motion: closed where g̈° < 0, open where g̈° > 0. At rest w₊, w₋ > 0 make
-//! the complementarity problem one of a P-matrix, which has one solution (Pfeiffer and Glocker, *Multibody Dynamics with
-//! Unilateral Contacts*, 1996): it sticks where the force that holds it lies within the cone of μ, and slides against that force
-//! where it lies beyond that of μ_s. Between the cones both follow, and what rises may stick within that of μ_s: which is for
-//! [`enumeration`](super::enumeration) to tell.
+//! With w > 0 the sense that it slides in leaves one motion: closed where g̈° < 0, open where g̈° > 0. At rest it has four modes:
+//! open, stick, and a slide in either sense. Where the conditions of one are met and those of the others are not, that one
+//! follows, as it always does where w₊, w₋ > 0 and μ_s = μ: the complementarity problem is one of a P-matrix (Pfeiffer and
+//! Glocker, *Multibody Dynamics with Unilateral Contacts*, 1996). Where several modes can follow, as between the cones of μ and
+//! μ_s or in Painlevé's paradox, [`enumeration`](super::enumeration) finds and tells them.
 
 use super::{Sense, Slip as KnownSlip};
 use crate::contact::nondegenerate::{CLEAR, solve};
@@ -108,27 +108,25 @@ impl Contact<'_> {
         self.moving(slip, falls).filter(|closed| closed.as_ref().is_none_or(starts))
     }
 
+    /// The only one of its modes whose conditions are met, if those of the others clearly are not.
     fn resting(&self, falls: bool) -> Option<Option<Closed>> {
-        let [forward, backward] = [self.closed(Slip::Forward)?, self.closed(Slip::Backward)?];
-        if !(self.is_held(&forward, falls) && self.is_held(&backward, falls)) {
-            return None;
+        let mut found = (!falls).then_some(None);
+        for slip in [Slip::Stick, Slip::Forward, Slip::Backward] {
+            let closed = self.closed(slip)?;
+            if self.is_met(slip, &closed)? && found.replace(Some(closed)).is_some() {
+                return None;
+            }
         }
-        let slip = self.slip;
-        // Without a limit above μ it sticks only where it falls.
-        if !falls && slip.limit <= slip.kinetic {
-            return Some(None);
-        }
-        let sticking = self.closed(Slip::Stick)?;
-        if !falls {
-            let clearly = sticking.force.abs() - slip.limit * sticking.normal > self.force;
-            return clearly.then_some(None);
-        }
-        if sticking.normal > self.force && slip.kinetic * sticking.normal - sticking.force.abs() > self.force
-        {
-            return Some(Some(sticking));
-        }
-        let (sliding, sense) = if sticking.force < 0.0 { (forward, 1.0) } else { (backward, -1.0) };
-        let beyond = sticking.force.abs() - slip.limit * sticking.normal > self.force;
-        (beyond && sense * sliding.start > self.acceleration).then_some(Some(sliding))
+        found
+    }
+
+    /// Whether the conditions of a mode from rest are met, if that is clear.
+    fn is_met(&self, slip: Slip, closed: &Closed) -> Option<bool> {
+        let second = match slip {
+            Slip::Stick => (self.slip.limit * closed.normal - closed.force.abs()) / self.force,
+            Slip::Forward | Slip::Backward => f64::from(slip.sign()) * closed.start / self.acceleration,
+        };
+        let least = second.min(closed.normal / self.force);
+        (least.abs() > 1.0).then_some(least > 0.0)
     }
 }

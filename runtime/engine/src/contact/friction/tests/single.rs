@@ -35,12 +35,12 @@ struct Pulled {
     mu_s: f64,
 }
 
-/// Where the closed form decides at all it decides alike, and nothing else may follow; it does so of nearly all states but those
-/// of Painlevé's paradox and between the cones.
+/// Where the closed form decides at all it decides alike, and nothing else may follow; at rest it does so of nearly all states from
+/// which one motion follows, those with w < 0 among them.
 #[test]
 fn a_single_contact_is_decided_alike() {
     let mut random = Random(0x51_1e);
-    let (mut decided, mut kinds) = ([0; 3], [0; 3]);
+    let (mut decided, mut kinds, mut missed) = ([0; 3], [0; 3], 0);
     for _ in 0..4000 {
         let mu = random.between(0.0, 2.0);
         let mu_s = mu * [1.0, random.between(1.0, 1.5)][random.below(2)];
@@ -68,8 +68,14 @@ fn a_single_contact_is_decided_alike() {
         for slips in [[(1, known)], [leaves[0]], [leaves[1]]].iter().take(if speed == 0.0 { 3 } else { 1 }) {
             let touching = ContactSet::EMPTY.with(1);
             let question = ContactProblem { touching, slips, ..ContactProblem::default() };
-            let Some(found) = single::decide(&context, &state, &question) else { continue };
-            let expected = decide(&context.model, &state, &question).unwrap();
+            let (found, expected) =
+                (single::decide(&context, &state, &question), decide(&context.model, &state, &question));
+            let Some(found) = found else {
+                let one = expected.is_ok_and(|it| it.unique && it.alternatives.is_none());
+                missed += usize::from(one && slips[0].1 == KnownSlip::Rest);
+                continue;
+            };
+            let expected = expected.unwrap();
             assert_eq!(
                 (found.closed, found.bearing),
                 (expected.closed, expected.bearing),
@@ -86,7 +92,7 @@ fn a_single_contact_is_decided_alike() {
         }
     }
     let enough = decided.iter().all(|count| *count > 800) && kinds.iter().all(|count| *count > 200);
-    assert!(enough, "{decided:?} {kinds:?}");
+    assert!(enough && missed < 20, "{decided:?} {kinds:?} {missed}");
 }
 
 /// A rod on a level floor, at θ with the rate ω, its end without slip or with one.
