@@ -24,7 +24,7 @@ mod trials;
 
 pub(crate) use degenerate::{Alternatives, ContactProblem, ContactSolution, decide};
 pub(crate) use shares::shortest_reactions;
-pub(crate) use single_impact::SingleContact;
+pub(crate) use single_impact::Struck;
 pub(crate) use singular::{are_determined, refuse_singular, singular};
 pub(crate) use trials::Trials;
 

@@ -1,122 +1,249 @@
-//! The impact of a single smooth contact, where the three laws agree:
+//! The impact of a single contact, on others that it does not press: along Routh's path of [`friction`](super::friction), with
 //!
 //! ```text
-//! ġ⁺ = −e ġ⁻,    P = −(1 + e) ġ⁻ / W,    u⁺ = u⁻ + M⁻¹ Jᵀ P,    W = J M⁻¹ Jᵀ
+//! W = J M⁻¹ Jᵀ of the normal and the tangent,    u⁺ = u⁻ + M⁻¹ (J_Nᵀ P + J_tᵀ P_t)
 //! ```
 //!
-//! What is not clear by much is left to the search of `impact`.
+//! Without friction the three laws agree, ġ⁺ = −e ġ⁻ and P = −(1 + e) ġ⁻ / W. What is not clear by much is left to the search of
+//! `impact`.
 
 use nalgebra::DVector;
 use smallvec::smallvec;
 
-use super::impulse::{Collision, Method, Outcome, Row, is_open};
+use super::impulse::{Collision, Method, Outcome, Path, Row, Striker, Vertex, is_open};
 use crate::integration::phase_point::Numbers;
 use crate::model::Law;
 
 /// Speeds, pivots of M and W count as nonzero above this part of the terms that they are summed from.
 const CLEAR: f64 = 1e-9;
+/// Speeds count as zero up to this part of their terms.
+const ROUNDING: f64 = 1e-12;
 
-/// The only contact that takes part in a collision.
-pub(crate) struct SingleContact {
+/// A collision whose joints and held supports, if there are any, are in its coordinates; nothing is applied from outside.
+pub(crate) struct Struck<'a, M, J> {
+    /// What the rows are.
+    pub(crate) rows: &'a [Row],
+    /// M, entry by entry.
+    pub(crate) mass: M,
+    /// J, row and column.
+    pub(crate) jacobian: J,
+    /// ∂g/∂t.
+    pub(crate) drift: &'a [f64],
+    /// u⁻.
+    pub(crate) rates: &'a [f64],
+}
+
+/// The contact that strikes.
+struct Striking {
     row: usize,
     restitution: f64,
     law: Law,
-    /// How many rows there are.
-    rows: usize,
+    /// Its tangent, and μ.
+    friction: Option<(usize, f64)>,
 }
 
-impl SingleContact {
-    /// If it is all that does.
-    pub(crate) fn of(rows: &[Row]) -> Option<Self> {
-        let mut acting = rows.iter().enumerate().filter(|(_, row)| !is_open(rows, row));
-        let (row, restitution, law) = match acting.next()? {
-            (row, Row::Contact { restitution, law }) => (row, *restitution, *law),
-            _ => return None,
-        };
-        acting.next().is_none().then_some(Self { row, restitution, law, rows: rows.len() })
-    }
+/// A sum of products, and that of their sizes.
+#[derive(Clone, Copy)]
+struct Sum {
+    value: f64,
+    size: f64,
+}
 
-    pub(crate) fn row(&self) -> usize {
-        self.row
-    }
-
-    /// The outcome for M, the row of J, ∂g/∂t and u⁻, if it is clear; nothing is applied from outside.
-    pub(crate) fn outcome(
-        &self,
-        mass: impl Fn(usize, usize) -> f64,
-        (jacobian, drift): (&[f64], f64),
-        rates: &[f64],
-    ) -> Option<Outcome> {
-        let &Self { row, restitution, law, rows } = self;
-        let terms = || jacobian.iter().zip(rates).map(|(entry, rate)| entry * rate);
-        let approach = terms().sum::<f64>() + drift;
-        let size = terms().map(f64::abs).sum::<f64>() + drift.abs();
-        let is_clear = approach < -CLEAR * size;
-        let change = if is_clear { solution(mass, jacobian)? } else { return None };
-        let delassus: f64 = jacobian.iter().zip(&change).map(|(entry, u)| entry * u).sum();
-        let compression = -approach / delassus;
-        let alone = |value: f64| DVector::from_fn(rows, |i, _| if i == row { value } else { 0.0 });
-        let after = |impulse: f64| {
-            (DVector::from_fn(rates.len(), |i, _| rates[i] + change[i] * impulse), alone(impulse))
-        };
-        let impulse = (1.0 + restitution) * compression;
-        let (rates, impulses) = after(impulse);
-        let finite = impulse.is_finite() && rates.iter().all(|rate| rate.is_finite());
-        let opening = -restitution * approach;
+impl<M: Fn(usize, usize) -> f64, J: Fn(usize, usize) -> f64> Struck<'_, M, J> {
+    /// The outcome, if it is such an impact and clear.
+    pub(crate) fn outcome(&self) -> Option<Outcome> {
+        let Striking { row, restitution, law, friction } = self.striking()?;
+        let factor = Factor::of(&self.mass, self.rates.len())?;
+        let along = |row: usize| factor.solution((0..self.rates.len()).map(|j| (self.jacobian)(row, j)));
+        let by_normal = along(row);
+        let by_tangent = friction.map_or_else(|| smallvec![0.0; self.rates.len()], |(row, _)| along(row));
+        let of_tangent = |u: &[f64]| friction.map_or(Sum::ZERO, |(row, _)| self.along(row, u));
+        let (w_nn, w_nt, w_tt) =
+            (self.along(row, &by_normal).value, of_tangent(&by_normal).value, of_tangent(&by_tangent));
+        let slip = friction.map_or(0.0, |(row, _)| self.speed(row).known());
+        let approach = self.speed(row).value;
+        if friction.is_some() && w_tt.clear()? == 0.0 {
+            return None;
+        }
+        let mu = friction.map_or(0.0, |(_, mu)| mu);
+        let striker = Striker { w_nn, w_nt, w_tt: w_tt.value, mu, e: restitution, law };
+        let path = striker.path(approach, slip)?;
+        let end = path.vertices.last()?;
+        let after = |point: &Vertex<f64>| self.after((row, friction), (&by_normal, &by_tangent), point);
+        let (rates, impulses) = after(end);
+        let mut opening = self.opening_of_others(row, (&by_normal, &by_tangent), &path)?;
+        opening[row] = end.normal;
+        friction.inspect(|(tangent, _)| opening[*tangent] = end.slip);
+        let finite = end.impulse.is_finite() && rates.iter().all(|rate| rate.is_finite());
         finite.then(|| Outcome {
-            gained: 0.5 * impulse * (opening + approach),
+            gained: 0.5 * (end.impulse * (end.normal + approach) + end.friction * (end.slip + slip)),
             rates,
             impulses,
-            opening: alone(opening),
+            opening,
             acting: vec![row],
             law,
-            compression: (law != Law::Newton).then(|| after(compression)),
+            compression: (law != Law::Newton).then(|| after(&path.vertices[path.compressed])),
             factor: 1.0,
             unique: true,
-            method: Method::AtOnce,
+            method: if friction.is_some() { Method::Path } else { Method::AtOnce },
             solutions: 1,
         })
+    }
+
+    /// The only contact that approaches, where nothing holds both ways; without friction nothing may depart either.
+    fn striking(&self) -> Option<Striking> {
+        let mut found = None;
+        let (mut departs, mut friction) = (false, None);
+        for (row, part) in self.rows.iter().enumerate().filter(|(_, part)| !is_open(self.rows, part)) {
+            match *part {
+                Row::Contact { restitution, law } => match self.speed(row).clear()? {
+                    speed if speed < 0.0 && found.is_some() => return None,
+                    speed if speed < 0.0 => found = Some(Striking { row, restitution, law, friction: None }),
+                    speed => departs |= speed > 0.0,
+                },
+                // Contacts come before their tangents.
+                Row::Friction { of, mu, restitution } if found.as_ref().is_some_and(|it| it.row == of) => {
+                    friction = (restitution == 0.0).then_some((row, mu));
+                    friction?;
+                }
+                Row::Friction { .. } => {}
+                Row::Open | Row::TwoSided | Row::Tangent { .. } | Row::Guide => return None,
+            }
+        }
+        let striking = Striking { friction, ..found? };
+        (friction.is_some() || !departs).then_some(striking)
+    }
+
+    /// ġ⁻ of a row.
+    fn speed(&self, row: usize) -> Sum {
+        let Sum { value, size } = self.along(row, self.rates);
+        Sum { value: value + self.drift[row], size: size + self.drift[row].abs() }
+    }
+
+    /// J u of a row.
+    fn along(&self, row: usize, u: &[f64]) -> Sum {
+        let terms = u.iter().enumerate().map(|(j, u)| (self.jacobian)(row, j) * u);
+        terms.fold(Sum::ZERO, |sum, term| Sum { value: sum.value + term, size: sum.size + term.abs() })
+    }
+
+    /// Rates and impulses at a point of the path.
+    fn after(
+        &self,
+        (row, friction): (usize, Option<(usize, f64)>),
+        (by_normal, by_tangent): (&[f64], &[f64]),
+        point: &Vertex<f64>,
+    ) -> (DVector<f64>, DVector<f64>) {
+        let mut impulses = DVector::zeros(self.rows.len());
+        impulses[row] = point.impulse;
+        friction.inspect(|(tangent, _)| impulses[*tangent] = point.friction);
+        let rate = |i: usize| self.rates[i] + by_normal[i] * point.impulse + by_tangent[i] * point.friction;
+        (DVector::from_fn(self.rates.len(), |i, _| rate(i)), impulses)
+    }
+
+    /// ġ⁺ of the other contacts, none of which may be pressed at any point of the path.
+    fn opening_of_others(
+        &self,
+        striking: usize,
+        (by_normal, by_tangent): (&[f64], &[f64]),
+        path: &Path<f64>,
+    ) -> Option<DVector<f64>> {
+        let mut opening = DVector::zeros(self.rows.len());
+        for (row, part) in self.rows.iter().enumerate() {
+            if row == striking || !matches!(part, Row::Contact { .. }) {
+                continue;
+            }
+            let before = self.speed(row);
+            let before = Sum { value: before.clear()?, ..before };
+            let [normal, tangent] = [by_normal, by_tangent].map(|change| self.along(row, change));
+            let at = |point: &Vertex<f64>| {
+                let parts = [before, normal.times(point.impulse), tangent.times(point.friction)];
+                let sum = |of: fn(&Sum) -> f64| parts.iter().map(of).sum::<f64>();
+                let value = sum(|it| it.value);
+                let is_pressed = value < -ROUNDING * sum(|it| it.value.abs());
+                (!is_pressed).then(|| Sum { value, size: sum(|it| it.size) })
+            };
+            for point in &path.vertices {
+                at(point)?;
+            }
+            opening[row] = at(path.vertices.last()?)?.clear()?;
+        }
+        Some(opening)
+    }
+}
+
+impl Sum {
+    const ZERO: Self = Self { value: 0.0, size: 0.0 };
+
+    fn times(self, factor: f64) -> Self {
+        Self { value: self.value * factor, size: self.size * factor.abs() }
+    }
+
+    /// Its value, zero where it is so but for rounding.
+    fn known(self) -> f64 {
+        if self.value.abs() <= ROUNDING * self.size { 0.0 } else { self.value }
+    }
+
+    /// The same, if it is zero or clearly not.
+    fn clear(self) -> Option<f64> {
+        Some(self.known()).filter(|value| *value == 0.0 || value.abs() > CLEAR * self.size)
     }
 }
 
 impl Collision {
     /// The outcome, if this is such an impact.
     pub(super) fn of_single(&self) -> Option<Outcome> {
-        let single = SingleContact::of(&self.rows).filter(|_| self.applied.amax() == 0.0)?;
-        let jacobian: Numbers = self.jacobian.row(single.row).iter().copied().collect();
-        let drift = self.drift[single.row];
-        single.outcome(|i, j| self.mass[(i, j)], (&jacobian, drift), self.rates.as_slice())
+        let Self { mass, jacobian, rates, drift, applied, rows } = self;
+        let (mass, jacobian) = (|i, j| mass[(i, j)], |i, j| jacobian[(i, j)]);
+        let struck = Struck { rows, mass, jacobian, drift: drift.as_slice(), rates: rates.as_slice() };
+        (applied.amax() == 0.0).then(|| struck.outcome())?
     }
 }
 
-/// M⁻¹ b with M = L Lᵀ; none where a pivot is not clear.
-fn solution(mass: impl Fn(usize, usize) -> f64, b: &[f64]) -> Option<Numbers> {
-    let n = b.len();
-    let (mut factor, mut x): (Numbers, Numbers) = (smallvec![0.0; n * n], Numbers::from_slice(b));
-    let less = |value: f64, one: &[f64], other: &[f64]| {
-        one.iter().zip(other).fold(value, |rest, (a, b)| rest - a * b)
-    };
-    for i in 0..n {
-        let (above, own) = factor.split_at_mut(i * n);
-        for k in 0..i {
-            let row = &above[k * n..][..=k];
-            own[k] = less(mass(i, k), &own[..k], &row[..k]) / row[k];
+/// L of M = L Lᵀ, row by row.
+struct Factor {
+    n: usize,
+    rows: Numbers,
+}
+
+impl Factor {
+    /// None where a pivot is not clear.
+    fn of(mass: impl Fn(usize, usize) -> f64, n: usize) -> Option<Self> {
+        let mut rows: Numbers = smallvec![0.0; n * n];
+        for i in 0..n {
+            let (above, own) = rows.split_at_mut(i * n);
+            for k in 0..i {
+                let row = &above[k * n..][..=k];
+                own[k] = less(mass(i, k), &own[..k], &row[..k]) / row[k];
+            }
+            let pivot = less(mass(i, i), &own[..i], &own[..i]);
+            if pivot.is_nan() || pivot <= CLEAR * mass(i, i) {
+                return None;
+            }
+            own[i] = pivot.sqrt();
         }
-        let pivot = less(mass(i, i), &own[..i], &own[..i]);
-        if pivot.is_nan() || pivot <= CLEAR * mass(i, i) {
-            return None;
-        }
-        own[i] = pivot.sqrt();
-        x[i] = less(x[i], &own[..i], &x[..i]) / own[i];
+        Some(Self { n, rows })
     }
-    for i in (0..n).rev() {
-        let row = &factor[i * n..][..=i];
-        x[i] /= row[i];
-        for k in 0..i {
-            x[k] -= row[k] * x[i];
+
+    /// M⁻¹ b.
+    fn solution(&self, b: impl Iterator<Item = f64>) -> Numbers {
+        let mut x: Numbers = b.collect();
+        for i in 0..self.n {
+            let row = &self.rows[i * self.n..][..=i];
+            x[i] = less(x[i], &row[..i], &x[..i]) / row[i];
         }
+        for i in (0..self.n).rev() {
+            let row = &self.rows[i * self.n..][..=i];
+            x[i] /= row[i];
+            for k in 0..i {
+                x[k] -= row[k] * x[i];
+            }
+        }
+        x
     }
-    Some(x)
+}
+
+fn less(value: f64, one: &[f64], other: &[f64]) -> f64 {
+    one.iter().zip(other).fold(value, |rest, (a, b)| rest - a * b)
 }
 
 #[cfg(test)]

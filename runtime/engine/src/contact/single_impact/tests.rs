@@ -78,25 +78,65 @@ fn rates_beyond_all_numbers_are_left_to_the_search() {
     assert!(collision(1e295).of_single().is_none());
 }
 
+/// M = L Lᵀ + 1, and the numbers of rows and rates; the second row without a velocity.
+fn drawn(n: usize, numbers: &[f64], rows: Vec<Row>) -> Collision {
+    let root = DMatrix::from_fn(n, n, |i, j| numbers[4 * i + j]);
+    let rates = DVector::from_fn(n, |i, _| numbers[16 + i]);
+    let mut jacobian = DMatrix::from_fn(rows.len(), n, |row, j| numbers[20 + 4 * row + j]);
+    if let Some(at_rest) = (1 < rows.len()).then(|| jacobian.row(1).transpose()) {
+        let along = at_rest.dot(&rates) / rates.norm_squared();
+        jacobian.set_row(1, &(at_rest - along * &rates).transpose());
+    }
+    let mass = &root * root.transpose() + DMatrix::identity(n, n);
+    Collision { mass, jacobian, rates, drift: DVector::zeros(rows.len()), applied: DVector::zeros(n), rows }
+}
+
+fn assert_is_searched(collision: &Collision, found: &Outcome) -> Result<(), TestCaseError> {
+    let searched = collision.searched_within(usize::MAX).unwrap();
+    let close = |own: &DVector<f64>, other: &DVector<f64>| (own - other).amax() < 1e-12 * own.amax().max(1.0);
+    prop_assert!(close(&found.rates, &searched.rates), "{} {}", found.rates, searched.rates);
+    prop_assert!(close(&found.impulses, &searched.impulses), "{} {}", found.impulses, searched.impulses);
+    for (row, (own, other)) in found.opening.iter().zip(searched.opening.iter()).enumerate() {
+        let told = matches!(collision.rows[row], Row::Contact { .. });
+        prop_assert!(
+            !told || (own - other).abs() < 1e-12 && (*own == 0.0) == (*other == 0.0),
+            "{own} {other}"
+        );
+    }
+    prop_assert!((found.gained - searched.gained).abs() < 1e-12 * found.gained.abs().max(1.0));
+    prop_assert_eq!(&found.acting, &searched.acting);
+    prop_assert_eq!((found.law, found.method), (searched.law, searched.method));
+    let compressed = [found, &searched].map(|it| it.compression.clone().map(|(rates, _)| rates));
+    if let [Some(own), Some(other)] = &compressed {
+        prop_assert!(close(own, other), "{own} {other}");
+    }
+    prop_assert_eq!(compressed[0].is_some(), compressed[1].is_some());
+    Ok(())
+}
+
+const LAWS: [Law; 3] = [Law::Newton, Law::Poisson, Law::Stronge];
+
 proptest! {
-    /// M = L Lᵀ + 1, of up to four coordinates; the search finds the same.
+    /// Of up to four coordinates; the search finds the same.
     #[test]
     fn it_is_what_the_search_finds(n in 1_usize..5, numbers in prop::collection::vec(-1.0..1.0_f64, 24), e in 0.0..1.0_f64) {
-        let root = DMatrix::from_fn(n, n, |i, j| numbers[4 * i + j]);
-        let collision = Collision {
-            mass: &root * root.transpose() + DMatrix::identity(n, n),
-            jacobian: DMatrix::from_fn(1, n, |_, j| numbers[16 + j]),
-            rates: DVector::from_fn(n, |i, _| numbers[20 + i]),
-            drift: DVector::zeros(1),
-            applied: DVector::zeros(n),
-            rows: vec![Row::Contact { restitution: e, law: Law::Poisson }],
-        };
+        let collision = drawn(n, &numbers, vec![Row::Contact { restitution: e, law: Law::Poisson }]);
         let Some(found) = collision.of_single() else { return Ok(()) };
-        let searched = collision.searched_within(usize::MAX).unwrap();
-        for (own, other) in [(&found.rates, &searched.rates), (&found.impulses, &searched.impulses), (&found.opening, &searched.opening)] {
-            prop_assert!((own - other).amax() < 1e-13 * own.amax().max(1.0), "{own} {other}");
-        }
-        prop_assert!((found.gained - searched.gained).abs() < 1e-13 * found.gained.abs().max(1.0));
-        prop_assert_eq!(found.acting, searched.acting);
+        assert_is_searched(&collision, &found)?;
+    }
+
+    /// Beside a contact at rest and one that departs or not, with friction, by each law.
+    #[test]
+    fn it_is_what_the_search_finds_with_friction(
+        n in 2_usize..5,
+        numbers in prop::collection::vec(-1.0..1.0_f64, 44),
+        (e, mu, law) in (prop::sample::select(vec![0.0, 0.6, 1.0]), 0.0..1.5_f64, prop::sample::select(LAWS.to_vec())),
+    ) {
+        let contact = Row::Contact { restitution: e, law };
+        let friction = |of: usize| Row::Friction { of, mu, restitution: 0.0 };
+        let rows = vec![contact, contact, contact, friction(0), friction(1), friction(2)];
+        let collision = drawn(n, &numbers, rows);
+        let Some(found) = collision.of_single() else { return Ok(()) };
+        assert_is_searched(&collision, &found)?;
     }
 }

@@ -5,12 +5,12 @@ use nalgebra::{DMatrix, DVector};
 use super::Driver;
 use super::plan::split;
 use crate::contact::impulse::{Collision, CollisionError, Outcome, Row};
-use crate::contact::{ContactError, SingleContact, hinges, labels, singular};
+use crate::contact::{ContactError, Struck, hinges, labels, singular};
 use crate::error::RunCause;
 use crate::event::detection::LOW;
 use crate::event::{EventKind, ImpactOrder, Note};
 use crate::integration::phase_point::Numbers;
-use crate::model::{ContactSet, Layout};
+use crate::model::{ContactSet, Layout, SlipState};
 use crate::scales::without_rounding;
 use crate::system::Equations;
 use crate::trajectory::LoggedDecision;
@@ -50,7 +50,7 @@ impl Driver<'_> {
         self.follow_flights(present, &outcome)
     }
 
-    /// The impact of what is present; that of a single contact takes no search.
+    /// The impact of what is present; that of a contact that presses on no other takes no search.
     fn strike(&mut self, present: ContactSet, equations: &Equations<f64>) -> Result<Impact, RunCause> {
         let (rows, rates) = (self.rows(present), self.known_rates());
         if let Some(mut outcome) = self.single(&rows, equations, &rates) {
@@ -64,9 +64,9 @@ impl Driver<'_> {
     }
 
     fn single(&self, rows: &[Row], equations: &Equations<f64>, rates: &[f64]) -> Option<Outcome> {
-        let single = SingleContact::of(rows).filter(|_| !self.layout().has_hinges())?;
-        let row = (equations.jacobian(single.row()), equations.drift()[single.row()]);
-        single.outcome(|i, j| equations.mass(i)[j], row, rates)
+        let (mass, jacobian) = (|i, j| equations.mass(i)[j], |i, j| equations.jacobian(i)[j]);
+        let struck = Struck { rows, mass, jacobian, drift: equations.drift(), rates };
+        if self.layout().has_hinges() { None } else { struck.outcome() }
     }
 
     /// A note on an event of several struck contacts; where one acts through others at rest, once in the log.
@@ -127,15 +127,16 @@ impl Driver<'_> {
     }
 
     fn rows(&self, present: ContactSet) -> Vec<Row> {
-        let guides = self.guides();
-        (0..self.layout().rows()).map(|row| self.part(row, present, guides)).collect()
+        let (guides, slips) = (self.guides(), self.slip_states());
+        (0..self.layout().rows()).map(|row| self.part(row, (present, guides), &slips)).collect()
     }
 
-    fn part(&self, row: usize, present: ContactSet, guides: ContactSet) -> Row {
+    fn part(&self, row: usize, (present, guides): (ContactSet, ContactSet), slips: &[SlipState<f64>]) -> Row {
         let (contacts, joints) = (self.layout().contacts.len(), self.layout().joints.len());
         if row >= contacts + joints {
             let of = self.layout().tangents[row - contacts - joints];
-            self.layout().contacts[of].friction.map_or(Row::Tangent { of }, |entry| self.rubbing(of, entry))
+            let friction = self.layout().contacts[of].friction;
+            friction.map_or(Row::Tangent { of }, |entry| self.rubbing(of, entry, slips[entry].kinetic))
         } else if row < contacts && self.layout().contacts[row].is_hinge() {
             Row::Open
         } else if guides.contains(row) {

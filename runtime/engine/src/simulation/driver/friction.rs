@@ -169,14 +169,10 @@ impl Driver<'_> {
         }
     }
 
-    /// The part of a slip's row in a collision.
-    pub(super) fn rubbing(&self, of: usize, entry: usize) -> Row {
+    /// The part of a slip's row in a collision, with its μ.
+    pub(super) fn rubbing(&self, of: usize, entry: usize, mu: f64) -> Row {
         let restitution = self.setup.restitution.get(self.layout().contacts.len() + entry);
-        Row::Friction {
-            of,
-            mu: self.slip_states()[entry].kinetic,
-            restitution: restitution.copied().unwrap_or(0.0),
-        }
+        Row::Friction { of, mu, restitution: restitution.copied().unwrap_or(0.0) }
     }
 
     /// The energy that a law of impact has gained by more than rounding, J.

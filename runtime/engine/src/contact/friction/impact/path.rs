@@ -106,6 +106,9 @@ impl<S: Scalar> Striker<S> {
                 next.normal = zero;
                 compressed = Some(vertices.len());
             } else if is_ended {
+                if self.law == Law::Newton {
+                    next.normal = -self.e * start.normal;
+                }
                 vertices.push(next);
                 return compressed.map(|compressed| Path { vertices, compressed });
             }
