@@ -3,7 +3,7 @@
 use super::advance::Advance;
 use super::guard_source::{self, GuardSource};
 use super::{EventDetector, Guard, StepView, Watch};
-use crate::event::root_isolation::{Crossing, GuardError, Start, stays_above};
+use crate::event::root_isolation::{Crossing, GuardError, Start};
 
 /// Rounding of a gap, relative to the natural length: it is a sum of some terms.
 const ROUNDED: f64 = 16.0 * f64::EPSILON;
@@ -18,8 +18,7 @@ impl EventDetector<'_> {
             let watch = &self.list[k];
             let found = watch.series(step).map_or([false; 2], |series| {
                 let bound = self.bound(watch, step, &[]);
-                let is_exact = guard_source::is_exact(series, bound);
-                [is_exact, is_exact && stays_above(series, bound)]
+                [guard_source::is_exact(series, bound), guard_source::is_clear(series, bound)]
             });
             let watch = &mut self.list[k];
             [watch.has_series, watch.is_clear] = found;

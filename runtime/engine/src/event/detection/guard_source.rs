@@ -10,6 +10,11 @@ pub(super) fn is_exact(series: &[f64], bound: f64) -> bool {
     root_isolation::tail(series) <= EXACT * bound
 }
 
+/// Whether a series proves that the guard stays above its bound: by much more than its own error.
+pub(super) fn is_clear(series: &[f64], bound: f64) -> bool {
+    root_isolation::stays_above(series, bound.max(root_isolation::tail(series) / EXACT))
+}
+
 /// A guard as a function of θ.
 pub(super) enum GuardSource<'a> {
     /// Σ cₖ θᵏ.

@@ -41,10 +41,10 @@ impl Known {
         self.at_rest.as_deref()
     }
 
-    /// Evaluates the guards without series at all nodes of the first fit; what the last step ended with is not computed again.
+    /// Evaluates the guards of which series do not tell enough at all nodes of the first fit; what the last step ended with is not computed again.
     pub(super) fn sample(&mut self, list: &[Watch], step: &StepView<'_>, values: &mut Values) {
         let before = (self.kinds, self.has_power);
-        self.kinds = Kinds::of(list.iter().filter(|watch| !watch.has_series).map(|watch| watch.guard));
+        self.kinds = Kinds::of(list.iter().filter(|watch| watch.is_sampled()).map(|watch| watch.guard));
         self.has_power = self.kinds.reactions && self.kinds.slips && self.at_rest.is_some();
         if !self.kinds.any() {
             return;
@@ -76,8 +76,7 @@ impl Known {
 
     /// The value of a guard without a series, if this is a node.
     pub(super) fn get(&self, watch: &Watch, theta: f64) -> Option<f64> {
-        let is_sampled = self.kinds.any() && !watch.has_series && !matches!(watch.guard, Guard::Condition(_));
-        if !is_sampled {
+        if !self.kinds.any() || !watch.is_sampled() || matches!(watch.guard, Guard::Condition(_)) {
             return None;
         }
         let mut j = self.next.get();

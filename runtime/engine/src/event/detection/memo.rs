@@ -53,5 +53,5 @@ impl Memo {
 
 fn follows(watch: &Watch) -> bool {
     let kinds = Kinds::of([watch.guard]);
-    !watch.has_series && kinds.reactions && !kinds.grip
+    watch.is_sampled() && kinds.reactions && !kinds.grip
 }

@@ -185,10 +185,13 @@ impl<'a> EventDetector<'a> {
     /// The work of friction over a step up to `end`, where the method has the series of all that it takes.
     pub(crate) fn friction_work(&self, step: &StepView<'_>, end: f64) -> Option<f64> {
         let (at_rest, relative) = (self.known.at_rest()?, self.bounds.relative);
-        step.friction_work(end, at_rest, &|contact, force, slip| {
+        step.friction_work(end, at_rest, &|contact, [force, slip], at_rest| {
             let slow = self.layout.contacts[contact].friction.map_or(0.0, |k| self.slips[k]);
-            let bounds = [relative * self.forces[contact], relative * slow];
-            guard_source::is_exact(force, bounds[0]) && guard_source::is_exact(slip, bounds[1])
+            let fastest = (slip[0] - at_rest).abs() + slip[1..].iter().map(|term| term.abs()).sum::<f64>();
+            // Where nothing slips the force does no work, however well it is known.
+            let share = if fastest <= relative * slow { 1.0 } else { relative };
+            guard_source::is_exact(force, share * self.forces[contact])
+                && guard_source::is_exact(slip, relative * slow)
         })
     }
 

@@ -7,8 +7,8 @@ use crate::event::root_isolation::{TERMS, without_zeros};
 use crate::integration::phase_point::Numbers;
 use crate::model::Side;
 
-/// Whether the series of a contact's friction force and slip velocity are exact enough.
-type Judge<'a> = dyn Fn(usize, &[f64], &[f64]) -> bool + 'a;
+/// Whether the series of a contact's friction force and slip velocity are exact enough, given its slip velocity without rates.
+type Judge<'a> = dyn Fn(usize, [&[f64]; 2], f64) -> bool + 'a;
 
 impl StepView<'_> {
     /// The series of a guard of friction, with the coefficient of its limit; nothing if the method does not have it.
@@ -69,7 +69,7 @@ impl StepView<'_> {
         let mut work = 0.0;
         for (k, (friction, at_rest)) in self.context.layout().frictions.iter().zip(at_rest).enumerate() {
             let (force, slip) = (guards.reaction(contacts + k), guards.gap(contacts + k));
-            if !is_exact(friction.contact, force, slip) {
+            if !is_exact(friction.contact, [force, slip], *at_rest) {
                 return None;
             }
             work += integral(force, slip, *at_rest, end);

@@ -80,7 +80,7 @@ pub(super) struct Watch {
     pub(super) limit: f64,
     /// Of a guard of friction, its own series over the step.
     pub(super) rubbing: Vec<f64>,
-    /// Whether its own series over the step is good enough; else its values at the nodes of the first fit are known.
+    /// Whether its own series over the step counts as it.
     pub(super) has_series: bool,
     /// Whether its own series proves that it stays above its bound in the step.
     pub(super) is_clear: bool,
@@ -130,6 +130,11 @@ impl Watch {
             stays: false,
             patience: Cell::new(PATIENCE),
         }
+    }
+
+    /// Whether its values at the nodes of the first fit are asked for: its series neither counts as it nor proves it clear.
+    pub(super) fn is_sampled(&self) -> bool {
+        !self.has_series && !self.is_clear
     }
 
     /// Its own series over the step, if the method has it.

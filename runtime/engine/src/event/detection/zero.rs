@@ -37,6 +37,9 @@ impl EventDetector<'_> {
     /// Whether a reaction or gap has fallen into its bound at the end of the step, and not with a turning point there:
     /// it falls by as much as before.
     pub(super) fn arrives(&self, watch: &Watch, step: &StepView<'_>) -> bool {
+        if watch.is_clear {
+            return false;
+        }
         let [before, near, end] =
             [1.0 - 2.0 * LAST, 1.0 - LAST, 1.0].map(|theta| self.value(step, watch, theta));
         let bound = self.bound(watch, step, &[]);
@@ -126,6 +129,9 @@ impl EventDetector<'_> {
 
     /// Whether the series of a guard tells that it is above its bound, however much of that its error takes.
     pub(super) fn is_above(&self, watch: &Watch, step: &StepView<'_>, theta: f64) -> bool {
+        if watch.is_clear {
+            return true;
+        }
         let series = watch.series(step).filter(|_| watch.has_series);
         let at = |c: &[f64]| c.iter().rev().fold(0.0, |sum, c| sum * theta + c);
         series.is_some_and(|c| at(c) > (1.0 + EXACT) * self.bound(watch, step, &[]))

@@ -83,4 +83,13 @@ fn what_counts_as_rounding_and_as_exact() {
     let rounded = [1.0, 0.0, 0.0, 0.0, 0.0, last];
     assert!(is_exact(&rounded, 20.0 * last) && !is_exact(&rounded, (20.0 * last).next_down()));
     assert!(is_exact(&series, 1.001 * tail / EXACT) && !is_exact(&series, 0.999 * tail / EXACT));
+    // What is ten times as far from the bound as the series may be wrong is clear, though it does not count as the guard.
+    let falling = |first: f64| [first, -0.1, -0.1, -0.01, -0.01];
+    let least = 0.22 + tail / EXACT;
+    for (first, bound, clear) in
+        [(least + 1e-12, 0.0, true), (least - 1e-12, 0.0, false), (0.5, 0.279, true), (0.5, 0.281, false)]
+    {
+        assert_eq!(is_clear(&falling(first), bound), clear, "{first} {bound}");
+    }
+    assert!(!is_clear(&[1e9, 1.0, 1.0, 1.0, 1.0], 0.0), "the terms do not shrink");
 }

@@ -52,3 +52,31 @@ fn the_work_is_told_where_series_are_exact() {
         }
     }
 }
+
+/// A contact that does not slip, but for what counts as zero, does no work, however roughly its force is known.
+#[test]
+fn without_slip_the_force_need_not_be_exact() {
+    let sticks = ContactSet::EMPTY.slipping(RUBBING, Slip::Stick);
+    let rest = 0.75;
+    let scene = Scene::closed(sticks, move |_| {
+        let mut shown = Shown::default();
+        shown.slips[0] = [rest, 0.25];
+        shown
+    });
+    let still = DenseOutput::still(0.0, &[0.0]);
+    let mut detector = EventDetector::new(scene.context.layout(), sticks, roles(sticks), (&[], &[]), BOUNDS);
+    detector.begin(&scene.view(&still));
+    let dense = scene.dense([1.0, 1.5]);
+    let (most, zero) = (EXACT * FORCES[RUBBING] / REST, BOUNDS.relative * SLIPS[0]);
+    for (force, slip, is_told) in
+        [(0.99, 0.99, true), (0.99, -0.99, true), (0.99, 1.01, false), (1.01, 0.0, false)]
+    {
+        let (mut reactions, mut gaps) =
+            ([[0.0; ORDERS]; CONTACTS + FRICTIONS], [[0.0; ORDERS]; CONTACTS + FRICTIONS]);
+        (reactions[CONTACTS], gaps[CONTACTS][0]) = (series(TERMS, force * most), rest + slip * zero);
+        let guards = Guards::new(TERMS.len(), &reactions, &gaps, &[[0.0; ORDERS]; 2]);
+        let found = detector.friction_work(&scene.view(&dense).with_series(Some(guards)), 1.0);
+        assert_eq!(found.is_some(), is_told, "{force} {slip}");
+        assert!(found.is_none_or(|work| work.abs() <= 0.5 * 1.2 * most * zero), "{found:?}");
+    }
+}
