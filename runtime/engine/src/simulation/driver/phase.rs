@@ -256,27 +256,25 @@ impl Driver<'_> {
         run.run(&**method)
     }
 
-    /// The size of each reaction: what it is now, or what gives its contact's own mass 1/Wᵢᵢ the natural acceleration, or that of the
-    /// motion where it is faster by now; of one that slides no more than what has a natural force of friction, however large μ is.
+    /// The size of the reaction of each closed contact: what it is now, or what gives its contact's own mass 1/Wᵢᵢ the natural
+    /// acceleration, or that of the motion where it is faster by now; of one that slides no more than what has a natural force of
+    /// friction, however large μ is. That of an open one is zero.
     fn forces(&self) -> Numbers {
-        if self.reactions.is_empty() {
-            return Numbers::new();
+        let mut forces: Numbers = smallvec![0.0; self.layout().contacts.len()];
+        if self.closed.is_empty() {
+            return forces;
         }
         let context = &self.setup.context;
-        if self.closed.is_empty() && self.layout().frictions.is_empty() {
-            // No guard asks for one.
-            return smallvec![context.scales.force(); self.layout().contacts.len()];
-        }
         let equations = context.system().equations(&self.state);
         let scales = context.scales.moving_at(self.layout(), &self.state[context.rates()]);
-        let force = |(contact, reaction): (usize, &f64)| {
+        for contact in self.closed.iter() {
             let mu = self.sliding_friction(contact);
             let own = scales.acceleration() * self.effective_mass(&equations, contact, mu);
             let usual = scales.force() / (1.0 + mu);
             let is_own = own.is_finite() && !self.layout().contacts[contact].is_hinge();
-            reaction.abs().max(if is_own { own.min(usual) } else { usual })
-        };
-        self.reactions.iter().enumerate().take(self.layout().contacts.len()).map(force).collect()
+            forces[contact] = self.reactions[contact].abs().max(if is_own { own.min(usual) } else { usual });
+        }
+        forces
     }
 
     /// The mass that the reaction of a contact moves by itself: `1/W_NN = dᵀ M d` of the least d with `J_N d = −1`, and where it slides
