@@ -69,6 +69,9 @@ impl StepView<'_> {
         let mut work = 0.0;
         for (k, (friction, at_rest)) in self.context.layout().frictions.iter().zip(at_rest).enumerate() {
             let (force, slip) = (guards.reaction(contacts + k), guards.gap(contacts + k));
+            if force.iter().all(|c| *c == 0.0) {
+                continue;
+            }
             if !is_exact(friction.contact, [force, slip], *at_rest) {
                 return None;
             }

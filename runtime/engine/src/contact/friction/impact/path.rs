@@ -79,7 +79,8 @@ impl<S: Scalar> Striker<S> {
     pub fn path(&self, normal: S, slip: S) -> Option<Path<S>> {
         let zero = S::ZERO;
         let start = Vertex { normal, slip, impulse: zero, friction: zero, work: zero };
-        let mut vertices = vec![start];
+        let mut vertices = Vec::with_capacity(PIECES / 2);
+        vertices.push(start);
         let mut compressed = None;
         let mut sense = if slip == zero { self.sense_from_rest() } else { signum(slip) };
         for _ in 0..PIECES {
