@@ -1,13 +1,14 @@
 //! Members side by side.
 
 use super::{Member, MemberError};
+use crate::audit::{Bounds, Work, energy_finding};
 use crate::error::{RunCause, StartError};
 use crate::expression::Output;
 use crate::integrate::StepError;
 use crate::integration::equilibrium::is_equilibrium;
 use crate::integration::phase_point::PhasePoint;
 use crate::integration::phase_run::absolute_tolerance;
-use crate::model::{ContactSet, Form, Layout};
+use crate::model::{ContactSet, Energy, Form, Layout};
 use crate::scalar::LANES;
 use crate::simulation::{Budget, Simulation};
 use crate::system::{LaneConstructor, LaneEnd, LaneGroup, LaneStart};
@@ -41,7 +42,14 @@ pub(super) fn is_smooth(simulation: &Simulation) -> bool {
 pub(super) struct Group {
     pub(super) tolerance: f64,
     lanes: Box<dyn LaneGroup>,
-    members: [Option<(usize, Simulation)>; LANES],
+    members: [Option<Entered>; LANES],
+}
+
+/// A member under way: its number, and its energy at the start where nothing works on it.
+struct Entered {
+    i: usize,
+    simulation: Simulation,
+    energy: Option<Energy<f64>>,
 }
 
 impl Group {
@@ -83,11 +91,12 @@ impl Group {
         };
         let entered = self.lanes.enter(lane, &start);
         entered.map_err(|_| RunCause::from(StepError::Floor { t: 0.0, h: 0.0 }))?;
-        self.members[lane] = Some((i, simulation));
+        let energy = context.is_conservative().then(|| context.system().energy(&state));
+        self.members[lane] = Some(Entered { i, simulation, energy });
         Ok(())
     }
 
-    /// Steps all members once; reports those that end.
+    /// Steps all members once; reports those that end. One whose energy has changed is run by itself, which tells why.
     pub(super) fn step(
         &mut self,
         outputs: &[Output],
@@ -95,26 +104,39 @@ impl Group {
     ) {
         let members = &mut self.members;
         self.lanes.step(&mut |end| {
-            let Some((i, simulation)) = members[end.lane].take() else { return };
+            let Some(entered) = members[end.lane].take() else { return };
             let result = match end.error {
                 Some(error) => Err(RunCause::from(error).into()),
-                None => Ok(member(&simulation, &end, outputs)),
+                None => entered.member(&end, outputs),
             };
-            told(i, result);
+            told(entered.i, result);
         });
     }
 }
 
-fn member(simulation: &Simulation, end: &LaneEnd<'_>, outputs: &[Output]) -> Member {
-    let context = &*simulation.context;
-    let phase = context.phase(ContactSet::EMPTY, Form::Closed);
-    let point = PhasePoint::new(phase, ContactSet::EMPTY, end.t, end.reduced.into());
-    Member {
-        t: end.t,
-        state: context.layout().public_state(point.state()).to_vec(),
-        outputs: outputs.iter().map(|output| output.evaluate(context, &point)).collect(),
-        events: Vec::new(),
-        steps: end.counts.accepted,
+impl Entered {
+    fn member(&self, end: &LaneEnd<'_>, outputs: &[Output]) -> Result<Member, MemberError> {
+        let context = &*self.simulation.context;
+        let phase = context.phase(ContactSet::EMPTY, Form::Closed);
+        let point = PhasePoint::new(phase, ContactSet::EMPTY, end.t, end.reduced.into());
+        if !self.keeps_energy(end, point.state()) {
+            return Member::alone(&self.simulation, outputs);
+        }
+        Ok(Member {
+            t: end.t,
+            state: context.layout().public_state(point.state()).to_vec(),
+            outputs: outputs.iter().map(|output| output.evaluate(context, &point)).collect(),
+            events: Vec::new(),
+            steps: end.counts.accepted,
+        })
+    }
+
+    fn keeps_energy(&self, end: &LaneEnd<'_>, state: &[f64]) -> bool {
+        let Some(before) = &self.energy else { return true };
+        let (context, steps) = (&*self.simulation.context, end.counts.accepted + end.counts.rejected);
+        let bounds = Bounds::of(self.simulation.tolerance, steps);
+        let now = context.system().energy(state);
+        !energy_finding(context, end.t, [before, &now], (&Work::default(), &bounds)).is_violation()
     }
 }
 

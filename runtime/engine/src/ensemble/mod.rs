@@ -2,7 +2,8 @@
 //!
 //! Members are run one by one, as [`Simulation::observe`] does. [`Ensemble::side_by_side`] integrates those of a model without
 //! contacts, closed loops and dampers that run to a time, without conditions, a budget or anything planned, by Taylor's method in the
-//! lanes of vectors: each with its own time, step and end, its place taken by the next when it is done. Neither the bits of a
+//! lanes of vectors: each with its own time, step and end, its place taken by the next when it is done. Where nothing works on
+//! them, one whose energy has changed is run by itself, which tells why. Neither the bits of a
 //! member nor its place among the results depend on the others or on the number of threads; with the lanes' own order of
 //! the series, they are not those of [`Simulation::run`].
 //!

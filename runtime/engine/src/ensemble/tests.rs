@@ -216,3 +216,21 @@ fn outputs_are_those_of_the_end() {
         assert_eq!(end.t == 0.5, i >= 2);
     }
 }
+
+/// At an angle of 1e9 the rounding of the angle changes the energy by more than ten tolerances: beside others as alone.
+#[test]
+fn a_member_that_loses_its_energy_is_refused_side_by_side_too() {
+    let given = |i: usize| {
+        let turns = [0.0, 1e9][i % 2];
+        let start = Pose::at("phi_1", 0.5 + turns).with("phi_2", 2.0 + turns);
+        Ok(Simulation::new(&MODEL)?.start(start)?.limit(2.0).tolerance(1e-12))
+    };
+    let (beside, alone) = (side_by_side(4, given).run(), Ensemble::new(4, given).run());
+    for (i, (beside, alone)) in beside.iter().zip(&alone).enumerate() {
+        assert_eq!(beside.is_ok(), i % 2 == 0, "{i}");
+        assert_eq!(
+            beside.as_ref().err().map(ToString::to_string),
+            alone.as_ref().err().map(ToString::to_string)
+        );
+    }
+}
