@@ -111,20 +111,20 @@ fn shards_killed_at_any_moment_lose_nothing_and_end_alike() {
 #[test]
 fn a_journal_cut_anywhere_goes_on() {
     let folder = folder("cut");
-    told(&folder, &with(&["--out=whole", "--shard=0/1"]));
-    let whole = read(folder.join("whole/0-of-1.shard"));
+    told(&folder, &with(&["--out=whole", "--shard=0/8"]));
+    let whole = read(folder.join("whole/0-of-8.shard"));
     fs::create_dir(folder.join("parts")).expect("a folder");
     let head = whole.iter().enumerate().filter(|(_, byte)| **byte == b'\n').nth(1).expect("two lines").0 + 1;
     let mut seed = 3;
     let anywhere = (0..6).map(|_| (random(&mut seed) * whole.len() as f64) as usize);
     let lengths = [0, 1, head / 2, head - 1, head, head + 1].into_iter().chain(anywhere);
     for length in lengths.collect::<Vec<_>>() {
-        fs::write(folder.join("parts/0-of-1.shard.journal"), &whole[..length]).expect("a file");
-        let told = told(&folder, &with(&["--out=parts", "--shard=0/1"]));
+        fs::write(folder.join("parts/0-of-8.shard.journal"), &whole[..length]).expect("a file");
+        let told = told(&folder, &with(&["--out=parts", "--shard=0/8"]));
         let ends = whole[..length].iter().filter(|byte| **byte == b'\n').count();
         assert_eq!(self::known(&told), ends.saturating_sub(2), "{length}: {told}");
-        assert!(read(folder.join("parts/0-of-1.shard")) == whole, "{length}");
-        fs::remove_file(folder.join("parts/0-of-1.shard")).expect("removed");
+        assert!(read(folder.join("parts/0-of-8.shard")) == whole, "{length}");
+        fs::remove_file(folder.join("parts/0-of-8.shard")).expect("removed");
     }
 }
 
