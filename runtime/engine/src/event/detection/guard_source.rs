@@ -10,9 +10,11 @@ pub(super) fn is_exact(series: &[f64], bound: f64) -> bool {
     root_isolation::tail(series) <= EXACT * bound
 }
 
-/// Whether a series proves that the guard stays above its bound: by much more than its own error.
+/// Whether a series proves that the guard stays above its bound: by much more than its own error. One that counts as the guard is
+/// looked at again where the cheapest bound does not prove it.
 pub(super) fn is_clear(series: &[f64], bound: f64) -> bool {
-    root_isolation::stays_above(series, bound.max(root_isolation::tail(series) / EXACT))
+    let level = bound.max(root_isolation::tail(series) / EXACT);
+    root_isolation::stays_above(series, level) || level > bound && root_isolation::is_above(series, level)
 }
 
 /// A guard as a function of θ.

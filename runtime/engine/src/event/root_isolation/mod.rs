@@ -26,7 +26,7 @@ pub use extrema::{Extremum, ExtremumKind};
 pub use locate::{extrema, extrema_series, first_root, first_root_series};
 pub use partition::{Accuracy, NODES};
 pub use polynomial::last_coefficients;
-pub use series::{TERMS, rest, stays_above, tail, without_zeros};
+pub use series::{TERMS, is_above, rest, stays_above, tail, without_zeros};
 pub use smooth::Smooth;
 
 impl GuardError {

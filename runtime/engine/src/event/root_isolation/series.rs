@@ -180,6 +180,11 @@ pub fn stays_above(c: &[f64], delta: f64) -> bool {
     least > delta && least > SUMMED * (first + rise + fall)
 }
 
+/// The same by all bounds that there are of the series, the dear ones where the cheap ones do not prove it.
+pub fn is_above(c: &[f64], delta: f64) -> bool {
+    Series::new(c, Start::Free).is_within(|[low, _]| low > delta)
+}
+
 /// Σ max(cₖ, 0) and Σ max(−cₖ, 0), four at once; what is no number counts as falling, so that it proves nothing.
 fn ways(c: &[f64]) -> [f64; 2] {
     let up = |c: f64| if c > 0.0 { c } else { 0.0 };
