@@ -103,10 +103,12 @@ impl<S: Scalar, const N: usize> StepState<S, N> {
         self.jumps
     }
 
-    /// Takes the first step from `h`, or where any step will do, the longest allowed.
+    /// Takes the first step from `h`, no longer than is allowed: powers of what a state that all but rests would do with have no
+    /// number. Where any step will do it is the longest allowed.
     pub(super) fn begin(&mut self, h: Option<f64>) -> S {
         let at_rest = self.longest.or(self.end.map(|end| end - self.time));
-        self.first = h.map_or(at_rest.unwrap_or(S::ratio(1, 1)), S::from_f64);
+        let first = h.map(S::from_f64).filter(|h| at_rest.is_none_or(|longest| *h < longest));
+        self.first = first.or(at_rest).unwrap_or(S::ratio(1, 1));
         self.next = Some(self.first);
         self.first
     }

@@ -140,39 +140,55 @@ impl<M: Fn(usize, usize) -> f64, J: Fn(usize, usize) -> f64> Struck<'_, M, J> {
         (DVector::from_fn(self.rates.len(), |i, _| rate(i)), impulses)
     }
 
-    /// ġ⁺ of the other contacts, none of which may be pressed at any point of the path.
+    /// ġ⁺ of the other contacts and v⁺ at them, none of which may be pressed at any point of the path.
     fn opening_of_others(
         &self,
         striking: usize,
-        (by_normal, by_tangent): (&[f64], &[f64]),
+        changes: (&[f64], &[f64]),
         path: &Path<f64>,
     ) -> Option<DVector<f64>> {
         let mut opening = DVector::zeros(self.rows.len());
-        for (row, part) in self.rows.iter().enumerate() {
-            if row == striking || !matches!(part, Row::Contact { .. }) {
+        let end = path.vertices.last()?;
+        let is_other = |row: usize| row != striking && !is_open(self.rows, &self.rows[row]);
+        for row in (0..self.rows.len()).filter(|&row| is_other(row)) {
+            let before = self.speed(row);
+            if !matches!(self.rows[row], Row::Contact { .. }) {
+                opening[row] = Sum::of(&self.terms(row, before, changes, end)).known();
                 continue;
             }
-            let before = self.speed(row);
             let before = Sum { value: before.clear()?, ..before };
-            let [normal, tangent] = [by_normal, by_tangent].map(|change| self.along(row, change));
-            let at = |point: &Vertex<f64>| {
-                let parts = [before, normal.times(point.impulse), tangent.times(point.friction)];
-                let sum = |of: fn(&Sum) -> f64| parts.iter().map(of).sum::<f64>();
-                let value = sum(|it| it.value);
-                let is_pressed = value < -ROUNDING * sum(|it| it.value.abs());
-                (!is_pressed).then(|| Sum { value, size: sum(|it| it.size) })
-            };
             for point in &path.vertices {
-                at(point)?;
+                let terms = self.terms(row, before, changes, point);
+                let size: f64 = terms.iter().map(|it| it.value.abs()).sum();
+                if Sum::of(&terms).value < -ROUNDING * size {
+                    return None;
+                }
             }
-            opening[row] = at(path.vertices.last()?)?.clear()?;
+            opening[row] = Sum::of(&self.terms(row, before, changes, end)).clear()?;
         }
         Some(opening)
+    }
+
+    /// What ġ of a row is summed from at a point of the path.
+    fn terms(
+        &self,
+        row: usize,
+        before: Sum,
+        (by_normal, by_tangent): (&[f64], &[f64]),
+        point: &Vertex<f64>,
+    ) -> [Sum; 3] {
+        let [normal, tangent] = [by_normal, by_tangent].map(|change| self.along(row, change));
+        [before, normal.times(point.impulse), tangent.times(point.friction)]
     }
 }
 
 impl Sum {
     const ZERO: Self = Self { value: 0.0, size: 0.0 };
+
+    fn of(terms: &[Self]) -> Self {
+        let both = |sum: Self, it: &Self| Self { value: sum.value + it.value, size: sum.size + it.size };
+        terms.iter().fold(Self::ZERO, both)
+    }
 
     fn times(self, factor: f64) -> Self {
         Self { value: self.value * factor, size: self.size * factor.abs() }

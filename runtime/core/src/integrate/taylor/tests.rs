@@ -116,3 +116,26 @@ fn a_step_over_a_kink_is_refused() {
     // ½ 0.3² + ½ 0.7²; a step passes the kink by so little that the defect is less than p + 1 tolerances.
     assert!((y - 0.29).abs() < 2e-9, "{y}");
 }
+
+/// y₁″ = y₁ y₂, y₂ = 1, at rest but for 1e-80: the time in which it would change by its size has powers beyond all numbers, the step that
+/// is allowed has not.
+struct Still;
+
+impl Field<3> for Still {
+    fn rates<S: Scalar>(&self, y: &[S; 3]) -> [S; 3] {
+        [y[1], y[0] * y[2], S::ZERO]
+    }
+}
+
+#[test]
+fn what_all_but_rests_takes_a_step_to_the_end() {
+    for speed in [1e-300, 1e-80, 1e-60, 1e-40] {
+        let mut solver = Taylor::new(Jets::of(&Still), from(1e-9, [0.0, speed, 1.0]).with_end(3.0));
+        while solver.step_state().time() < 3.0 {
+            solver.step().expect("a motion all but at rest");
+        }
+        let [y, rate, _] = *solver.step_state().state();
+        let expected = [speed * 3.0_f64.sinh(), speed * 3.0_f64.cosh()];
+        assert!((y - expected[0]).abs() < 1e-9 && (rate - expected[1]).abs() < 1e-9, "{speed:e}");
+    }
+}

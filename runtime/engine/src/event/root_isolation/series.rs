@@ -180,7 +180,7 @@ pub fn stays_above(c: &[f64], delta: f64) -> bool {
     least > delta && least > SUMMED * (first + rise + fall)
 }
 
-/// The same by all bounds that there are of the series, the dear ones where the cheap ones do not prove it.
+/// Whether it stays above `delta` by any bound of the series, the expensive ones only where the cheap ones do not prove it.
 pub fn is_above(c: &[f64], delta: f64) -> bool {
     Series::new(c, Start::Free).is_within(|[low, _]| low > delta)
 }

@@ -15,6 +15,9 @@
 //! Stronge     where ∫ ġ dP from Pᶜ on is −e² ∫ ġ dP up to Pᶜ      (Stronge, Impact Mechanics, 2000)
 //! ```
 //!
+//! Where normal and tangent move as one, W_NN W_tt = W_Nt² as at the tip of a bar on a pin, ġ and v vanish together, and a contact
+//! that then sticks moves no more: by Poisson's and Stronge's laws it stays so, and by Newton's with e > 0 there is no path.
+//!
 //! While the contact slips towards Painlevé's side, dġ/dP < 0, the compression grows until the slip ends, as it does on a
 //! path from ġ = 0: the impact without collision.
 
@@ -28,7 +31,7 @@ use crate::contact::equilibrated_kkt::EquilibratedKkt;
 use crate::model::Law;
 use crate::scalar::Scalar;
 
-/// Velocities below this part of the approach are zero: the path stops slipping, and others are not pressed.
+/// Velocities below this part of the approach are zero, as is dġ/dP below this part of W_NN, and impulses that differ by less are one.
 const ROUNDING: f64 = 1e-12;
 /// Pieces of a path at most: slip, reversed slip or stick, each in compression and restitution.
 const PIECES: usize = 8;
@@ -92,8 +95,8 @@ impl<S: Scalar> Striker<S> {
                 None => self.compression(&now, ratio),
                 Some(at) => self.restitution(&start, &vertices[at], &now, ratio),
             };
-            let is_stopped = stops.is_some_and(|stops| ends.is_none_or(|ends| stops <= ends));
-            let is_ended = ends.is_some_and(|ends| stops.is_none_or(|stops| ends <= stops));
+            let is_stopped = stops.is_some_and(|stops| ends.is_none_or(|ends| no_later(stops, ends)));
+            let is_ended = ends.is_some_and(|ends| stops.is_none_or(|stops| no_later(ends, stops)));
             let length = if is_stopped { stops? } else { ends? };
             if !length.is_finite() {
                 return None;
@@ -132,9 +135,15 @@ impl<S: Scalar> Striker<S> {
         if self.w_nt.abs() <= self.mu * self.w_tt { 0 } else { signum(self.w_nt) }
     }
 
+    /// dġ/dP.
+    fn rise(&self, ratio: S) -> S {
+        let rise = self.w_nn + ratio * self.w_nt;
+        if rise.abs() <= S::from_f64(ROUNDING) * self.w_nn { S::ZERO } else { rise }
+    }
+
     fn advance(&self, now: &Vertex<S>, sense: i8, length: S) -> Vertex<S> {
         let ratio = self.ratio(sense);
-        let rise = self.w_nn + ratio * self.w_nt;
+        let rise = self.rise(ratio);
         Vertex {
             normal: now.normal + rise * length,
             slip: match sense {
@@ -149,14 +158,15 @@ impl<S: Scalar> Striker<S> {
 
     /// The impulse to the end of the compression on this piece; none where it does not end.
     fn compression(&self, now: &Vertex<S>, ratio: S) -> Option<S> {
-        let rise = self.w_nn + ratio * self.w_nt;
+        let rise = self.rise(ratio);
         (rise > S::ZERO).then(|| positive(-(now.normal / rise)))
     }
 
     /// The impulse to the end of the restitution on this piece; none where it does not end.
     fn restitution(&self, start: &Vertex<S>, compressed: &Vertex<S>, now: &Vertex<S>, ratio: S) -> Option<S> {
-        let rise = self.w_nn + ratio * self.w_nt;
+        let rise = self.rise(ratio);
         let left = match self.law {
+            Law::Newton if now.normal >= -self.e * start.normal => S::ZERO,
             Law::Newton if rise > S::ZERO => (-self.e * start.normal - now.normal) / rise,
             Law::Newton => return None,
             Law::Poisson => (S::ratio(1, 1) + self.e) * compressed.impulse - now.impulse,
@@ -165,11 +175,17 @@ impl<S: Scalar> Striker<S> {
                 let left = -self.e * self.e * compressed.work - (now.work - compressed.work);
                 let two = S::ratio(2, 1);
                 let root = positive(now.normal * now.normal + two * rise * left).sqrt();
-                if left <= S::ZERO { S::ZERO } else { two * left / (now.normal + root) }
+                let is_over = left <= S::ZERO || rise == S::ZERO && now.normal == S::ZERO;
+                if is_over { S::ZERO } else { two * left / (now.normal + root) }
             }
         };
         Some(positive(left))
     }
+}
+
+/// Whether one impulse is no larger than another, but for rounding.
+fn no_later<S: Scalar>(one: S, other: S) -> bool {
+    one <= other + S::from_f64(ROUNDING) * other
 }
 
 fn signum<S: Scalar>(x: S) -> i8 {

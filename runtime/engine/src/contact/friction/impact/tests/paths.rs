@@ -118,3 +118,46 @@ fn a_slip_may_end_with_a_stage() {
         }
     }
 }
+
+/// The tip of a bar on a pin: v = q ġ throughout, W = w (1, q; q, q²). The compression, with dġ/dP = w (1 + μ |q|), is
+/// followed by a rise with w (1 − μ |q|), slipping back, or, where that is negative, by none, as it sticks.
+#[test]
+fn a_contact_that_moves_along_one_line_stops_at_once() {
+    let mut random = Random(0x9B05_688C_2B3E_6C1F);
+    let (mut rose, mut stuck) = (0, 0);
+    for k in 0..cases(600) {
+        let (w, q) = (random.between(0.5, 2.0), random.between(-2.0, 2.0));
+        let (mu, e) = (random.between(0.0, 2.0), random.between(0.05, 1.0));
+        let law = [Law::Newton, Law::Poisson, Law::Stronge][k % 3];
+        let it = Striker { w_nn: w, w_nt: w * q, w_tt: w * q * q, mu, e, law };
+        let slip = -q;
+        let part = -mu * q.abs();
+        let found = it.path(-1.0, slip);
+        let (rises, sticks) = (part > -0.99, part < -1.01);
+        let compressed = 1.0 / (w * (1.0 - part));
+        let ratio = (1.0 + part) / (1.0 - part);
+        let normal = match law {
+            Law::Newton => e,
+            Law::Poisson => e * ratio,
+            Law::Stronge => e * ratio.sqrt(),
+        };
+        if sticks && law == Law::Newton {
+            assert!(found.is_none(), "{k} {found:?}");
+        } else if sticks || rises {
+            let path = found.unwrap();
+            let first = point(&path.vertices[path.compressed]);
+            let end = point(&path.vertices[path.vertices.len() - 1]);
+            let normal = if rises { normal } else { 0.0 };
+            let expected = [normal, q * normal];
+            assert!((first[2] - compressed).abs() < 1e-9 * compressed, "{k} {law:?} {path:?}");
+            assert!(first[..2].iter().all(|rate| *rate == 0.0), "{k} {law:?} {path:?}");
+            assert!(
+                end.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-9),
+                "{k} {law:?} {expected:?} {path:?}"
+            );
+            rose += usize::from(rises);
+            stuck += usize::from(sticks);
+        }
+    }
+    assert!(rose > 50 && stuck > 50, "{rose} {stuck}");
+}
