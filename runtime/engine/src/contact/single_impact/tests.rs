@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::contact::impulse::CollisionError;
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 
 /// A bar of mass m and length l, level, one end of which strikes a floor at the speed v: W = 1/m + 12 (l/2)²/(m l²) = 4/m.
