@@ -164,8 +164,7 @@ impl<F: Fn(&[f64; N]) -> [f64; N], const N: usize> Gauss<F, N> {
         let modes = self.last_modes(&l, &scale);
         if modes[0] > self.record[0] || modes[1] > self.record[1].min(FORETOLD) {
             let err = self.error((h, &scale), &state, &end)?;
-            let moves = l.iter().flatten().any(|change| *change != 0.0);
-            if err > 1.0 || err < TIMID && moves && pilots > 0 {
+            if err > 1.0 || err < TIMID && modes[0] > 0.0 && pilots > 0 {
                 self.record = UNSEEN;
                 let factor = SAFETY * err.max(LEAST).powf(-1.0 / (ORDER + 1.0));
                 return Err(Refusal { wanted: h * factor.max(0.2), finite: true, solved: true });
