@@ -91,18 +91,20 @@ fn drawn(n: usize, numbers: &[f64], rows: Vec<Row>) -> Collision {
     Collision { mass, jacobian, rates, drift: DVector::zeros(rows.len()), applied: DVector::zeros(n), rows }
 }
 
-/// Towards W_NN = σ μ W_Nt impulses grow beyond all bounds, and their rounding as the square of them.
-fn assert_is_searched(collision: &Collision, found: &Outcome) -> Result<(), TestCaseError> {
+/// Numbers differ by less than `part` of the largest of their kind.
+fn assert_is_searched(collision: &Collision, found: &Outcome, part: f64) -> Result<(), TestCaseError> {
     let searched = collision.searched_within(usize::MAX).unwrap();
-    let bound = 1e-12 * found.impulses.amax().max(1.0).powi(2);
-    let close = |own: &DVector<f64>, other: &DVector<f64>| (own - other).amax() < bound;
-    prop_assert!(close(&found.rates, &searched.rates), "{} {}", found.rates, searched.rates);
-    prop_assert!(close(&found.impulses, &searched.impulses), "{} {}", found.impulses, searched.impulses);
-    for (row, (own, other)) in found.opening.iter().zip(searched.opening.iter()).enumerate() {
-        let same = (own - other).abs() < bound && (*own == 0.0) == (*other == 0.0);
-        prop_assert!(same, "{row}: {own} {other}");
+    let close = |own: &DVector<f64>, other: &DVector<f64>| (own - other).amax() < part * own.amax().max(1.0);
+    for (own, other) in [
+        (&found.rates, &searched.rates),
+        (&found.impulses, &searched.impulses),
+        (&found.opening, &searched.opening),
+    ] {
+        prop_assert!(close(own, other), "{own} {other}");
     }
-    prop_assert!((found.gained - searched.gained).abs() < bound, "{} {}", found.gained, searched.gained);
+    let zeros = |outcome: &Outcome| outcome.opening.map(|speed| speed == 0.0);
+    prop_assert_eq!(zeros(found), zeros(&searched));
+    prop_assert!((found.gained - searched.gained).abs() < part * found.gained.abs().max(1.0));
     prop_assert_eq!(&found.acting, &searched.acting);
     prop_assert_eq!((found.law, found.method), (searched.law, searched.method));
     let compressed = [found, &searched].map(|it| it.compression.clone().map(|(rates, _)| rates));
@@ -121,7 +123,7 @@ proptest! {
     fn it_is_what_the_search_finds(n in 1_usize..5, numbers in prop::collection::vec(-1.0..1.0_f64, 24), e in 0.0..1.0_f64) {
         let collision = drawn(n, &numbers, vec![Row::Contact { restitution: e, law: Law::Poisson }]);
         let Some(found) = collision.of_single() else { return Ok(()) };
-        assert_is_searched(&collision, &found)?;
+        assert_is_searched(&collision, &found, 1e-13)?;
     }
 
     /// Beside a contact at rest and one that departs or not, with friction, by each law.
@@ -136,6 +138,7 @@ proptest! {
         let rows = vec![contact, contact, contact, friction(0), friction(1), friction(2)];
         let collision = drawn(n, &numbers, rows);
         let Some(found) = collision.of_single() else { return Ok(()) };
-        assert_is_searched(&collision, &found)?;
+        // Towards W_NN = σ μ W_Nt impulses grow beyond all bounds, and their rounding with them.
+        assert_is_searched(&collision, &found, 1e-12 * found.impulses.amax().max(1.0))?;
     }
 }
