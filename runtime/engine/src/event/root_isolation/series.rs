@@ -52,15 +52,7 @@ impl<'a> Series<'a> {
     pub(super) fn reach(&self) -> [f64; 2] {
         let [first, rest @ ..] = self.terms else { return [0.0; 2] };
         let side = first.signum();
-        let fall = |a: f64| a.abs() - side * a;
-        let (fours, last) = rest.as_chunks::<4>();
-        let mut falls = [0.0; 4];
-        for four in fours {
-            for (sum, a) in falls.iter_mut().zip(four) {
-                *sum += fall(*a);
-            }
-        }
-        let fall = 0.5 * (falls.iter().sum::<f64>() + last.iter().map(|a| fall(*a)).sum::<f64>());
+        let fall = 0.5 * summed(rest, |a| a.abs() - side * a);
         // Where the bound is of use the falls are less than a₀, and their rounding than SUMMED · a₀; an infinite a₀ has none.
         let least = first.abs() - (fall + SUMMED * first.abs());
         if side.is_sign_positive() { [least, f64::INFINITY] } else { [f64::NEG_INFINITY, -least] }
@@ -171,13 +163,12 @@ impl Slope {
     }
 }
 
-/// Whether Σ cₖ θᵏ stays above `delta` on 0 ≤ θ ≤ 1, and above its rounding, by the sum of what lets it fall: the cheapest proof, which
-/// nearly all steps have.
+/// Whether Σ cₖ θᵏ stays above `delta` on 0 ≤ θ ≤ 1, and above its rounding, by the sum of what lets it fall,
+/// Σ max(−cₖ, 0) = ½ Σ (|cₖ| − cₖ): the cheapest proof, which nearly all steps have.
 pub fn stays_above(c: &[f64], delta: f64) -> bool {
     let [first, rest @ ..] = &c[..c.len().min(TERMS)] else { return false };
-    let [rise, fall] = ways(rest);
-    let least = first - (fall + SUMMED * first);
-    least > delta && least > SUMMED * (first + rise + fall)
+    let least = first - (0.5 * summed(rest, |c| c.abs() - c) + SUMMED * first);
+    least > delta && least > SUMMED * (first + sizes(rest))
 }
 
 /// Whether it stays above `delta` by any bound of the series, the expensive ones only where the cheap ones do not prove it.
@@ -185,27 +176,17 @@ pub fn is_above(c: &[f64], delta: f64) -> bool {
     Series::new(c, Start::Free).is_within(|[low, _]| low > delta)
 }
 
-/// Σ max(cₖ, 0) and Σ max(−cₖ, 0), four at once; what is no number counts as falling, so that it proves nothing.
-fn ways(c: &[f64]) -> [f64; 2] {
-    let up = |c: f64| if c > 0.0 { c } else { 0.0 };
-    let down = |c: f64| if c > 0.0 { 0.0 } else { c };
-    let (fours, last) = c.as_chunks::<4>();
-    let (mut rises, mut falls) = ([0.0; 4], [0.0; 4]);
-    for four in fours {
-        for k in 0..4 {
-            rises[k] += up(four[k]);
-            falls[k] -= down(four[k]);
-        }
-    }
-    let sums = [rises, falls].map(|sums| sums.iter().sum::<f64>());
-    last.iter().fold(sums, |[rise, fall], c| [rise + up(*c), fall - down(*c)])
+/// Σ |cₖ|.
+fn sizes(c: &[f64]) -> f64 {
+    summed(c, f64::abs)
 }
 
-/// Σ |cₖ|, four at once.
-fn sizes(c: &[f64]) -> f64 {
+/// The sum of a function of each, four at once.
+#[inline(always)]
+fn summed(c: &[f64], of: impl Fn(f64) -> f64) -> f64 {
     let (fours, last) = c.as_chunks::<4>();
-    let sums = fours.iter().fold([0.0; 4], |sums, four| core::array::from_fn(|k| sums[k] + four[k].abs()));
-    sums.iter().sum::<f64>() + last.iter().map(|a| a.abs()).sum::<f64>()
+    let sums = fours.iter().fold([0.0; 4], |sums, four| core::array::from_fn(|k| sums[k] + of(four[k])));
+    sums.iter().sum::<f64>() + last.iter().map(|c| of(*c)).sum::<f64>()
 }
 
 /// Up to the last coefficient that is not zero.
