@@ -3,6 +3,7 @@
 //! `M: BarSystem` and constant dimensions end here. [`Model::of`] lifts a compiled model; whatever else can evaluate its own
 //! equations implements [`System`] and [`Phase`] itself. A call through them happens once per right-hand side.
 
+mod derivative;
 mod equations;
 mod jacobian;
 mod lanes;

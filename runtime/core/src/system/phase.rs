@@ -3,6 +3,7 @@
 use core::marker::PhantomData;
 use std::sync::Arc;
 
+use super::derivative::{Derivative, fused};
 use super::jacobian::{self, JacobianOf};
 use super::lifted::Lifted;
 use super::projected::{KernelOrders, TakeOrder, projected_series};
@@ -93,25 +94,17 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for WithSeries<M> {
         self,
         phase: model::Phase<M, f64, N>,
     ) -> Self::Output {
-        let (reduced, jacobian) = (Reduced::<M, f64, N>::of::<Q>(), jacobian::of_closed::<M, Q, N>());
-        Arc::new(LiftedPhase { reduced, jacobian, ..LiftedPhase::new(self.0, phase) })
+        Arc::new(LiftedPhase::of_closed::<Q>(self.0, phase))
     }
 
     fn visit_series<const N: usize, Q: PhaseSeries<M, N>>(
         self,
         phase: model::Phase<M, f64, N>,
     ) -> Self::Output {
-        let (reduced, jacobian) = (Reduced::<M, f64, N>::of::<Q>(), jacobian::of_closed::<M, Q, N>());
         let series: SeriesOf<M, f64> =
             |system, set| Some(by_doubles(SeriesBy::<M, Q, N> { system, set, series: PhantomData }));
         let products = <Q::Columns<f64> as TaylorTape<f64>>::COLUMNS;
-        Arc::new(LiftedPhase {
-            reduced,
-            jacobian,
-            series: Some(series),
-            products,
-            ..LiftedPhase::new(self.0, phase)
-        })
+        Arc::new(LiftedPhase { series: Some(series), products, ..LiftedPhase::of_closed::<Q>(self.0, phase) })
     }
 }
 
@@ -179,6 +172,7 @@ struct LiftedPhase<M: BarSystem, S: Scalar, const N: usize> {
     series: Option<SeriesOf<M, S>>,
     products: usize,
     jacobian: Option<JacobianOf<M, S>>,
+    fused: Option<Box<dyn Derivative<M, S, N>>>,
 }
 
 /// What a closed form has of its own where digits could cancel: not in double-double, which has enough of them.
@@ -200,7 +194,24 @@ impl<M: BarSystem, S: Scalar, const N: usize> LiftedPhase<M, S, N> {
         let kept = indices.map(|index| index.to_f64() as usize);
         let model::Phase { set, form, coordinates, rates, affine, .. } = phase;
         let info = PhaseInfo { set, form, coordinates, rates, entries: N, affine };
-        Self { system, phase, info, kept, reduced: None, series: None, products: 0, jacobian: None }
+        Self {
+            system,
+            phase,
+            info,
+            kept,
+            reduced: None,
+            series: None,
+            products: 0,
+            jacobian: None,
+            fused: None,
+        }
+    }
+}
+
+impl<M: BarSystem, const N: usize> LiftedPhase<M, f64, N> {
+    fn of_closed<Q: ClosedForm<M, N>>(system: Arc<Lifted<M, f64>>, phase: model::Phase<M, f64, N>) -> Self {
+        let (reduced, jacobian) = (Reduced::of::<Q>(), jacobian::of_closed::<M, Q, N>());
+        Self { reduced, jacobian, fused: fused::<M, Q, N>(), ..Self::new(system, phase) }
     }
 }
 
@@ -227,7 +238,10 @@ impl<M: BarSystem, S: Liftable, const N: usize> Phase<S> for LiftedPhase<M, S, N
         let (Ok(y), Ok(f)) = (y.try_into(), <&mut [S; N]>::try_from(&mut *derivative)) else {
             return derivative.fill(S::from_f64(f64::NAN));
         };
-        *f = (self.phase.derivative)(&self.system.constants, &self.phase.set, y);
+        match &self.fused {
+            Some(fused) => fused.write(&self.system, &self.phase.set, y, f),
+            None => *f = (self.phase.derivative)(&self.system.constants, &self.phase.set, y),
+        }
     }
 
     fn reactions(&self, y: &[S], reactions: &mut [S]) {

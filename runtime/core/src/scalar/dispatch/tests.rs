@@ -100,7 +100,39 @@ fn rough<X: Vector>() {
     assert_eq!([low.max(high), low.min(high), low.abs()].map(|x| x.lane(7)), [2.0, -1.5, 1.5]);
 }
 
+/// Those of several angles, for which vectors are taken, as those of each.
+fn angles_are_as_each_alone<const K: usize>(angles: [f64; K]) {
+    let (sin, cos) = Fused::inside(All(angles));
+    for (k, angle) in angles.into_iter().enumerate() {
+        let (one_sin, one_cos) = Fused::inside(All([angle]));
+        assert_eq!([sin[k], cos[k]].map(f64::to_bits), [one_sin[0], one_cos[0]].map(f64::to_bits), "{angle}");
+        assert!((sin[k] - angle.sin()).abs() <= f64::EPSILON && (cos[k] - angle.cos()).abs() <= f64::EPSILON);
+    }
+}
+
+struct All<const K: usize>([f64; K]);
+
+impl<const K: usize> Inside for All<K> {
+    type Output = ([f64; K], [f64; K]);
+
+    #[inline(always)]
+    fn run(self) -> Self::Output {
+        let (sin, cos) = Fused::sin_cos_each(self.0.map(Fused::from_f64));
+        (sin.map(Fused::value), cos.map(Fused::value))
+    }
+}
+
 proptest! {
+    #[test]
+    fn angles_by_vectors_are_those_of_each(angles in [-1e3..1e3, -1e7..1e7, -4.0..4.0]) {
+        if has_fma() {
+            let at = |k: usize| angles[k % 3] / (1 + k / 3) as f64;
+            angles_are_as_each_alone::<7>(core::array::from_fn(at));
+            angles_are_as_each_alone::<8>(core::array::from_fn(at));
+            angles_are_as_each_alone::<19>(core::array::from_fn(at));
+        }
+    }
+
     /// Beyond what is reduced by parts of π too.
     #[test]
     fn every_set_has_the_bits_of_doubles(
