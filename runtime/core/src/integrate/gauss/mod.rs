@@ -136,6 +136,11 @@ impl<F: Fn(&[f64; N]) -> [f64; N], const N: usize> Gauss<F, N> {
         if self.starts() { PILOTS } else { 0 }
     }
 
+    /// Whether the step begins where the last one did, which was too long.
+    fn goes_back(&self) -> bool {
+        self.last.jumps.is_some() && self.last.times[0] == self.step_state.time
+    }
+
     /// The last step's slopes, continued; without a last step, constant ones.
     fn first_guess(&mut self, h: f64) -> Result<Stages<N, STAGES>, StepError> {
         if self.starts() {
@@ -164,7 +169,9 @@ impl<F: Fn(&[f64; N]) -> [f64; N], const N: usize> Gauss<F, N> {
         let modes = self.last_modes(&l, &scale);
         if modes[0] > self.record[0] || modes[1] > self.record[1].min(FORETOLD) {
             let err = self.error((h, &scale), &state, &end)?;
-            if err > 1.0 || err < TIMID && modes[0] > 0.0 && pilots > 0 {
+            // A motion that is uniform, in time alone say, leaves a longer step to try too, but not one that has been tried.
+            let uniform = || !self.goes_back() && l.iter().flatten().any(|change| *change != 0.0);
+            if err > 1.0 || err < TIMID && pilots > 0 && (modes[0] > 0.0 || uniform()) {
                 self.record = UNSEEN;
                 let factor = SAFETY * err.max(LEAST).powf(-1.0 / (ORDER + 1.0));
                 return Err(Refusal { wanted: h * factor.max(0.2), finite: true, solved: true });

@@ -9,7 +9,7 @@ use super::stages::{Equations, Sum};
 use super::tableau::Tableau;
 use crate::integrate::tests::fields::{distance, kepler, orbit};
 use crate::integrate::tests::orders::step_orders;
-use crate::integrate::{Dense, StepState, Tolerance};
+use crate::integrate::{Dense, StepState, Stepper, Tolerance};
 
 /// The order conditions of collocation at Gauss's nodes: Σ bⱼ cⱼᵏ = 1/(k + 1) for k < 2s and Σ aᵢⱼ cⱼᵏ = cᵢᵏ⁺¹/(k + 1) for
 /// k < s; rounding of sums of up to twelve.
@@ -116,5 +116,22 @@ fn errors_are_foretold_by_either_parity() {
         let [last, foretold] = gauss.last_modes(&l, &[1.0]);
         assert_eq!(shift == 0.0, last < 1e-14, "{a} {shift}: {last}");
         assert!(foretold > error && foretold < 1e5 * error, "{a} {shift}: {error} {foretold}");
+    }
+}
+
+/// y₁′ = 2, as the time of a system that rests: no step leaves anything out.
+#[test]
+fn what_moves_uniformly_takes_long_steps() {
+    for tolerance in [1e-3, 1e-9] {
+        let tolerance = Tolerance::new(tolerance, [1e-12; 2]).unwrap();
+        let step_state = StepState::new(tolerance, 0.0, [0.0, 1.0]).with_end(50.0);
+        let mut solver = Gauss::new(|_: &[f64; 2]| [2.0, 0.0], step_state);
+        let mut steps = 0;
+        while solver.step_state().time() < 50.0 {
+            solver.step().expect("a uniform motion");
+            steps += 1;
+        }
+        assert!(steps <= 4, "{steps}");
+        assert!((solver.step_state().state()[0] - 100.0).abs() < 1e-13 * 100.0);
     }
 }
