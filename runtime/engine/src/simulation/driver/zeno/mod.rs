@@ -247,8 +247,8 @@ impl Driver<'_> {
 
     /// Contacts within the bound of their gaps. A foot that has slid off the end of its bar has nothing to fall back on.
     fn near(&self, gaps: &[f64]) -> ContactSet {
-        let bound = self.relative_bound() * self.setup.context.scales.length;
-        let near: ContactSet = (0..gaps.len()).filter(|i| gaps[*i].abs() <= bound).collect();
+        let bound = self.gap_bounds();
+        let near: ContactSet = (0..gaps.len()).filter(|i| gaps[*i].abs() <= bound(*i)).collect();
         if near.is_empty() { near } else { near.difference(self.removed.union(self.beyond_end())) }
     }
 
