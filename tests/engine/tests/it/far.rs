@@ -44,6 +44,33 @@ struct Wheel {
     g: f64,
 }
 
+/// A square block with friction and restitution at its corners.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[body(
+    block,
+    points(A = (0, 0), B = (b, 0), C = (b, b), D = (0, b)),
+    mass = m,
+    inertia = m * b * b / 6,
+    centre = (b / 2, b / 2),
+)]
+#[support(A = slope(-gamma), friction = mu, restitution = e)]
+#[support(B = slope(-gamma), friction = mu, restitution = e)]
+#[support(C = slope(-gamma), friction = mu, restitution = e)]
+#[support(D = slope(-gamma), friction = mu, restitution = e)]
+#[figure(A = (0, 0), B = (b * cos(gamma), -b * sin(gamma)))]
+#[coordinate(phi = angle(block), from = right)]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+struct Block {
+    m: f64,
+    b: f64,
+    gamma: f64,
+    mu: f64,
+    e: f64,
+    g: f64,
+}
+
 /// A point on the slope, so far down.
 fn on_slope(far: f64) -> [f64; 2] {
     [far * GAMMA.cos(), -far * GAMMA.sin()]
@@ -92,4 +119,42 @@ fn a_wheel_rolls_alike_wherever_on_its_slope() {
     rolls_alike(&Taylor);
     rolls_alike(&Dop853);
     rolls_alike(&Gauss::default());
+}
+
+/// It bounces and comes to rest on a face, φ + γ a multiple of a right angle, and slides on with g (sin γ − μ cos γ).
+#[test]
+fn a_block_comes_to_rest_on_a_face_wherever_on_its_slope() {
+    bounces(&Taylor);
+    bounces(&Dop853);
+    bounces(&Gauss::default());
+}
+
+fn bounces(method: &(impl Method + Clone)) {
+    let block = Block { m: 1.0, b: 0.6, gamma: GAMMA, mu: 0.1, e: 0.4, g: 9.81 };
+    let turn = core::f64::consts::FRAC_PI_2;
+    for (tolerance, far) in [1e-9, 1e-14].into_iter().flat_map(|t| [0.0, 1e2, 1e4, 1e6].map(|d| (t, d))) {
+        for (phi, spin) in [(0.4, -1.0), (-0.3, 2.0), (0.1, 3.5)] {
+            let what = || format!("{} {tolerance:e} {far:e} {phi}", method.name());
+            let [x, y] = on_slope(far);
+            let start =
+                Pose::at("phi", phi).with("x", x).with("y", y + 1.0).with("phi'", spin).with("x'", 1.0);
+            let simulation = Simulation::new(&block).unwrap().start(start).unwrap().limit(4.0);
+            let run = run(simulation, method.clone(), tolerance, far);
+            let [before, end] = [3.5, 4.0].map(|t| run.state(t));
+            let off = (end[0] + GAMMA) / turn;
+            assert!(
+                (off - off.round()).abs() < 1e-2 * tolerance.sqrt() + 4.0 * f64::EPSILON * far,
+                "{}: {off}",
+                what()
+            );
+            let along = |state: &[f64]| state[4] * GAMMA.cos() - state[5] * GAMMA.sin();
+            let gained = along(&end) - along(&before);
+            let expected = 0.5 * block.g * (GAMMA.sin() - block.mu * GAMMA.cos());
+            assert!(
+                (gained - expected).abs() < 10.0 * tolerance + 64.0 * f64::EPSILON * far,
+                "{}: {gained}",
+                what()
+            );
+        }
+    }
 }
