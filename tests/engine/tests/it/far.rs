@@ -132,8 +132,9 @@ fn a_block_comes_to_rest_on_a_face_wherever_on_its_slope() {
 fn bounces(method: &(impl Method + Clone)) {
     let block = Block { m: 1.0, b: 0.6, gamma: GAMMA, mu: 0.1, e: 0.4, g: 9.81 };
     let turn = core::f64::consts::FRAC_PI_2;
-    for (tolerance, far) in [1e-9, 1e-14].into_iter().flat_map(|t| [0.0, 1e2, 1e4, 1e6].map(|d| (t, d))) {
-        for (phi, spin) in [(0.4, -1.0), (-0.3, 2.0), (0.1, 3.5)] {
+    for (tolerance, far) in [1e-4, 1e-9, 1e-14].into_iter().flat_map(|t| [0.0, 1e2, 1e4, 1e6].map(|d| (t, d)))
+    {
+        for (phi, spin) in [(0.4, -1.0), (-0.3, 2.0), (0.1, 3.5), (-0.5, -4.0), (0.5, -8.0)] {
             let what = || format!("{} {tolerance:e} {far:e} {phi}", method.name());
             let [x, y] = on_slope(far);
             let start =

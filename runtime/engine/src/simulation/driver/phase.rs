@@ -193,11 +193,9 @@ impl Driver<'_> {
         }
     }
 
-    /// Rounding accumulated over the distance that the coordinates have travelled at their rates, relative to the largest of
-    /// them.
+    /// Rounding accumulated over the distance that the coordinates have travelled at their rates.
     pub(super) fn rounding_of_the_way(&self) -> f64 {
-        let [far, rounding] = self.setup.context.travelled(&self.state, self.t);
-        rounding / far
+        self.setup.context.travelled(&self.state, self.t)[1]
     }
 
     pub(super) fn advance(&mut self) -> Outcome {
