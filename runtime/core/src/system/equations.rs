@@ -72,6 +72,11 @@ impl Equations<f64> {
         along.sum::<f64>() + self.drift()[row]
     }
 
+    /// Σ |Jᵢ xᵢ|, the size of the terms that J x of a row is made of: its rounding, however small it is.
+    pub fn terms(&self, row: usize, x: &[f64]) -> f64 {
+        self.jacobian(row).iter().zip(x).map(|(entry, x)| (entry * x).abs()).sum()
+    }
+
     /// g̈ = J a + γ of a row at these accelerations.
     pub fn gap_acceleration(&self, row: usize, accelerations: &[f64]) -> f64 {
         let along = self.jacobian(row).iter().zip(accelerations).map(|(entry, a)| entry * a);

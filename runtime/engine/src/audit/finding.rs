@@ -14,7 +14,7 @@ const ROUNDED: f64 = 1e-12;
 /// What is looked at.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Quantity {
-    /// Positions before and after an event, in natural units, relative to the largest above one.
+    /// Positions before and after an event, in natural units, beyond their rounding.
     Jump,
     /// Gaps of closed contacts and of joints, in natural lengths, relative to the largest position above one.
     Gap,

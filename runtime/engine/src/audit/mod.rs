@@ -96,8 +96,8 @@ impl Trajectory {
         let bounds = Bounds::of(self.tolerance, 1);
         let [jump, _] = chart::apart(context, from.state(), to.state());
         // Times are told apart by the spacing of doubles, in which a fast motion comes far.
-        let [far, rounding] = context.travelled(from.state(), t);
-        let bound = bounds.jump() + rounding / far;
+        let [_, rounding] = context.travelled(from.state(), t);
+        let bound = bounds.jump() + rounding;
         audit.note(Finding { t, quantity: Quantity::Jump, value: jump, bound });
         audit.note(Finding { t, quantity: Quantity::Order, value: before.t1 - t, bound: 0.0 });
         // Surfaces that move do work in an impact.

@@ -3,16 +3,13 @@
 use super::finding::SMALL;
 use super::{Bounds, Finding, Quantity};
 use crate::integration::chart::nan_max;
-use crate::integration::phase_point::{Numbers, RunContext};
+use crate::integration::phase_point::{Numbers, ROUNDINGS, RunContext};
 use crate::model::ContactSet;
 use smallvec::smallvec;
 
 /// Where gaps are flat, positions within the bound of a gap leave J unknown by the root of that: about this part of the bound of
 /// rates.
 const FLAT: f64 = 0.1;
-
-/// So many roundings of the coordinates are no gap: each is that of some steps.
-const ROUNDED: f64 = 64.0 * f64::EPSILON;
 
 /// A time of a phase.
 pub(crate) struct Place<'a> {
@@ -49,18 +46,14 @@ impl Place<'_> {
         }
         let equations = context.system().equations(state);
         let (positions, rates) = state.split_at(layout.coordinates.len());
-        let rounding = |row: usize| {
-            let along = equations.jacobian(row).iter().zip(positions).map(|(entry, q)| (entry * q).abs());
-            ROUNDED * along.sum::<f64>()
-        };
+        let rounding = |row: usize| ROUNDINGS * equations.terms(row, positions);
         let natural =
             rates.iter().zip(layout.coordinates).map(|(u, c)| u.abs() / context.scales.coordinate(c));
         let fastest = natural.fold(0.0, f64::max);
         let gap =
             |row: usize| equations.gap()[row].abs() / (layout.unit(row, length) + rounding(row) / bound);
         let rate = |row: usize| {
-            let along = equations.jacobian(row).iter().zip(rates).map(|(entry, u)| (entry * u).abs());
-            let terms = along.sum::<f64>() + equations.drift()[row].abs();
+            let terms = equations.terms(row, rates) + equations.drift()[row].abs();
             let unit = layout.unit(row, context.scales.length);
             let flat = FLAT * unit * fastest;
             equations.gap_rate(row, rates).abs() / terms.max(flat).max(SMALL * unit / context.scales.time)

@@ -14,7 +14,7 @@
 //! by √δ; rates are compared to within √δ.
 
 use crate::integration::form_selection::{eliminates, least_pivot};
-use crate::integration::phase_point::{Numbers, RunContext};
+use crate::integration::phase_point::{Numbers, ROUNDINGS, RunContext};
 use crate::model::{ContactSet, Form};
 use crate::system::Phase;
 use smallvec::smallvec;
@@ -87,16 +87,18 @@ pub(crate) fn agree(context: &RunContext, one: &[f64], other: &[f64], bound: f64
     positions <= bound && rates <= bound.sqrt()
 }
 
-/// The largest difference of the coordinates of two states, and of their rates, in natural units, relative to the largest
-/// entry where that is above one.
+/// The largest difference of the coordinates of two states by more than their rounding, in natural units, and of their rates,
+/// relative to the largest where that is above one: wherever the origin is, a state is as far from another.
 pub(crate) fn apart(context: &RunContext, one: &[f64], other: &[f64]) -> [f64; 2] {
     let layout = context.layout();
     let (n, unit) = (layout.coordinates.len(), |i: usize| context.scales.entry(layout, i));
-    [0..n, n..2 * n].map(|entries| {
+    let [[far, positions], [fastest, rates]] = [0..n, n..2 * n].map(|entries| {
         let largest = entries.clone().fold(1.0, |most: f64, i| most.max(one[i].abs() / unit(i)));
         let difference = |i: usize| (one[i] - other[i]).abs() / unit(i);
-        entries.map(difference).fold(0.0, nan_max) / largest
-    })
+        [largest, entries.map(difference).fold(0.0, nan_max)]
+    });
+    let rounding = ROUNDINGS * far;
+    [if positions <= rounding { 0.0 } else { positions - rounding }, rates / fastest]
 }
 
 /// The larger, not a number if one is none: `max` passes over that.

@@ -19,6 +19,11 @@ use crate::system::{Model, Phase, System};
 /// Some numbers; those of small models need no allocation.
 pub(crate) type Numbers = SmallVec<[f64; 16]>;
 
+/// So many roundings of the coordinates are no gap: each is that of some steps.
+pub(crate) const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
+/// What moves a gap by more than so many units of a coordinate, of each, is not expected.
+const LEVER: f64 = 16.0;
+
 /// What of a model does not change during a run.
 #[derive(Clone)]
 pub(crate) struct RunContext {
@@ -50,6 +55,26 @@ impl RunContext {
     /// Whether anything but friction may change T + V between impacts.
     pub(crate) fn is_worked_on(&self) -> bool {
         self.layout().timed || self.layout().loaded || self.scales.damped
+    }
+
+    /// What the rounding of the coordinates makes of each gap that is zero, in its own unit; nothing where that is less than `bound`:
+    /// along a slope the height of a point is a difference of terms as large as it is far.
+    pub(crate) fn roundings(&self, state: &[f64], bound: f64) -> Numbers {
+        let (layout, n) = (self.layout(), self.layout().coordinates.len());
+        if !self.is_far(state[..n].iter().enumerate(), bound) {
+            return Numbers::new();
+        }
+        let equations = self.system().equations(state);
+        let rounding =
+            |row| ROUNDINGS * equations.terms(row, &state[..n]) / layout.unit(row, self.scales.length);
+        (0..layout.contacts.len() + layout.joints.len()).map(rounding).collect()
+    }
+
+    /// Whether coordinates, given with their places, are so large that their rounding may count beside `bound`.
+    pub(crate) fn is_far<'q>(&self, mut of: impl Iterator<Item = (usize, &'q f64)>, bound: f64) -> bool {
+        let layout = self.layout();
+        let near = bound / (LEVER * ROUNDINGS * layout.coordinates.len() as f64);
+        of.any(|(i, q)| q.abs() > near * self.scales.entry(layout, i))
     }
 
     /// How far the coordinates are from zero, in natural units and at least one, and the rounding accumulated over the way that

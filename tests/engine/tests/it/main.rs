@@ -16,6 +16,7 @@ mod dissipation;
 mod driven;
 mod errors;
 mod falling_pair;
+mod far;
 mod fast_guards;
 mod figures;
 mod flow;

@@ -109,6 +109,11 @@ impl DenseOutput {
         y
     }
 
+    /// The state at the end.
+    pub fn end(&self) -> &[f64] {
+        &self.values[..self.entries]
+    }
+
     /// The degree of the polynomial.
     pub fn degree(&self) -> usize {
         (self.values.len() / self.entries.max(1)).saturating_sub(2)

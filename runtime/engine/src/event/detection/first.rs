@@ -5,7 +5,7 @@ use super::guard_source::{self, GuardSource};
 use super::{EventDetector, Guard, StepView, Watch};
 use crate::event::root_isolation::{Crossing, GuardError, Start};
 
-/// Rounding of a gap, relative to the natural length: it is a sum of some terms.
+/// Rounding of a gap, relative to the natural length, or to its terms where they are larger.
 const ROUNDED: f64 = 16.0 * f64::EPSILON;
 
 impl EventDetector<'_> {
@@ -119,8 +119,11 @@ impl EventDetector<'_> {
         let mut from = 0.0;
         // Where a gap that never rose above its bound falls below it: the contact has closed somewhere before, and
         // to say so at the start would stop the time.
-        let rounding = (ROUNDED * self.bounds.length).min(0.5 * bound);
-        let sink = || trace.first_root(0.0, Start::Free, (bound, rounding));
+        let rounding = || {
+            let terms = step.terms(contact, &mut self.values.borrow_mut());
+            (ROUNDED * terms.max(self.bounds.length)).min(0.5 * bound)
+        };
+        let sink = || trace.first_root(0.0, Start::Free, (bound, rounding()));
         let is_off = watch.at_root
             && watch.off
             && !sink()?.is_some_and(|theta| self.margin(step, contact, theta) > self.end());
@@ -135,10 +138,10 @@ impl EventDetector<'_> {
                 }
             }
             let mut fall = self.first_downcrossing(watch, step, from, touches)?;
-            if fall.is_none() && watch.height.is_finite() && value(1.0) < -rounding {
+            if fall.is_none() && watch.height.is_finite() && value(1.0) < 0.0 && value(1.0) < -rounding() {
                 // The end of a low flight is known much better than to its bound.
                 let start = if watch.at_root && from == 0.0 { Start::Root } else { Start::Free };
-                fall = trace.first_root(from, start, (0.0, rounding))?;
+                fall = trace.first_root(from, start, (0.0, rounding()))?;
             }
             let lands = self.landing(watch, contact, step, fall.unwrap_or(1.0))?;
             let unseen = watch.at_root && !is_off && fall == Some(0.0);

@@ -126,6 +126,8 @@ pub(crate) struct EventDetector<'a> {
     layout: &'static Layout,
     forces: &'a [f64],
     slips: &'a [f64],
+    /// What rounding makes of each gap in the step, in its own unit; none where that is less than any of their bounds.
+    roundings: Numbers,
     values: RefCell<Values>,
     known: Known,
     memo: Memo,
@@ -163,6 +165,7 @@ impl<'a> EventDetector<'a> {
             layout,
             forces,
             slips,
+            roundings: Numbers::new(),
             values,
             known,
             memo,
@@ -218,7 +221,11 @@ impl<'a> EventDetector<'a> {
         if kinds.any() {
             start.sample(0.0, kinds, self.values.get_mut());
         }
+        let least = self.least_bound();
         let known = self.values.get_mut();
+        if kinds.gaps {
+            self.roundings = start.context.roundings(&known.state, least);
+        }
         let values: Numbers = self.list.iter().map(|watch| known.get(watch.guard)).collect();
         for k in 0..self.list.len() {
             let value = values[k];
@@ -243,6 +250,9 @@ impl<'a> EventDetector<'a> {
     /// Everything in (0, 1] up to the first event. On the last step a guard that has fallen to zero within rounding at its end
     /// counts as well: no later step would find it.
     pub(crate) fn examine(&mut self, step: &StepView<'_>, is_last: bool) -> Result<StepEvents, GuardError> {
+        if let Some(roundings) = step.roundings(self.least_bound(), self.values.get_mut()) {
+            self.roundings = roundings;
+        }
         self.sample(step);
         let mut findings = StepEvents::default();
         let mut decisive: SmallVec<[(f64, Guard); 4]> = SmallVec::new();

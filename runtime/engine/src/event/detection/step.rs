@@ -184,6 +184,24 @@ impl<'a> StepView<'a> {
         }
     }
 
+    /// What rounding makes of each gap at the end, if a coordinate of the phase has become so large that it may be more than `bound`.
+    pub(super) fn roundings(&self, bound: f64, values: &mut Values) -> Option<Numbers> {
+        let coordinates =
+            self.phase.kept().iter().copied().zip(self.dense.end()).take(self.phase.info().coordinates);
+        if !self.context.is_far(coordinates, bound) {
+            return None;
+        }
+        self.phase.embed(self.dense.end(), &mut values.state);
+        Some(self.context.roundings(&values.state, bound))
+    }
+
+    /// The size of the terms at the end that a gap is the sum of.
+    pub(super) fn terms(&self, contact: usize, values: &mut Values) -> f64 {
+        self.phase.embed(self.dense.end(), &mut values.state);
+        let positions = &values.state[..self.context.layout().coordinates.len()];
+        self.context.system().equations(&values.state).terms(contact, positions)
+    }
+
     /// The difference of a condition's sides at θ, and the larger of them.
     pub(super) fn difference(&self, theta: f64, condition: &Condition, values: &mut Values) -> (f64, f64) {
         condition.difference(self.context, self.point(theta, values))

@@ -4,7 +4,6 @@ use super::guard_source::EXACT;
 use super::step::Kinds;
 use super::{EventDetector, Guard, LOW, StepView, Watch};
 use crate::expression::Relation;
-use crate::model::ContactKind;
 use smallvec::SmallVec;
 
 /// The fraction of a run's last step over which a guard must fall to count as zero at its end.
@@ -23,7 +22,7 @@ impl EventDetector<'_> {
     pub(crate) fn is_undecided(&self, guard: Guard, reactions: &[f64], gaps: &[f64]) -> bool {
         let (value, size) = match guard {
             Guard::Reaction(i) | Guard::Side(i, _) => (reactions[i], self.forces[i]),
-            Guard::Gap(i) => (gaps[i], self.bounds.length),
+            Guard::Gap(i) => (gaps[i], self.size_of_gap(i)),
             Guard::Parting(_)
             | Guard::Foot { .. }
             | Guard::Limit(_)
@@ -86,8 +85,8 @@ impl EventDetector<'_> {
                 Guard::Limit(rub) => self.forces[rub.contact],
                 Guard::Grip => self.forces.iter().copied().fold(0.0, f64::max),
                 Guard::Slip(rub) => self.slips[rub.friction],
-                Guard::Gap(i) if self.layout.contacts[i].kind == ContactKind::Turn => 1.0,
-                Guard::Gap(_) | Guard::Parting(_) | Guard::Foot { .. } => self.bounds.length,
+                Guard::Gap(i) | Guard::Parting(i) => self.size_of_gap(i),
+                Guard::Foot { .. } => self.bounds.length,
                 Guard::Condition(k) => {
                     let size = |&theta: &f64| {
                         step.difference(theta, &self.conditions[k], &mut self.values.borrow_mut()).1
@@ -97,6 +96,18 @@ impl EventDetector<'_> {
                 }
             };
         usual.min(watch.height * LOW)
+    }
+
+    /// The least bound of a gap, in its own unit.
+    pub(super) fn least_bound(&self) -> f64 {
+        let low = self.list.iter().fold(f64::INFINITY, |low, watch| low.min(watch.height));
+        self.bounds.relative.min(LOW * low / self.bounds.length)
+    }
+
+    /// The unit of a gap, or that of which the relative bound is its rounding.
+    fn size_of_gap(&self, contact: usize) -> f64 {
+        let rounding = self.roundings.get(contact).map_or(0.0, |rounding| rounding / self.bounds.relative);
+        self.layout.unit(contact, self.bounds.length) * rounding.max(1.0)
     }
 
     /// Whether the difference of a condition's sides counts as zero at the start of a phase.

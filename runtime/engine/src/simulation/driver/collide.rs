@@ -100,10 +100,10 @@ impl Driver<'_> {
     /// Contacts with g = 0: the closed ones, those that close, and open ones within the error bound of their gap, in a low
     /// flight a part of its height. A drive that waits is there from its own event on.
     pub(super) fn present(&self, closing: ContactSet, equations: &Equations<f64>) -> ContactSet {
-        let usual = self.relative_bound() * self.setup.context.scales.length;
+        let usual = self.gap_bounds();
         let bound = |i: usize| {
             let flight = self.bounces.heights.iter().find(|(contact, _)| *contact == i);
-            flight.map_or(usual, |(_, height)| usual.min(LOW * height))
+            flight.map_or(f64::INFINITY, |(_, height)| LOW * height).min(usual(i))
         };
         let off = self.beyond_end().union(self.waiting());
         let zero = |i: &usize| {

@@ -39,8 +39,8 @@ impl Driver<'_> {
 
     /// Open corners that lie below their bars.
     pub(super) fn below(&self) -> ContactSet {
-        let (gaps, bound) = (self.gaps(), self.relative_bound() * self.setup.context.scales.length);
-        let below = |i: &usize| self.layout().contacts[*i].foot.is_some() && gaps[*i] < -bound;
+        let (gaps, bound) = (self.gaps(), self.gap_bounds());
+        let below = |i: &usize| self.layout().contacts[*i].foot.is_some() && gaps[*i] < -bound(*i);
         (0..gaps.len()).filter(below).collect()
     }
 }

@@ -79,6 +79,8 @@ pub(crate) struct Driver<'a> {
     risen: Option<(ContactSet, Vec<Rise>)>,
     /// The last accelerations that were asked for, with the state and the set of which they are.
     accelerations: RefCell<Option<(Numbers, ContactSet, Numbers)>>,
+    /// The last roundings of gaps that were asked for, with the state that they are at.
+    roundings: RefCell<(Numbers, Numbers)>,
     settling: Vec<ZenoClosure>,
     allowance: Allowance,
     /// How many events of the trajectory the observer has been shown, and how many it has taken.
@@ -122,6 +124,7 @@ impl<'a> Driver<'a> {
             bounces: BounceHistory::new(setup.layout().contacts.len()),
             risen: None,
             accelerations: RefCell::default(),
+            roundings: RefCell::default(),
             settling: Vec::new(),
             trajectory: Trajectory::empty(setup.context.clone(), setup.tolerance, (setup.begin, last)),
             form: setup.form,

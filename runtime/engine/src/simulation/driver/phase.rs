@@ -1,5 +1,6 @@
 //! The phase that follows, and its integration.
 
+use std::cell::Ref;
 use std::sync::Arc;
 
 use super::Driver;
@@ -13,7 +14,7 @@ use crate::contact::{
 use crate::error::{RunCause, StartError};
 use crate::event::detection::{Bounds, ContactStatus, EventDetector};
 use crate::integration::chart::{self, Chart};
-use crate::integration::phase_point::Numbers;
+use crate::integration::phase_point::{Numbers, ROUNDINGS};
 use crate::integration::phase_run::{Outcome, PhaseRun};
 use crate::model::{ContactSet, Form};
 use crate::simulation::{Exhausted, Simulation};
@@ -192,11 +193,9 @@ impl Driver<'_> {
         }
     }
 
-    /// Rounding accumulated over the distance that the coordinates have travelled at their rates, relative to the largest of
-    /// them.
+    /// Rounding accumulated over the distance that the coordinates have travelled at their rates.
     pub(super) fn rounding_of_the_way(&self) -> f64 {
-        let [far, rounding] = self.setup.context.travelled(&self.state, self.t);
-        rounding / far
+        self.setup.context.travelled(&self.state, self.t)[1]
     }
 
     pub(super) fn advance(&mut self) -> Outcome {
@@ -302,13 +301,32 @@ impl Driver<'_> {
         friction.map_or(0.0, |entry| self.slip_states()[entry].kinetic)
     }
 
-    /// Local errors of ten steps, or some roundings, or what the motion goes in the rounding of a time that is long.
+    /// Local errors of ten steps, or some roundings, or what the motion goes in the rounding of a time that is long, or how far the
+    /// rounding of coordinates lets it leave its contacts: a projection back onto them turns it by as much.
     pub(super) fn relative_bound(&self) -> f64 {
-        let context = &self.setup.context;
+        let (context, closed) = (&self.setup.context, self.closed.union(self.touching));
         let fastest = context.scales.fastest(context.layout(), &self.state[context.rates()]);
-        (10.0 * self.setup.tolerance)
-            .max(64.0 * f64::EPSILON)
-            .max(2.0 * f64::EPSILON * self.t.abs() * fastest)
+        let usual =
+            (10.0 * self.setup.tolerance).max(ROUNDINGS).max(2.0 * f64::EPSILON * self.t.abs() * fastest);
+        let roundings = self.roundings(usual);
+        let held = (0..roundings.len()).filter(|row| context.layout().is_closed(*row, &closed));
+        held.fold(usual, |most, row| most.max(roundings[row]))
+    }
+
+    /// What rounding makes of each gap, where that is more than `usual`.
+    fn roundings(&self, usual: f64) -> Ref<'_, Numbers> {
+        if self.roundings.borrow().0[..] != self.state[..] {
+            let roundings = self.setup.context.roundings(&self.state, usual);
+            *self.roundings.borrow_mut() = (Numbers::from_slice(&self.state), roundings);
+        }
+        Ref::map(self.roundings.borrow(), |known| &known.1)
+    }
+
+    /// What of the gap of each contact counts as zero, m.
+    pub(super) fn gap_bounds(&self) -> impl Fn(usize) -> f64 {
+        let (usual, length) = (self.relative_bound(), self.setup.context.scales.length);
+        let roundings = self.roundings(usual).clone();
+        move |contact| usual.max(roundings.get(contact).copied().unwrap_or(0.0)) * length
     }
 
     /// Whether all events have happened that the run was to wait for.
@@ -351,6 +369,6 @@ impl Driver<'_> {
         if context.switches.is_empty() {
             return off;
         }
-        off.union(self.sunk(&self.gaps(), bound))
+        off.union(self.sunk(&self.gaps(), self.gap_bounds()))
     }
 }

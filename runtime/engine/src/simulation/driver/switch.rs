@@ -179,9 +179,9 @@ impl Driver<'_> {
     }
 
     /// Contacts that have been armed below their grounds.
-    pub(super) fn sunk(&self, gaps: &[f64], bound: f64) -> ContactSet {
+    pub(super) fn sunk(&self, gaps: &[f64], bound: impl Fn(usize) -> f64) -> ContactSet {
         let aside = self.closed.union(self.removed).union(self.layout().drives());
         let open = self.setup.context.switched().difference(aside);
-        open.iter().filter(|&i| gaps[i] < -bound).collect()
+        open.iter().filter(|&i| gaps[i] < -bound(i)).collect()
     }
 }

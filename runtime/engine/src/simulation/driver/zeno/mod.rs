@@ -28,8 +28,9 @@ use crate::error::RunCause;
 use crate::integration::phase_point::Numbers;
 use crate::model::ContactSet;
 use crate::simulation::{Exhausted, Simulation};
+use crate::system::Equations;
 
-/// A flight that rises less than this, in natural lengths, cannot be followed: a gap has some roundings of one.
+/// A flight that rises less than this, in natural lengths or of the terms of its gap, cannot be followed: a gap has some roundings of one.
 const RESOLVED: f64 = 256.0 * f64::EPSILON;
 /// A contact falls if it does so by more than this part of the natural acceleration: one that lifts off with its reaction at
 /// zero has none but rounding.
@@ -43,8 +44,9 @@ pub(super) struct Rise {
     /// ġ and −g̈ of its gap.
     rate: f64,
     fall: f64,
-    /// How high it will be.
+    /// How high it will be, and how high it must be to be followed.
     height: f64,
+    least: f64,
 }
 
 /// The flights of all contacts since they began to bounce.
@@ -140,7 +142,7 @@ impl Driver<'_> {
         self.bounces.begin(contact, (self.t, speed, height));
         let set = ContactSet::EMPTY.with(contact);
         let settles = |(end, error)| BounceOutcome::Settles(ZenoClosure { end, error, set });
-        let followed = height > RESOLVED * self.setup.context.scales.length;
+        let followed = height > self.resolved(contact, &equations);
         let converged = |(end, error): (f64, f64)| error <= CONVERGED * (end - self.t);
         // Slower flights than the one before are of its own sequence, which may end alone.
         let is_first = !followed && !self.bounces.sequences[contact].slows();
@@ -161,6 +163,12 @@ impl Driver<'_> {
                 if e < 1.0 { settles((self.t + rest, error)) } else { BounceOutcome::Lost }
             }
         }
+    }
+
+    /// The height below which a flight is lost in the rounding of its gap.
+    fn resolved(&self, contact: usize, equations: &Equations<f64>) -> f64 {
+        let terms = equations.terms(contact, &self.state[..self.layout().coordinates.len()]);
+        RESOLVED * terms.max(self.setup.context.scales.length)
     }
 
     /// Whether an end is known, and so near that it may be taken for now. One that has passed is of flights before.
@@ -191,8 +199,7 @@ impl Driver<'_> {
         let rising = known.map_or_else(|| self.rising(), |(_, rising)| rising);
         let mut flights = self.bounces.heights.clone();
         // One that is no higher than the rounding of its gap cannot be followed.
-        let resolved = RESOLVED * self.setup.context.scales.length;
-        for Rise { contact, height, .. } in rising.into_iter().filter(|rise| rise.height > resolved) {
+        for Rise { contact, height, .. } in rising.into_iter().filter(|rise| rise.height > rise.least) {
             if flights.iter().all(|(known, _)| *known != contact) {
                 flights.push((contact, height));
             }
@@ -224,7 +231,7 @@ impl Driver<'_> {
         let e = |contact: usize| self.restitution(contact);
         let unseen = |rise: &Rise| {
             let falls = rise.fall > FALLS * scales.acceleration();
-            rise.rate > 0.0 && falls && rise.height <= RESOLVED * scales.length && e(rise.contact) < 1.0
+            rise.rate > 0.0 && falls && rise.height <= rise.least && e(rise.contact) < 1.0
         };
         let rising = self.rising();
         let low = rising.iter().filter(|rise| unseen(rise)).map(|&Rise { contact, rate, fall, .. }| {
@@ -247,8 +254,8 @@ impl Driver<'_> {
 
     /// Contacts within the bound of their gaps. A foot that has slid off the end of its bar has nothing to fall back on.
     fn near(&self, gaps: &[f64]) -> ContactSet {
-        let bound = self.relative_bound() * self.setup.context.scales.length;
-        let near: ContactSet = (0..gaps.len()).filter(|i| gaps[*i].abs() <= bound).collect();
+        let bound = self.gap_bounds();
+        let near: ContactSet = (0..gaps.len()).filter(|i| gaps[*i].abs() <= bound(*i)).collect();
         if near.is_empty() { near } else { near.difference(self.removed.union(self.beyond_end())) }
     }
 
@@ -265,7 +272,7 @@ impl Driver<'_> {
             let rate = equations.gap_rate(contact, &self.state[n..2 * n]);
             let fall = -equations.gap_acceleration(contact, &a);
             let height = gaps[contact].max(0.0) + 0.5 * rate * rate / fall;
-            Rise { contact, rate, fall, height }
+            Rise { contact, rate, fall, height, least: self.resolved(contact, &equations) }
         };
         near.iter().map(rise).filter(|rise| rise.rate >= 0.0 && rise.fall > 0.0).collect()
     }
