@@ -74,7 +74,7 @@ impl RunContext {
     pub(crate) fn is_far<'q>(&self, mut of: impl Iterator<Item = (usize, &'q f64)>, bound: f64) -> bool {
         let layout = self.layout();
         let near = bound / (LEVER * ROUNDINGS * layout.coordinates.len() as f64);
-        of.any(|(i, q)| q.abs() > near * self.scales.entry(layout, i))
+        of.any(|(i, q)| q.abs() > near * self.scales.coordinate(&layout.coordinates[i]))
     }
 
     /// How far the coordinates are from zero, in natural units and at least one, and the rounding accumulated over the way that

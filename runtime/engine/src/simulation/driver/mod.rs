@@ -14,6 +14,7 @@ mod paradox;
 mod phase;
 mod plan;
 mod switch;
+mod tiny;
 mod zeno;
 
 pub(crate) use plan::{Action, Scheduled, Trigger};
@@ -21,6 +22,7 @@ pub(crate) use plan::{Action, Scheduled, Trigger};
 use std::cell::RefCell;
 use std::sync::Arc;
 
+use tiny::Tiny;
 use zeno::{BounceHistory, Rise, ZenoClosure};
 
 use crate::contact::{ContactError, are_determined, labels, refuse_singular};
@@ -79,8 +81,8 @@ pub(crate) struct Driver<'a> {
     risen: Option<(ContactSet, Vec<Rise>)>,
     /// The last accelerations that were asked for, with the state and the set of which they are.
     accelerations: RefCell<Option<(Numbers, ContactSet, Numbers)>>,
-    /// The last roundings of gaps that were asked for, with the state that they are at.
-    roundings: RefCell<(Numbers, Numbers)>,
+    /// What counts as zero at the last state at which it was asked for.
+    tiny: RefCell<Tiny>,
     settling: Vec<ZenoClosure>,
     allowance: Allowance,
     /// How many events of the trajectory the observer has been shown, and how many it has taken.
@@ -124,7 +126,7 @@ impl<'a> Driver<'a> {
             bounces: BounceHistory::new(setup.layout().contacts.len()),
             risen: None,
             accelerations: RefCell::default(),
-            roundings: RefCell::default(),
+            tiny: RefCell::default(),
             settling: Vec::new(),
             trajectory: Trajectory::empty(setup.context.clone(), setup.tolerance, (setup.begin, last)),
             form: setup.form,

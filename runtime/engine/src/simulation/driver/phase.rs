@@ -1,6 +1,5 @@
 //! The phase that follows, and its integration.
 
-use std::cell::Ref;
 use std::sync::Arc;
 
 use super::Driver;
@@ -14,7 +13,7 @@ use crate::contact::{
 use crate::error::{RunCause, StartError};
 use crate::event::detection::{Bounds, ContactStatus, EventDetector};
 use crate::integration::chart::{self, Chart};
-use crate::integration::phase_point::{Numbers, ROUNDINGS};
+use crate::integration::phase_point::Numbers;
 use crate::integration::phase_run::{Outcome, PhaseRun};
 use crate::model::{ContactSet, Form};
 use crate::simulation::{Exhausted, Simulation};
@@ -299,34 +298,6 @@ impl Driver<'_> {
     fn sliding_friction(&self, contact: usize) -> f64 {
         let friction = self.layout().contacts[contact].friction.filter(|_| self.closed.sense(contact) != 0);
         friction.map_or(0.0, |entry| self.slip_states()[entry].kinetic)
-    }
-
-    /// Local errors of ten steps, or some roundings, or what the motion goes in the rounding of a time that is long, or how far the
-    /// rounding of coordinates lets it leave its contacts: a projection back onto them turns it by as much.
-    pub(super) fn relative_bound(&self) -> f64 {
-        let (context, closed) = (&self.setup.context, self.closed.union(self.touching));
-        let fastest = context.scales.fastest(context.layout(), &self.state[context.rates()]);
-        let usual =
-            (10.0 * self.setup.tolerance).max(ROUNDINGS).max(2.0 * f64::EPSILON * self.t.abs() * fastest);
-        let roundings = self.roundings(usual);
-        let held = (0..roundings.len()).filter(|row| context.layout().is_closed(*row, &closed));
-        held.fold(usual, |most, row| most.max(roundings[row]))
-    }
-
-    /// What rounding makes of each gap, where that is more than `usual`.
-    fn roundings(&self, usual: f64) -> Ref<'_, Numbers> {
-        if self.roundings.borrow().0[..] != self.state[..] {
-            let roundings = self.setup.context.roundings(&self.state, usual);
-            *self.roundings.borrow_mut() = (Numbers::from_slice(&self.state), roundings);
-        }
-        Ref::map(self.roundings.borrow(), |known| &known.1)
-    }
-
-    /// What of the gap of each contact counts as zero, m.
-    pub(super) fn gap_bounds(&self) -> impl Fn(usize) -> f64 {
-        let (usual, length) = (self.relative_bound(), self.setup.context.scales.length);
-        let roundings = self.roundings(usual).clone();
-        move |contact| usual.max(roundings.get(contact).copied().unwrap_or(0.0)) * length
     }
 
     /// Whether all events have happened that the run was to wait for.

@@ -1,0 +1,57 @@
+//! What is too small to be told from zero: max(10 tol, 64 ε, 2 ε t · fastest rate) of a natural unit, and of a gap at least
+//! 64 ε Σ |Jᵢ qᵢ|, the rounding of the terms that it is a sum of.
+
+use std::cell::Ref;
+
+use super::Driver;
+use crate::integration::phase_point::{Numbers, ROUNDINGS};
+use crate::simulation::Simulation;
+
+/// What is too small to be told from zero at a time and a state.
+#[derive(Default)]
+pub(super) struct Tiny {
+    t: f64,
+    state: Numbers,
+    /// Local errors of ten steps, or some roundings, or what the motion goes in the rounding of a time that is long.
+    usual: f64,
+    /// What rounding makes of each gap, where that may be more.
+    roundings: Numbers,
+}
+
+impl Tiny {
+    fn of(setup: &Simulation, t: f64, state: &[f64]) -> Self {
+        let context = &setup.context;
+        let fastest = context.scales.fastest(context.layout(), &state[context.rates()]);
+        let usual = (10.0 * setup.tolerance).max(ROUNDINGS).max(2.0 * f64::EPSILON * t.abs() * fastest);
+        Self { t, state: Numbers::from_slice(state), usual, roundings: context.roundings(state, usual) }
+    }
+}
+
+impl Driver<'_> {
+    /// What counts as zero at the state, that of closed contacts too: a projection back onto them turns the motion by as much as
+    /// the rounding of coordinates lets it leave them.
+    pub(super) fn relative_bound(&self) -> f64 {
+        let Tiny { usual, roundings, .. } = &*self.tiny();
+        if roundings.is_empty() {
+            return *usual;
+        }
+        let closed = self.closed.union(self.touching);
+        let held = (0..roundings.len()).filter(|row| self.layout().is_closed(*row, &closed));
+        held.fold(*usual, |most, row| most.max(roundings[row]))
+    }
+
+    /// What of the gap of each contact counts as zero, m.
+    pub(super) fn gap_bounds(&self) -> impl Fn(usize) -> f64 {
+        let (usual, length) = (self.relative_bound(), self.setup.context.scales.length);
+        let roundings = self.tiny().roundings.clone();
+        move |contact| usual.max(roundings.get(contact).copied().unwrap_or(0.0)) * length
+    }
+
+    fn tiny(&self) -> Ref<'_, Tiny> {
+        let is_known = |known: &Tiny| known.t == self.t && known.state[..] == self.state[..];
+        if !is_known(&self.tiny.borrow()) {
+            *self.tiny.borrow_mut() = Tiny::of(self.setup, self.t, &self.state);
+        }
+        self.tiny.borrow()
+    }
+}
