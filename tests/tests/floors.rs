@@ -61,7 +61,7 @@ const READ: [&str; 2] = ["studio/src/explain", "studio/src/source"];
 const MODULES: usize = 13;
 
 /// Lines of the engine and what it stands on, without tests.
-const LINES: usize = 37_800;
+const LINES: usize = 37_850;
 
 fn runtime() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../runtime")
