@@ -118,7 +118,7 @@ fn rolls_alike(method: &(impl Method + Clone)) {
 fn a_wheel_rolls_alike_wherever_on_its_slope() {
     rolls_alike(&Taylor);
     rolls_alike(&Dop853);
-    rolls_alike(&Gauss::default());
+    rolls_alike(&Gauss);
 }
 
 /// It bounces and comes to rest on a face, φ + γ a multiple of a right angle, and slides on with g (sin γ − μ cos γ).
@@ -126,7 +126,7 @@ fn a_wheel_rolls_alike_wherever_on_its_slope() {
 fn a_block_comes_to_rest_on_a_face_wherever_on_its_slope() {
     bounces(&Taylor);
     bounces(&Dop853);
-    bounces(&Gauss::default());
+    bounces(&Gauss);
 }
 
 fn bounces(method: &(impl Method + Clone)) {
