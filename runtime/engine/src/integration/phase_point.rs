@@ -19,7 +19,7 @@ use crate::system::{Model, Phase, System};
 /// Some numbers; those of small models need no allocation.
 pub(crate) type Numbers = SmallVec<[f64; 16]>;
 
-/// So many roundings of the coordinates are no gap: each is that of some steps.
+/// So many roundings of the coordinates are no gap, and of the way that they have come: each is that of some steps.
 pub(crate) const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
 /// What moves a gap by more than so many units of a coordinate, of each, is not expected.
 const LEVER: f64 = 16.0;
@@ -84,7 +84,7 @@ impl RunContext {
         let unit = |i: usize| self.scales.entry(layout, i);
         let far = (0..n).map(|i| state[i].abs() / unit(i)).fold(1.0, f64::max);
         let way = (0..n).map(|i| state[n + i].abs() * t / unit(i)).fold(0.0, f64::max);
-        [far, 64.0 * f64::EPSILON * way]
+        [far, ROUNDINGS * way]
     }
 
     /// The phase of a contact set, in closed form only if it has one.

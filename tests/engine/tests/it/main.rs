@@ -16,7 +16,6 @@ mod dissipation;
 mod driven;
 mod errors;
 mod falling_pair;
-mod far;
 mod fast_guards;
 mod figures;
 mod flow;

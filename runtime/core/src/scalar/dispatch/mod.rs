@@ -1,8 +1,8 @@
 //! Code compiled several times where the target is any processor of its kind: for all of them, for those with AVX2 and FMA, and,
 //! where whole steps are made of vectors, for those with AVX-512; which it is, is found out at run time.
 //!
-//! Loops over arrays ([`vectorised`]) the compiler itself turns into vectors. Series are made of doubles that multiply and add in
-//! one instruction ([`by_doubles`]), what is side by side of vectors ([`widest`]). Where the target has the instructions there is
+//! Loops over arrays ([`vectorised`]) the compiler itself turns into vectors. Series and right-hand sides are made of doubles that
+//! multiply and add in one instruction ([`by_doubles`]), what is side by side of vectors ([`widest`]). Where the target has the instructions there is
 //! one function, and nothing to find out. What is gained stands where it is gained: in `fused`, `found`.
 //!
 //! The only `unsafe` code of this crate is in this folder: calls of functions that need AVX2 and FMA, behind the standard

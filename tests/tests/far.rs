@@ -3,46 +3,9 @@
 
 use liftoff::method::{Dop853, Gauss, Method, Taylor};
 use liftoff::prelude::*;
+use liftoff_models::RimlessWheel;
 
 const GAMMA: f64 = 0.2;
-
-/// A wheel of six spokes and no rim.
-#[derive(BarSystem)]
-#[gravity(g)]
-#[body(
-    wheel,
-    points(
-        H = (0, 0),
-        A = (l / 2, -l * sqrt(3) / 2),
-        B = (l, 0),
-        C = (l / 2, l * sqrt(3) / 2),
-        D = (-l / 2, l * sqrt(3) / 2),
-        E = (-l, 0),
-        F = (-l / 2, -l * sqrt(3) / 2),
-    ),
-    mass = m,
-    inertia = j,
-    centre = (0, 0),
-)]
-#[support(A = slope(-gamma), friction = mu)]
-#[support(B = slope(-gamma), friction = mu)]
-#[support(C = slope(-gamma), friction = mu)]
-#[support(D = slope(-gamma), friction = mu)]
-#[support(E = slope(-gamma), friction = mu)]
-#[support(F = slope(-gamma), friction = mu)]
-#[figure(F = (0, 0), A = (l * cos(gamma), -l * sin(gamma)))]
-#[coordinate(phi = angle(wheel), from = right)]
-#[coordinate(x = x(H))]
-#[coordinate(y = y(H))]
-#[liftoff(sets = 16)]
-struct Wheel {
-    m: f64,
-    j: f64,
-    l: f64,
-    gamma: f64,
-    mu: f64,
-    g: f64,
-}
 
 /// A square block with friction and restitution at its corners.
 #[derive(BarSystem)]
@@ -86,7 +49,7 @@ fn run(simulation: Simulation, method: impl Method, tolerance: f64, far: f64) ->
 
 /// On both feet A and F, it turns about A.
 fn rolling(method: impl Method, tolerance: f64, far: f64) -> Trajectory {
-    let wheel = Wheel { m: 1.0, j: 0.1, l: 1.0, gamma: GAMMA, mu: 1.5, g: 9.81 };
+    let wheel = RimlessWheel { m: 1.0, j: 0.1, l: 1.0, gamma: GAMMA, mu: 1.5, g: 9.81 };
     let ([x, y], rate) = (on_slope(far), -2.0);
     let (sin, cos) = (-GAMMA - core::f64::consts::FRAC_PI_3).sin_cos();
     let start = Pose::at("phi", -GAMMA).with("x", x - cos).with("y", y - sin);
