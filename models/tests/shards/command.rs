@@ -31,7 +31,7 @@ pub fn told(folder: &Path, arguments: &[&str]) -> String {
 pub const SWEEP: [&str; 12] = [
     "sweep",
     "zigzag",
-    "--vary=lambda=0:1.05:50",
+    "--vary=lambda=0:1.05:25",
     "--vary=phi0=0.1:1.5:41",
     "--set=m1=1-lambda",
     "--set=m2=lambda",
