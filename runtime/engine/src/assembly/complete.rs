@@ -31,7 +31,7 @@ pub(super) fn positions(
     let found = largest(assumed, |set| {
         let q = reach(assembly, given, set)?;
         let absent = assembly.absent(&q);
-        if assembly.refuse_penetration(assembly.rows(&q).gap(), absent).is_err() {
+        if assembly.refuse_penetration(&q, absent).is_err() {
             return Err(ContactSet::EMPTY);
         }
         // A contact by which the pose was completed is refused later if its bar does not reach it.
@@ -48,7 +48,10 @@ pub(super) fn positions(
 /// Contacts penetrated and open by no more than so many natural lengths.
 fn within(assembly: &AssemblyProblem<'_>, q: &[f64], [deep, high]: [f64; 2]) -> ContactSet {
     let rows = assembly.rows(q);
-    let touches = |i: &usize| (-deep..=high).contains(&(rows.gap()[*i] / assembly.unit(*i)));
+    let touches = |i: &usize| {
+        let rounding = assembly.closed_below(q, *i);
+        (-deep.max(rounding)..=high.max(rounding)).contains(&(rows.gap()[*i] / assembly.unit(*i)))
+    };
     (0..assembly.layout().contacts.len()).filter(touches).collect()
 }
 
@@ -64,8 +67,8 @@ fn diagnose(assembly: &AssemblyProblem<'_>, given: &[Option<f64>]) -> StartError
     let missed = |row: usize| gap[row].abs() / assembly.unit(row);
     let worst =
         assembly.closed(ContactSet::EMPTY).into_iter().max_by(|&a, &b| missed(a).total_cmp(&missed(b)));
-    match (worst, assembly.refuse_penetration(gap, assembly.absent(&q))) {
-        (Some(row), _) if missed(row) > CLOSED => {
+    match (worst, assembly.refuse_penetration(&q, assembly.absent(&q))) {
+        (Some(row), _) if missed(row) > assembly.closed_below(&q, row) => {
             StartError::Broken { joint: assembly.joint(row), gap: gap[row] }
         }
         (_, Err(penetration)) => penetration,
@@ -84,9 +87,9 @@ fn reach(
 ) -> Result<Vec<f64>, ContactSet> {
     let q = completed(assembly, given, set).ok_or(set)?;
     let rows = assembly.rows(&q);
-    let missed = |row: usize| rows.gap()[row].abs() / assembly.unit(row);
-    let all = assembly.closed(set).into_iter().all(|row| missed(row) <= CLOSED);
-    if all { Ok(q) } else { Err(worst(set, missed, CLOSED)) }
+    let missed = |row: usize| rows.gap()[row].abs() / assembly.unit(row) - assembly.closed_below(&q, row);
+    let all = assembly.closed(set).into_iter().all(|row| missed(row) <= 0.0);
+    if all { Ok(q) } else { Err(worst(set, missed, 0.0)) }
 }
 
 /// The pose with the rows of `set` as nearly closed as they can be, if a path leads there.

@@ -15,7 +15,8 @@ use super::CLOSED;
 use super::problem::AssemblyProblem;
 use crate::decomposition::svd;
 
-/// The longest step of a given coordinate, 11° or a fifth of the natural length, and of one left open.
+/// The longest step of a given coordinate, 11° or a fifth of the natural length, and of one left open: a length may go farther
+/// where the path is straight, as along a slope.
 const STEP: f64 = core::f64::consts::PI / 16.0;
 const FOLLOWS: f64 = 2.5 * STEP;
 /// The most steps, where none is halved.
@@ -110,6 +111,13 @@ impl<'a> Path<'a> {
         self.assembly.context.scales.coordinate(&self.assembly.layout().coordinates[coordinate])
     }
 
+    /// By how much the angles among the coordinates left open turn.
+    fn turn(&self, change: &DVector<f64>) -> f64 {
+        let coordinates = self.assembly.layout().coordinates;
+        let turns = self.open.iter().zip(change.iter()).filter(|(i, _)| coordinates[**i].is_angle);
+        turns.map(|(_, by)| by.abs()).fold(0.0, f64::max)
+    }
+
     /// The next point, a step or the next half of it that is short enough away.
     fn step(&self, from: &Point, moves: &[f64], (longest, branch): (f64, Branch)) -> Option<Point> {
         let halves = core::iter::successors(Some(longest), |step| Some(0.5 * step));
@@ -126,7 +134,8 @@ impl<'a> Path<'a> {
         let given = DVector::from_fn(moves.len(), |i, _| part * moves[i] / self.unit(i));
         let tangent = -from.solve(&(&from.jacobian * &given))?;
         let length = tangent.amax().max(given.amax()).max(SMALL);
-        if tangent.amax() > FOLLOWS {
+        let is_long = tangent.amax() > FOLLOWS;
+        if is_long && self.turn(&tangent) > FOLLOWS {
             return None;
         }
         let mut q: Vec<f64> = from.q.iter().zip(moves).map(|(q, by)| q + part * by).collect();
@@ -136,6 +145,9 @@ impl<'a> Path<'a> {
             self.open.iter().zip(change.iter()).for_each(|(&i, by)| q[i] += by * self.unit(i));
             let mut point = Point::at(self.assembly, (self.closed, self.open), fraction, q.clone());
             change = -point.solve(&point.gap)?;
+            if is_long && change.amax() > NEAR {
+                return None;
+            }
             most *= CONTRACTION;
             if change.amax() <= NEAR * length {
                 // What is left of the gap is small beside the next step too, which may be much shorter.

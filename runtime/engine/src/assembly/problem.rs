@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use super::CLOSED;
 use crate::error::StartError;
-use crate::integration::phase_point::RunContext;
+use crate::integration::phase_point::{ROUNDINGS, RunContext};
 use crate::model::{ContactKind, ContactSet, Layout};
 use crate::system::Equations;
 
@@ -61,6 +61,11 @@ impl<'a> AssemblyProblem<'a> {
                 equations
             }
         }
+    }
+
+    /// A gap no larger is closed, in its natural unit: [`CLOSED`], or the rounding of the terms that it is a sum of.
+    pub(super) fn closed_below(&self, positions: &[f64], row: usize) -> f64 {
+        CLOSED.max(ROUNDINGS * self.rows(positions).terms(row, positions) / self.unit(row))
     }
 
     /// The natural unit of a row's gap.
@@ -128,15 +133,16 @@ impl<'a> AssemblyProblem<'a> {
     }
 
     /// Refuses penetrated contacts, by the deepest one. A corner beyond the end of its bar penetrates nothing.
-    pub(super) fn refuse_penetration(&self, gap: &[f64], off: ContactSet) -> Result<(), StartError> {
+    pub(super) fn refuse_penetration(&self, positions: &[f64], off: ContactSet) -> Result<(), StartError> {
+        let rows = self.rows(positions);
+        let gap = rows.gap();
         let two_sided = self.layout().guides().union(self.layout().drives());
         let on = (0..self.layout().contacts.len()).filter(|&i| !off.contains(i) && !two_sided.contains(i));
-        let deepest = on.min_by(|&a, &b| gap[a].total_cmp(&gap[b]));
-        match deepest {
-            Some(i) if gap[i] < -self.deepest * self.context.scales.length => {
-                Err(self.penetration(i, gap[i]))
-            }
-            _ => Ok(()),
+        let penetrated =
+            |i: &usize| gap[*i] < -self.deepest.max(self.closed_below(positions, *i)) * self.unit(*i);
+        match on.filter(penetrated).min_by(|&a, &b| gap[a].total_cmp(&gap[b])) {
+            Some(deepest) => Err(self.penetration(deepest, gap[deepest])),
+            None => Ok(()),
         }
     }
 

@@ -10,7 +10,7 @@ use crate::error::{RunCause, StartError};
 use crate::event::{Event, EventKind, Guard, Note, reactions};
 use crate::expression::Condition;
 use crate::integration::equilibrium::is_equilibrium;
-use crate::integration::phase_point::reactions_of;
+use crate::integration::phase_point::{ROUNDINGS, reactions_of};
 use crate::model::ContactSet;
 use crate::simulation::Simulation;
 use crate::system::Phase;
@@ -112,12 +112,17 @@ impl Driver<'_> {
         let equations = context.system().equations(&self.state);
         let n = self.layout().coordinates.len();
         let rates = &self.state[n..2 * n];
-        let deep = deepest(self.setup.tolerance) * context.scales.length;
+        let (deepest, length) = (deepest(self.setup.tolerance), context.scales.length);
+        let rounding = |i: usize| ROUNDINGS * equations.terms(i, &self.state[..n]) / length;
+        let touches = |i: usize| {
+            let [deep, high] = [deepest, CLOSED].map(|bound| bound.max(rounding(i)) * length);
+            (-deep..=high).contains(&equations.gap()[i])
+        };
         let closes = |i: &usize| {
             !self.touching.contains(*i)
                 && !self.layout().contacts[*i].kind.is_drive()
                 && !self.removed.contains(*i)
-                && (-deep..=CLOSED * context.scales.length).contains(&equations.gap()[*i])
+                && touches(*i)
                 && equations.gap_rate(*i, rates) < 0.0
         };
         (0..contacts).filter(closes).collect()
