@@ -123,25 +123,27 @@ fn bounces(method: &(impl Method + Clone)) {
     }
 }
 
-/// Completed by its contacts from x alone, it lies on the slope and slides: so far off that the rounding of the gaps is more than
-/// what is closed near the origin, and that the path there from the nominal figure is billions of lengths.
+/// Completed by its contacts from x alone, or given whole, it lies on the slope and slides: so far off that the rounding of the gaps
+/// is more than what is closed near the origin, and that the path there from the nominal figure is billions of lengths.
 #[test]
 fn a_block_is_put_on_its_slope_however_far() {
     let block = Block { m: 1.0, b: 0.6, gamma: GAMMA, mu: 0.1, e: 0.4, g: 9.81 };
-    for far in [1e2, 1e6, 1e9] {
+    for (far, is_whole) in [1e2, 1e6, 1e9].into_iter().flat_map(|far| [(far, false), (far, true)]) {
         let [x, y] = on_slope(far);
-        let simulation = Simulation::new(&block).unwrap().start(Pose::at("x", x)).unwrap();
+        let start = Pose::at("x", x);
+        let start = if is_whole { start.with("y", y).with("phi", -GAMMA) } else { start };
+        let simulation = Simulation::new(&block).unwrap().start(start).unwrap();
         let start = simulation.start_state().unwrap();
         let rounding = 8.0 * f64::EPSILON * far;
         assert!(
             (start[0] + GAMMA).abs() < 1e-9 + rounding && (start[2] - y).abs() < 1e-9 + rounding,
-            "{far:e}"
+            "{far:e} {is_whole}"
         );
         let run = run(simulation.limit(1.0), Taylor, 1e-9, far);
-        assert_eq!(run.events().len(), 2, "{far:e}: {:?}", run.events());
+        assert_eq!(run.events().len(), 2, "{far:e} {is_whole}: {:?}", run.events());
         let end = run.state(1.0);
         let along = end[4] * GAMMA.cos() - end[5] * GAMMA.sin();
         let expected = block.g * (GAMMA.sin() - block.mu * GAMMA.cos());
-        assert!((along - expected).abs() < 1e-8 + rounding, "{far:e}: {along}");
+        assert!((along - expected).abs() < 1e-8 + rounding, "{far:e} {is_whole}: {along}");
     }
 }

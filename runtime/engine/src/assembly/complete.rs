@@ -9,7 +9,7 @@ use nalgebra::{DMatrix, DVector};
 use super::fold::settle_on_fold;
 use super::path::{Path, steps};
 use super::problem::AssemblyProblem;
-use super::{CLOSED, largest, worst};
+use super::{CLOSED, largest, touches, worst};
 use crate::decomposition::svd;
 use crate::error::StartError;
 use crate::model::ContactSet;
@@ -46,13 +46,10 @@ pub(super) fn positions(
 }
 
 /// Contacts penetrated and open by no more than so many natural lengths.
-fn within(assembly: &AssemblyProblem<'_>, q: &[f64], [deep, high]: [f64; 2]) -> ContactSet {
+fn within(assembly: &AssemblyProblem<'_>, q: &[f64], range: [f64; 2]) -> ContactSet {
     let rows = assembly.rows(q);
-    let touches = |i: &usize| {
-        let rounding = assembly.closed_below(q, *i);
-        (-deep.max(rounding)..=high.max(rounding)).contains(&(rows.gap()[*i] / assembly.unit(*i)))
-    };
-    (0..assembly.layout().contacts.len()).filter(touches).collect()
+    let contacts = 0..assembly.layout().contacts.len();
+    contacts.filter(|&i| touches(assembly.context, &rows, (i, q), range)).collect()
 }
 
 /// What is wrong with the pose even if no contact is assumed closed.

@@ -16,6 +16,7 @@ use crate::error::StartError;
 use crate::integration::chart;
 use crate::integration::phase_point::RunContext;
 use crate::model::ContactSet;
+use crate::system::Equations;
 use pose::Given;
 use problem::AssemblyProblem;
 use settle::settled;
@@ -29,6 +30,18 @@ pub(crate) const CLOSED: f64 = 1e-10;
 /// by the square root of that where the gap has a fold.
 pub(crate) fn deepest(tolerance: f64) -> f64 {
     (10.0 * tolerance).max(CLOSED)
+}
+
+/// Whether a contact is penetrated and open by no more than so many of its units, or than the rounding of its gap.
+pub(crate) fn touches(
+    context: &RunContext,
+    equations: &Equations<f64>,
+    (contact, positions): (usize, &[f64]),
+    [deep, high]: [f64; 2],
+) -> bool {
+    let gap = equations.gap()[contact] / context.layout().unit(contact, context.scales.length);
+    let rounding = context.rounding(equations, contact, positions);
+    (-deep.max(rounding)..=high.max(rounding)).contains(&gap)
 }
 
 /// A consistent start.

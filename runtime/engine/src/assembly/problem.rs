@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use super::CLOSED;
 use crate::error::StartError;
-use crate::integration::phase_point::{ROUNDINGS, RunContext};
+use crate::integration::phase_point::RunContext;
 use crate::model::{ContactKind, ContactSet, Layout};
 use crate::system::Equations;
 
@@ -65,7 +65,7 @@ impl<'a> AssemblyProblem<'a> {
 
     /// A gap no larger is closed, in its natural unit: [`CLOSED`], or the rounding of the terms that it is a sum of.
     pub(super) fn closed_below(&self, positions: &[f64], row: usize) -> f64 {
-        CLOSED.max(ROUNDINGS * self.rows(positions).terms(row, positions) / self.unit(row))
+        CLOSED.max(self.context.rounding(&self.rows(positions), row, positions))
     }
 
     /// The natural unit of a row's gap.

@@ -14,7 +14,7 @@ use crate::contact::shortest_reactions;
 use crate::model::{ContactSet, Energy, Form, Layout, Slip};
 use crate::scales::Scales;
 use crate::simulation::Switch;
-use crate::system::{Model, Phase, System};
+use crate::system::{Equations, Model, Phase, System};
 
 /// Some numbers; those of small models need no allocation.
 pub(crate) type Numbers = SmallVec<[f64; 16]>;
@@ -57,17 +57,21 @@ impl RunContext {
         self.layout().timed || self.layout().loaded || self.scales.damped
     }
 
-    /// What the rounding of the coordinates makes of each gap that is zero, in its own unit; nothing where that is less than `bound`:
-    /// along a slope the height of a point is a difference of terms as large as it is far.
+    /// What the rounding of the coordinates makes of a gap that is zero, in its own unit: along a slope the height of a point is a
+    /// difference of terms as large as it is far.
+    pub(crate) fn rounding(&self, equations: &Equations<f64>, row: usize, positions: &[f64]) -> f64 {
+        ROUNDINGS * equations.terms(row, positions) / self.layout().unit(row, self.scales.length)
+    }
+
+    /// That of each gap; nothing where it is less than `bound`.
     pub(crate) fn roundings(&self, state: &[f64], bound: f64) -> Numbers {
         let (layout, n) = (self.layout(), self.layout().coordinates.len());
         if !self.is_far(state[..n].iter().enumerate(), bound) {
             return Numbers::new();
         }
         let equations = self.system().equations(state);
-        let rounding =
-            |row| ROUNDINGS * equations.terms(row, &state[..n]) / layout.unit(row, self.scales.length);
-        (0..layout.contacts.len() + layout.joints.len()).map(rounding).collect()
+        let rows = 0..layout.contacts.len() + layout.joints.len();
+        rows.map(|row| self.rounding(&equations, row, &state[..n])).collect()
     }
 
     /// Whether coordinates, given with their places, are so large that their rounding may count beside `bound`.

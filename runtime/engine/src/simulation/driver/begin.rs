@@ -5,12 +5,12 @@ use std::sync::Arc;
 use super::jumps::Before;
 use super::switch::Role;
 use super::{Driver, Next};
-use crate::assembly::{CLOSED, deepest};
+use crate::assembly::{CLOSED, deepest, touches};
 use crate::error::{RunCause, StartError};
 use crate::event::{Event, EventKind, Guard, Note, reactions};
 use crate::expression::Condition;
 use crate::integration::equilibrium::is_equilibrium;
-use crate::integration::phase_point::{ROUNDINGS, reactions_of};
+use crate::integration::phase_point::reactions_of;
 use crate::model::ContactSet;
 use crate::simulation::Simulation;
 use crate::system::Phase;
@@ -111,18 +111,13 @@ impl Driver<'_> {
         }
         let equations = context.system().equations(&self.state);
         let n = self.layout().coordinates.len();
-        let rates = &self.state[n..2 * n];
-        let (deepest, length) = (deepest(self.setup.tolerance), context.scales.length);
-        let rounding = |i: usize| ROUNDINGS * equations.terms(i, &self.state[..n]) / length;
-        let touches = |i: usize| {
-            let [deep, high] = [deepest, CLOSED].map(|bound| bound.max(rounding(i)) * length);
-            (-deep..=high).contains(&equations.gap()[i])
-        };
+        let (positions, rates) = (&self.state[..n], &self.state[n..2 * n]);
+        let range = [deepest(self.setup.tolerance), CLOSED];
         let closes = |i: &usize| {
             !self.touching.contains(*i)
                 && !self.layout().contacts[*i].kind.is_drive()
                 && !self.removed.contains(*i)
-                && touches(*i)
+                && touches(context, &equations, (*i, positions), range)
                 && equations.gap_rate(*i, rates) < 0.0
         };
         (0..contacts).filter(closes).collect()
