@@ -111,13 +111,6 @@ impl<'a> Path<'a> {
         self.assembly.context.scales.coordinate(&self.assembly.layout().coordinates[coordinate])
     }
 
-    /// By how much the angles among the coordinates left open turn.
-    fn turn(&self, change: &DVector<f64>) -> f64 {
-        let coordinates = self.assembly.layout().coordinates;
-        let turns = self.open.iter().zip(change.iter()).filter(|(i, _)| coordinates[**i].is_angle);
-        turns.map(|(_, by)| by.abs()).fold(0.0, f64::max)
-    }
-
     /// The next point, a step or the next half of it that is short enough away.
     fn step(&self, from: &Point, moves: &[f64], (longest, branch): (f64, Branch)) -> Option<Point> {
         let halves = core::iter::successors(Some(longest), |step| Some(0.5 * step));
@@ -134,8 +127,9 @@ impl<'a> Path<'a> {
         let given = DVector::from_fn(moves.len(), |i, _| part * moves[i] / self.unit(i));
         let tangent = -from.solve(&(&from.jacobian * &given))?;
         let length = tangent.amax().max(given.amax()).max(SMALL);
-        let is_long = tangent.amax() > FOLLOWS;
-        if is_long && self.turn(&tangent) > FOLLOWS {
+        let mut far = self.open.iter().zip(tangent.iter()).filter(|(_, by)| by.abs() > FOLLOWS);
+        let is_long = far.clone().next().is_some();
+        if far.any(|(&i, _)| self.assembly.layout().coordinates[i].is_angle) {
             return None;
         }
         let mut q: Vec<f64> = from.q.iter().zip(moves).map(|(q, by)| q + part * by).collect();
