@@ -2,7 +2,7 @@
 //! until all are at rest.
 
 use liftoff::prelude::*;
-use liftoff_models::ZigzagThread;
+use liftoff_models::systems::ZigzagThread;
 
 /// Lost flights within the bounds of their gaps used to be struck late, each with more energy than was left: thousands of events,
 /// more at some tolerances than at others.

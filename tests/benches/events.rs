@@ -5,7 +5,7 @@
 use liftoff::model::BarSystem;
 use liftoff::prelude::*;
 use liftoff::{Budget, Observer, Step};
-use liftoff_models::{BouncingBall, RimlessWheel};
+use liftoff_compiled::{BouncingBall, RimlessWheel};
 use std::f64::consts::PI;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};

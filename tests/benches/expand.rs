@@ -4,7 +4,7 @@
 
 use divan::Bencher;
 use liftoff::model::BarSystem;
-use liftoff_models::*;
+use liftoff_compiled::*;
 
 fn main() {
     divan::main();

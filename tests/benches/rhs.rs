@@ -4,7 +4,7 @@
 
 use divan::{Bencher, black_box};
 use liftoff::model::{BarSystem, ContactSet, Form, Phase, PhaseVisitor};
-use liftoff_models::{DoublePendulum, FallingPair};
+use liftoff_compiled::{DoublePendulum, FallingPair};
 
 const STATES: usize = 256;
 

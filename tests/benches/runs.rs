@@ -16,7 +16,7 @@ use liftoff::method::MethodId;
 use liftoff::scalar::Dual4;
 use liftoff::system::{ModelOn, varied};
 use liftoff_analysis::{Sensitivities, Variable};
-use liftoff_models::{CompassWalker, SliderCrank, Trebuchet, Zigzag};
+use liftoff_compiled::{CompassWalker, SliderCrank, Trebuchet, Zigzag};
 use std::hint::black_box;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -38,7 +38,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let simulation = if name == "stick-slip" {
         stick_slip::simulation(tolerance)?
     } else {
-        let entry = liftoff_models::models().find(name)?;
+        let entry = liftoff_compiled::models().find(name)?;
         entry.simulation(&entry.default_run().tolerance(tolerance))?
     };
     let simulation = simulation.method(method.parse::<MethodId>()?);
@@ -64,7 +64,7 @@ fn sensitivity(
     repeats: usize,
     compiled: Option<Equations>,
 ) -> Result<(), Box<dyn std::error::Error>> {
-    let entry = liftoff_models::models().find(name)?;
+    let entry = liftoff_compiled::models().find(name)?;
     let spec = entry.default_run().tolerance(tolerance);
     let simulation = entry.simulation(&spec)?.method(method);
     let parameters = &simulation.model().parameters;

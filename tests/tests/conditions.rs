@@ -2,7 +2,7 @@
 
 use liftoff::Trajectory;
 use liftoff_conditions::{FirstIntegrals, Kind, first_integrals};
-use liftoff_models::models;
+use liftoff_compiled::models;
 use liftoff_studio::registry::Entry;
 use std::collections::BTreeSet;
 

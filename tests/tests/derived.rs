@@ -4,7 +4,7 @@
 
 use approx::assert_relative_eq;
 use liftoff::prelude::*;
-use liftoff_models as models;
+use liftoff_compiled as models;
 use liftoff_tests::{paper, random::Source};
 
 const ROUNDING: f64 = 1e-12;

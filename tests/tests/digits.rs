@@ -6,7 +6,7 @@
 use approx::assert_relative_eq;
 use liftoff::prelude::*;
 use liftoff::scalar::{DoubleDouble, Real, Scalar};
-use liftoff_models::FallingPair;
+use liftoff_compiled::FallingPair;
 
 const PROMISE: f64 = 1e-13;
 

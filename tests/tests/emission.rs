@@ -5,7 +5,7 @@ use core::fmt::Write;
 use liftoff::model::BarSystem;
 use liftoff_codegen::program::{Cost, Id};
 use liftoff_codegen::{Analysis, analyse};
-use liftoff_models::{FallingPair, Pendulum, models};
+use liftoff_compiled::{FallingPair, Pendulum, models};
 
 fn emitted(declaration: &str) -> String {
     let tokens = liftoff_codegen::expand(declaration.parse().unwrap());

@@ -12,7 +12,7 @@ use liftoff::model::{BarSystem, ClosedForm, ContactSet, Energy, Form, KernelView
 use liftoff_codegen::algebra::Symbol;
 use liftoff_codegen::functions::PhaseFunctions;
 use liftoff_codegen::{Analysis, analyse};
-use liftoff_models::*;
+use liftoff_compiled::*;
 use liftoff_tests::random::Source;
 
 const TOLERANCE: f64 = 1e-12;

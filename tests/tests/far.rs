@@ -3,7 +3,7 @@
 
 use liftoff::method::{Dop853, Gauss, Method, Taylor};
 use liftoff::prelude::*;
-use liftoff_models::RimlessWheel;
+use liftoff_compiled::RimlessWheel;
 
 const GAMMA: f64 = 0.2;
 

@@ -4,7 +4,7 @@
 //! below 1e3, so 1e-11 relative is rounding and nothing else.
 
 use liftoff::model::{BarSystem, ClosedForm, Energy, Form, Phase, PhaseVisitor};
-use liftoff_models::*;
+use liftoff_compiled::*;
 use liftoff_tests::random::Source;
 
 const TOLERANCE: f64 = 1e-11;

@@ -9,7 +9,7 @@ use liftoff::system::{Equations, Model};
 use liftoff_codegen::analyse;
 use liftoff_codegen::functions::HeldMotion;
 use liftoff_interpreter::Interpreted;
-use liftoff_models::models;
+use liftoff_compiled::models;
 use liftoff_tests::random::Source;
 use nalgebra::{DMatrix, DVector};
 

@@ -4,7 +4,7 @@ use approx::assert_abs_diff_eq;
 use common::{kinds, run};
 use liftoff::LoggedDecision;
 use liftoff::prelude::*;
-use liftoff_models::*;
+use liftoff_compiled::*;
 use liftoff_tests::random::Source;
 
 mod common;

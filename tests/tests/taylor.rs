@@ -10,7 +10,7 @@ use liftoff::model::{Array, ContactSet, Form, KernelView, Phase, PhaseSeries, Ph
 use liftoff::prelude::*;
 use liftoff::scalar::Jet;
 use liftoff::system::Model;
-use liftoff_models::*;
+use liftoff_compiled::*;
 use liftoff_tests::random::Source;
 
 /// Coefficients that are compared.

@@ -2,10 +2,10 @@
 //! T = m φ̇² (y_C′² + (l²/4) sin² φ + l²/12), y_C = (w/2) tan φ − (l/2) sin φ, V = −2 m g y_C; the corners are at the
 //! bars' ends where cos φ = w/2l.
 
-use crate::NarrowGap;
+use super::run;
 use liftoff::LoggedDecision;
 use liftoff_studio::RunSpec;
-use liftoff_studio::registry::{MethodId, run};
+use liftoff_studio::registry::MethodId;
 use liftoff_verification::cases::event_summary::{drift, event, event_summary, logged};
 use liftoff_verification::cases::{Case, Effort, at_most, expect};
 
@@ -42,7 +42,7 @@ fn case(text: &str) -> Case {
         "energy",
         ("slide-off P, Q; stop", expectations),
         move |by| {
-            let record = run::<NarrowGap>(by, &spec)?;
+            let record = run("narrow-gap", by, &spec)?;
             let off = event(&record, 0);
             let changes = logged(&record, &LoggedDecision::SmallPivot) as f64;
             Ok((event_summary(&record), vec![off.state[0], off.state[2], changes, drift(&record, "E")?]))

@@ -1,9 +1,9 @@
 //! Events in the first step, exactly at the end of a run, and at its start.
 
 use super::reference::{MPMATH, reference};
-use crate::{BouncingBall, FallingPair, Pendulum};
+use super::run;
 use liftoff_studio::RunSpec;
-use liftoff_studio::registry::{MethodId, run};
+use liftoff_studio::registry::MethodId;
 use liftoff_verification::cases::event_summary::{event, event_summary, first, last};
 use liftoff_verification::cases::{Case, Effort, expect};
 
@@ -30,7 +30,7 @@ fn lift_off(text: &str) -> Case {
         MPMATH,
         ("open P, Q; stop", expectations),
         move |by| {
-            let record = run::<FallingPair>(by, &spec)?;
+            let record = run("falling-pair", by, &spec)?;
             Ok((event_summary(&record), vec![event(&record, 0).state[0]]))
         },
     )
@@ -53,7 +53,7 @@ fn drop(text: &str) -> Case {
         "closed form",
         ("impact P", expectations),
         move |by| {
-            let record = run::<BouncingBall>(by, &spec)?;
+            let record = run("bouncing-ball", by, &spec)?;
             Ok((first(&record), vec![event(&record, 0).t]))
         },
     )
@@ -72,7 +72,7 @@ fn end(by: &str, kind: &str) -> Case {
         "closed form",
         (&outcome, expectations),
         move |by| {
-            let record = run::<BouncingBall>(by, &spec)?;
+            let record = run("bouncing-ball", by, &spec)?;
             Ok((event_summary(&record), vec![event(&record, 0).t, last(&record)[3]]))
         },
     )
@@ -84,7 +84,7 @@ fn bare_end() -> Case {
     let expectations = vec![expect("y", 1.0 - 0.999_999_f64.powi(2), 1e-14)];
     let scene = "bouncing-ball, run ended 1e-6 before its impact";
     Case::text_and_numbers("edges.before the end", scene, "closed form", ("stop", expectations), move |by| {
-        let record = run::<BouncingBall>(by, &spec)?;
+        let record = run("bouncing-ball", by, &spec)?;
         Ok((event_summary(&record), vec![last(&record)[1]]))
     })
 }
@@ -100,7 +100,7 @@ fn thrown() -> Case {
         "closed form",
         ("impact P; stop", expectations),
         move |by| {
-            let record = run::<BouncingBall>(by, &spec)?;
+            let record = run("bouncing-ball", by, &spec)?;
             Ok((event_summary(&record), vec![event(&record, 0).t]))
         },
     )
@@ -118,7 +118,7 @@ fn condition() -> Case {
         "energy",
         ("stop", expectations),
         move |by| {
-            let record = run::<Pendulum>(by, &spec)?;
+            let record = run("pendulum", by, &spec)?;
             Ok((event_summary(&record), vec![last(&record)[1]]))
         },
     )

@@ -3,9 +3,9 @@
 //! only honest answer is a touch that is not decided.
 
 use super::reference::{MPMATH, reference};
-use crate::AFrame;
+use super::run;
 use liftoff_studio::RunSpec;
-use liftoff_studio::registry::{MethodId, MotionError, run};
+use liftoff_studio::registry::{MethodId, MotionError};
 use liftoff_verification::cases::event_summary::{event, first, touched};
 use liftoff_verification::cases::{Case, Effort, Expectation, expect};
 
@@ -68,7 +68,7 @@ fn opening(text: &str, excess: f64, tolerance: f64) -> Case {
         "closed form; landing by 40-digit quadrature",
         ("open A, B", expectations),
         move |by| {
-            let record = run::<AFrame>(by, &spec)?;
+            let record = run("a-frame", by, &spec)?;
             let angles = [Some(0), landed.then_some(1)].into_iter().flatten();
             Ok((first(&record), angles.map(|place| event(&record, place).state[0]).collect()))
         },
@@ -96,7 +96,7 @@ fn second_root(text: &str, excess: f64, tolerance: f64) -> Case {
     let expectations =
         vec![expect("φ", root, within(excess, tolerance)), expect("N/mg at first", least, 1e-15)];
     Case::numbers(id, scene + ", held, from where N is least", "closed form", expectations, move |by| {
-        let record = run::<AFrame>(by, &spec)?;
+        let record = run("a-frame", by, &spec)?;
         let bearing = record.function("N(A)")?;
         Ok(vec![event(&record, 0).state[0], bearing(0.0)])
     })
@@ -109,7 +109,7 @@ fn touch(text: &str, excess: f64, tolerance: f64, outcome: &str) -> Case {
     let spec = spec(0.9, excess, tolerance);
     let source = if excess == 0.0 { "closed form" } else { MPMATH };
     Case::text_and_numbers(id, scene, source, (outcome, expectations), move |by| -> Result<_, MotionError> {
-        let record = run::<AFrame>(by, &spec)?;
+        let record = run("a-frame", by, &spec)?;
         let outcome = if excess == 0.0 { touched(&record) } else { first(&record) };
         Ok((outcome, vec![event(&record, 0).state[0]]))
     })

@@ -5,9 +5,9 @@
 //! - A bar that turns without gravity about its centre, ½ + δ/2 over the floor: the lower end comes as near as δ/2, or
 //!   strikes where sin φ = 1 + δ.
 
-use crate::{BouncingBar, Looping};
+use super::run;
 use liftoff_studio::RunSpec;
-use liftoff_studio::registry::{MethodId, run};
+use liftoff_studio::registry::MethodId;
 use liftoff_verification::cases::event_summary::{event, first, touched};
 use liftoff_verification::cases::{Case, Effort, expect};
 
@@ -42,7 +42,7 @@ fn ring(text: &str, margin: f64) -> Case {
         CLOSED,
         (outcome, expectations.clone()),
         move |by| {
-            let record = run::<Looping>(by, &spec)?;
+            let record = run("looping", by, &spec)?;
             let outcome = if margin == 0.0 { touched(&record) } else { first(&record) };
             Ok((outcome, expectations.iter().map(|_| event(&record, 0).state[1]).collect()))
         },
@@ -77,7 +77,7 @@ fn bar(text: &str, margin: f64) -> Case {
         CLOSED,
         (outcome, expectations.clone()),
         move |by| {
-            let record = run::<BouncingBar>(by, &spec)?;
+            let record = run("bouncing-bar", by, &spec)?;
             let outcome = if margin == 0.0 { touched(&record) } else { first(&record) };
             Ok((outcome, expectations.iter().map(|_| event(&record, 0).state[0]).collect()))
         },

@@ -1,8 +1,9 @@
 //! What is no number is refused at once, by its name.
 
-use crate::{BouncingBall, models};
+use super::run;
+use crate::models;
 use liftoff::Trajectory;
-use liftoff_studio::registry::{Entry, MethodId, MotionError, run};
+use liftoff_studio::registry::{Entry, MethodId, MotionError};
 use liftoff_studio::run_spec::{PointImpulse, RunSpec};
 use liftoff_verification::cases::{Answer, Case, Effort, Expected};
 
@@ -78,7 +79,7 @@ fn each(what: &str, values: &'static [f64], text: &'static str, spec: fn(f64) ->
     let expected = Expected::Answer { text: outcome.clone(), expectations: Vec::new() };
     let scene = format!("bouncing-ball with {what} of {values:?}");
     Case::new(format!("inputs.{what}"), scene, "mechanics", expected, move |by| {
-        let escaped = values.iter().find_map(|&value| escaped(run::<BouncingBall>(by, &spec(value)), text));
+        let escaped = values.iter().find_map(|&value| escaped(run("bouncing-ball", by, &spec(value)), text));
         Ok(Answer { text: escaped.unwrap_or(outcome), numbers: Vec::new() })
     })
 }

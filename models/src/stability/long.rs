@@ -1,10 +1,10 @@
 //! Long runs: an error per period that has one sign adds up to a drift.
 
 use super::reference::reference;
-use crate::{DoublePendulum, Pendulum};
-use liftoff::prelude::*;
+use crate::models;
 use liftoff::{Observer, Step};
-use liftoff_studio::registry::{MethodId, MotionError, input, stopped};
+use liftoff_studio::RunSpec;
+use liftoff_studio::registry::{MethodId, MotionError, stopped};
 use liftoff_verification::cases::{Case, Effort, at_most, expect};
 use std::f64::consts::FRAC_PI_2;
 
@@ -40,14 +40,16 @@ impl Observer for Drift {
 }
 
 /// The drift of the energy and the state at the end of so many periods.
-fn swing<M: BarSystem>(
-    model: &M,
-    (pose, periods): (Pose, f64),
+fn swing(
+    name: &str,
+    start: &[(&str, f64)],
+    periods: f64,
     energy: fn(&[f64]) -> f64,
     by: MethodId,
 ) -> Result<(f64, Vec<f64>), MotionError> {
-    let simulation = Simulation::new(model).map_err(input)?.method(by).tolerance(1e-13);
-    let simulation = simulation.start(pose).map_err(input)?.limit(periods * period());
+    let unit = RunSpec::with(&[("m", 1.0), ("l", 1.0), ("g", 1.0)]);
+    let spec = unit.start(start).limit(periods * period()).tolerance(1e-13);
+    let simulation = models().find(name)?.simulation(&spec)?.method(by);
     let mut drift = Drift::of(energy);
     let run = simulation.observe(&mut drift).map_err(stopped)?;
     Ok((drift.most, run.final_state()))
@@ -75,9 +77,8 @@ fn pendulum(periods: f64) -> Case {
         at_most("delay of the last turning point", 4e-10 * periods),
     ];
     Case::numbers("long.pendulum", scene, "elliptic integral", expectations, move |by| {
-        let model = Pendulum { m: 1.0, l: 1.0, g: 1.0 };
-        let start = (Pose::at("phi", FRAC_PI_2), periods);
-        let (drift, state) = swing(&model, start, energy_of_one, by)?;
+        let start = [("phi", FRAC_PI_2)];
+        let (drift, state) = swing("pendulum", &start, periods, energy_of_one, by)?;
         Ok(vec![drift, state[0], (state[1] / 1.5).abs()])
     })
 }
@@ -86,8 +87,7 @@ fn double_pendulum(periods: f64) -> Case {
     let scene = format!("double-pendulum from rest at 90°, for {periods:e} periods of one bar");
     let expectations = vec![at_most("drift of E in mgl", 1e-10)];
     Case::numbers("long.double pendulum", scene, "energy", expectations, move |by| {
-        let model = DoublePendulum { m: 1.0, l: 1.0, g: 1.0 };
-        let start = (Pose::at("phi_1", FRAC_PI_2).with("phi_2", FRAC_PI_2), periods);
-        Ok(vec![swing(&model, start, energy_of_two, by)?.0])
+        let start = [("phi_1", FRAC_PI_2), ("phi_2", FRAC_PI_2)];
+        Ok(vec![swing("double-pendulum", &start, periods, energy_of_two, by)?.0])
     })
 }

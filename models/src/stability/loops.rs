@@ -1,9 +1,9 @@
 //! Closed loops whose bars come into one line: there the constraints lose rank and other branches begin.
 
-use crate::{NFourBar, Parallelogram};
+use super::run;
 use liftoff::LoggedDecision;
 use liftoff_studio::RunSpec;
-use liftoff_studio::registry::{MethodId, run};
+use liftoff_studio::registry::MethodId;
 use liftoff_verification::cases::event_summary::{drift, last, logged};
 use liftoff_verification::cases::{Case, Effort, Expectation, at_most, expect};
 use std::f64::consts::PI;
@@ -28,7 +28,7 @@ fn parallelogram(turns: u32) -> Case {
         "closed form",
         expectations,
         move |by| {
-            let record = run::<Parallelogram>(by, &spec)?;
+            let record = run("parallelogram", by, &spec)?;
             let state = last(&record);
             Ok(vec![
                 state[3],
@@ -51,7 +51,7 @@ fn four_bars(turns: u32) -> Case {
     let expectations = passages(rate, turns, vec![expect("ψ", 0.0, 1e-10)]);
     let scene = format!("n-four-bar (benchmark A02), {turns} turns");
     Case::numbers(format!("loops.four bars, {turns} turns"), scene, "closed form", expectations, move |by| {
-        let record = run::<NFourBar>(by, &spec)?;
+        let record = run("n-four-bar", by, &spec)?;
         let state = last(&record);
         let crossed = logged(&record, &LoggedDecision::SingularPosition) as f64;
         Ok(vec![state[5], state[1] - state[0], crossed, drift(&record, "E")?, state[3]])

@@ -2,9 +2,9 @@
 
 use super::ratios::{pendulum, swing};
 use super::reference::MPMATH;
-use crate::{UnequalPendulum, Zigzag};
+use super::run;
 use liftoff_studio::RunSpec;
-use liftoff_studio::registry::{MethodId, run};
+use liftoff_studio::registry::MethodId;
 use liftoff_verification::cases::event_summary::{event, last, touched};
 use liftoff_verification::cases::{Case, Effort, expect};
 use std::f64::consts::FRAC_PI_2;
@@ -38,14 +38,14 @@ fn upper() -> Case {
     let spec = bars(0.0, 1.0).start(&[("phi_1", 1.0), ("phi_2", 0.5)]).until("t = 4");
     let scene = "unequal-pendulum, upper bar massless, t = 4";
     Case::numbers("massless.upper", scene, MPMATH, pendulum("inf"), move |by| {
-        Ok(last(&run::<UnequalPendulum>(by, &spec)?))
+        Ok(last(&run("unequal-pendulum", by, &spec)?))
     })
 }
 
 fn lower() -> Case {
     let spec = bars(1.0, 0.0).start(&[("phi_1", 1.0), ("phi_2", 0.5)]).until("t = 4");
     let scene = "unequal-pendulum, lower bar massless: nothing determines its motion";
-    Case::refused("massless.lower", scene, SINGULAR, move |by| run::<UnequalPendulum>(by, &spec))
+    Case::refused("massless.lower", scene, SINGULAR, move |by| run("unequal-pendulum", by, &spec))
 }
 
 /// N_E = N_A = 0 all the time, and N_C touches zero at sin φ = ⅓: no foot leaves the floor.
@@ -56,7 +56,7 @@ fn outer() -> Case {
     // N is within its bound of zero around its double root for some √1e-11.
     let expectations = vec![expect("φ", (1.0_f64 / 3.0).asin(), 5e-6)];
     Case::text_and_numbers("massless.outer", scene, "closed form", ("touch C", expectations), move |by| {
-        let record = run::<Zigzag>(by, &spec)?;
+        let record = run("zigzag", by, &spec)?;
         Ok((touched(&record), vec![event(&record, 0).state[0]]))
     })
 }
@@ -64,5 +64,5 @@ fn outer() -> Case {
 fn inner() -> Case {
     let spec = bars(0.0, 1.0).start(&[("phi_inner", 0.8), ("phi_outer", 0.8)]);
     let scene = "zigzag, inner bars massless: det M ∝ sin² φ vanishes as they pass the horizontal in flight";
-    Case::refused("massless.inner", scene, SINGULAR, move |by| run::<Zigzag>(by, &spec))
+    Case::refused("massless.inner", scene, SINGULAR, move |by| run("zigzag", by, &spec))
 }

@@ -18,7 +18,10 @@ mod together;
 mod units;
 mod zeno;
 
-use liftoff_studio::registry::MethodId;
+use crate::models;
+use liftoff::Trajectory;
+use liftoff_studio::RunSpec;
+use liftoff_studio::registry::{MethodId, MotionError};
 use liftoff_verification::cases::{Case, Effort, Group};
 
 const STIFF: &[MethodId] = &[MethodId::Radau, MethodId::Auto, MethodId::Dop853];
@@ -55,3 +58,8 @@ pub static GROUPS: [Group; 15] = [
     group("extremes", "Ends of floating point, of steps and of time", EXPLICIT, extremes::cases),
     group("inputs", "No numbers", ONE, inputs::cases),
 ];
+
+/// Runs a model by a method, for a case that the judge follows.
+fn run(name: &str, by: MethodId, spec: &RunSpec) -> Result<Trajectory, MotionError> {
+    models().find(name)?.run_witnessed(by, spec)
+}

@@ -1,9 +1,9 @@
 //! Masses that differ by twelve orders of magnitude.
 
 use super::reference::{MPMATH, reference};
-use crate::{Parallelogram, UnequalPendulum, Zigzag};
+use super::run;
 use liftoff_studio::RunSpec;
-use liftoff_studio::registry::{MethodId, run};
+use liftoff_studio::registry::MethodId;
 use liftoff_verification::cases::event_summary::{event, first, last};
 use liftoff_verification::cases::{Case, Effort, Expectation, expect};
 use std::f64::consts::FRAC_PI_2;
@@ -31,7 +31,7 @@ pub(super) fn swing(id: String, scene: String, [m, c]: [f64; 2]) -> Case {
         .start(&[("phi", 1.0)])
         .until(&format!("t = {period}"));
     Case::numbers(id, scene, "elliptic integral", expectations, move |by| {
-        let state = last(&run::<Parallelogram>(by, &spec)?);
+        let state = last(&run("parallelogram", by, &spec)?);
         Ok(vec![state[0], state[3]])
     })
 }
@@ -48,7 +48,7 @@ fn lower(ratio: &str) -> Case {
         .until("t = 4");
     let scene = format!("unequal-pendulum, lower bar {ratio} times as heavy as the upper, t = 4");
     Case::numbers(format!("ratios.lower/upper={ratio}"), scene, MPMATH, pendulum(ratio), move |by| {
-        Ok(last(&run::<UnequalPendulum>(by, &spec)?))
+        Ok(last(&run("unequal-pendulum", by, &spec)?))
     })
 }
 
@@ -76,7 +76,7 @@ fn outer(ratio: &str, opens: &str) -> Case {
         MPMATH,
         (&outcome, expectations),
         move |by| {
-            let record = run::<Zigzag>(by, &spec)?;
+            let record = run("zigzag", by, &spec)?;
             Ok((first(&record), vec![event(&record, 0).state[0]]))
         },
     )

@@ -4,9 +4,9 @@
 //! order k^(−3/2), of which critical damping takes 27 k^(−3/2) mgl from the energy.
 
 use super::reference::reference;
-use crate::SpringPendulum;
-use liftoff::prelude::*;
-use liftoff_studio::registry::{MethodId, MotionError, input, stopped};
+use crate::models;
+use liftoff_studio::RunSpec;
+use liftoff_studio::registry::{MethodId, MotionError, stopped};
 use liftoff_verification::cases::{Case, Effort, Expectation, at_most, expect};
 use std::f64::consts::FRAC_PI_3;
 
@@ -59,10 +59,10 @@ impl Bob {
         let Self { k, damped } = self;
         let length = 1.0 + FRAC_PI_3.cos() / k;
         let c = if damped { 2.0 * k.sqrt() } else { 0.0 };
-        let model = SpringPendulum { m: 1.0, k, l: 1.0, c, g: 1.0 };
-        let start = Pose::at("x", length * FRAC_PI_3.sin()).with("y", length * FRAC_PI_3.cos());
-        let simulation = Simulation::new(&model).map_err(input)?.method(by).tolerance(tolerance);
-        let simulation = simulation.start(start).map_err(input)?.limit(period());
+        let start = [("x", length * FRAC_PI_3.sin()), ("y", length * FRAC_PI_3.cos())];
+        let spec = RunSpec::with(&[("m", 1.0), ("k", k), ("l", 1.0), ("c", c), ("g", 1.0)]);
+        let spec = spec.start(&start).limit(period()).tolerance(tolerance);
+        let simulation = models().find("spring-pendulum")?.simulation(&spec)?.method(by);
         let run = simulation.observe(&mut ()).map_err(stopped)?;
         let [x, y, u, v] = run.final_state()[..] else { return Ok(Vec::new()) };
         let rate = (u * y - v * x) / (x * x + y * y);

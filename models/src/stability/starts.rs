@@ -1,9 +1,9 @@
 //! Fig. 1a from rest at φ₀: V ∝ −φ³, so that the fall takes 0.99149/√φ₀ − 0.53719 natural times; φ₀ = 0 never moves.
 
 use super::reference::{MPMATH, reference};
-use crate::FallingPair;
+use super::run;
 use liftoff_studio::RunSpec;
-use liftoff_studio::registry::{MethodId, run};
+use liftoff_studio::registry::MethodId;
 use liftoff_verification::cases::event_summary::{event, first};
 use liftoff_verification::cases::{Case, Effort, expect};
 
@@ -11,7 +11,7 @@ pub(super) fn cases(_: MethodId, _: Effort) -> Vec<Case> {
     let level = RunSpec::with(&[("m", 1.0), ("l", 1.0), ("g", 1.0)]).start(&[("phi", 0.0)]);
     let equilibrium =
         Case::refused("starts.phi0=0", "falling-pair at rest at φ = 0", "equilibrium", move |by| {
-            run::<FallingPair>(by, &level)
+            run("falling-pair", by, &level)
         });
     (1..=12).map(|k| case(&format!("1e-{k}"))).chain([equilibrium]).collect()
 }
@@ -36,7 +36,7 @@ fn case(start: &str) -> Case {
         MPMATH,
         ("open P, Q", expectations),
         move |by| {
-            let record = run::<FallingPair>(by, &spec)?;
+            let record = run("falling-pair", by, &spec)?;
             let open = event(&record, 0);
             Ok((first(&record), vec![open.state[0], open.t]))
         },

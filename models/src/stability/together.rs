@@ -1,9 +1,9 @@
 //! Contacts that act within one rounding of each other are one event.
 
 use super::reference::{MPMATH, reference};
-use crate::{BouncingBar, FallingPairFull, Zigzag};
+use super::run;
 use liftoff_studio::RunSpec;
-use liftoff_studio::registry::{MethodId, run};
+use liftoff_studio::registry::MethodId;
 use liftoff_verification::cases::event_summary::{event, first};
 use liftoff_verification::cases::{Case, Effort, expect};
 use std::f64::consts::FRAC_PI_2;
@@ -21,7 +21,7 @@ fn quarter() -> Case {
     let expectations = vec![expect("φ", reference("zigzag.open[1/3]"), 1e-11)];
     let scene = "zigzag, λ = 1/4: three reactions vanish in one instant";
     Case::text_and_numbers("together.zigzag", scene, MPMATH, ("open A, C, E", expectations), move |by| {
-        let record = run::<Zigzag>(by, &spec)?;
+        let record = run("zigzag", by, &spec)?;
         Ok((first(&record), vec![event(&record, 0).state[0]]))
     })
 }
@@ -41,7 +41,7 @@ fn corners(ahead: f64) -> Case {
         MPMATH,
         ("open P, Q", expectations),
         move |by| {
-            let record = run::<FallingPairFull>(by, &spec)?;
+            let record = run("falling-pair-full", by, &spec)?;
             let open = event(&record, 0);
             Ok((first(&record), vec![open.state[0], open.state[1], open.t]))
         },
@@ -68,7 +68,7 @@ fn ends(roundings: i32) -> Case {
         "closed form",
         ("impact A, B", expectations),
         move |by| {
-            let record = run::<BouncingBar>(by, &spec)?;
+            let record = run("bouncing-bar", by, &spec)?;
             let impact = event(&record, 0);
             let impulse =
                 |end: &str| impact.impulses.iter().find(|r| r.label == end).map_or(f64::NAN, |r| r.value);

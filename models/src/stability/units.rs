@@ -2,27 +2,24 @@
 //! digit of the state. Powers of ten change the roundings of the parameters.
 
 use super::reference::{MPMATH, reference};
-use crate::{BouncingBall, DoublePendulum, FallingPair, SpringPendulum, Zigzag};
-use liftoff::Trajectory;
+use super::run;
 use liftoff_studio::RunSpec;
-use liftoff_studio::registry::{MethodId, MotionError, run};
+use liftoff_studio::registry::{MethodId, MotionError};
 use liftoff_verification::cases::event_summary::{event, first, last};
 use liftoff_verification::cases::{Case, Effort, at_most, expect};
 
 /// Units of length, time and mass.
 type Units = [f64; 3];
 
-/// How a model is run.
-type Run = fn(MethodId, &RunSpec) -> Result<Trajectory, MotionError>;
 /// A model, its run in units, and the dimension of each coordinate: its power of the unit of length.
-type Scene = (&'static str, Run, fn(Units) -> RunSpec, &'static [i32]);
+type Scene = (&'static str, fn(Units) -> RunSpec, &'static [i32]);
 
 const SCENES: [Scene; 5] = [
-    ("falling-pair", run::<FallingPair>, pair, &[0, 1]),
-    ("double-pendulum", run::<DoublePendulum>, pendulum, &[0, 0]),
-    ("zigzag", run::<Zigzag>, zigzag, &[0, 0, 1]),
-    ("spring-pendulum", run::<SpringPendulum>, spring, &[1, 1]),
-    ("bouncing-ball", run::<BouncingBall>, ball, &[1, 1]),
+    ("falling-pair", pair, &[0, 1]),
+    ("double-pendulum", pendulum, &[0, 0]),
+    ("zigzag", zigzag, &[0, 0, 1]),
+    ("spring-pendulum", spring, &[1, 1]),
+    ("bouncing-ball", ball, &[1, 1]),
 ];
 
 /// Units by powers of two, lengths and times over eighteen orders of magnitude.
@@ -82,24 +79,24 @@ fn ball(units: Units) -> RunSpec {
         .limit(16.0 * t)
 }
 
-fn same(&(model, run, spec, dimensions): &Scene, name: &str, powers: [i32; 3]) -> Case {
+fn same(&(model, spec, dimensions): &Scene, name: &str, powers: [i32; 3]) -> Case {
     let units = powers.map(|power| 2.0_f64.powi(power));
     let scene = format!("{model}, {name}, against 1, 1, 1");
     // Nothing but exact factors differs; a rounding each for what adds up to a parameter.
     let expectations = vec![at_most("Δ state", 1e-15), at_most("Δ time", 1e-15), at_most("Δ steps", 0.0)];
     Case::numbers(format!("units.{model} {name}"), scene, "exact scaling", expectations, move |by| {
-        difference((run, by), spec, dimensions, units)
+        difference((model, by), spec, dimensions, units)
     })
 }
 
 fn difference(
-    (run, by): (Run, MethodId),
+    (model, by): (&str, MethodId),
     spec: fn(Units) -> RunSpec,
     dimensions: &[i32],
     units: Units,
 ) -> Result<Vec<f64>, MotionError> {
-    let one = run(by, &spec([1.0; 3]))?;
-    let other = run(by, &spec(units))?;
+    let one = run(model, by, &spec([1.0; 3]))?;
+    let other = run(model, by, &spec(units))?;
     let rates = dimensions.iter().map(|power| units[0].powi(*power) / units[1]);
     let scale = dimensions.iter().map(|power| units[0].powi(*power)).chain(rates);
     let pairs = last(&one).into_iter().zip(last(&other)).zip(scale);
@@ -124,7 +121,7 @@ fn near(units: Units) -> Case {
         MPMATH,
         ("open P, Q", expectations),
         move |by| {
-            let record = run::<FallingPair>(by, &spec)?;
+            let record = run("falling-pair", by, &spec)?;
             let open = event(&record, 0);
             Ok((first(&record), vec![open.state[0], open.t / time]))
         },

@@ -5,7 +5,7 @@ use std::time::Instant;
 use liftoff::ensemble::{Ensemble, Member, MemberError};
 use liftoff::prelude::*;
 use liftoff::system::lanes;
-use liftoff_models::DoublePendulum;
+use liftoff_compiled::DoublePendulum;
 use serde_json::{Value, json};
 
 use crate::Result;

@@ -4,7 +4,7 @@ use core::hint::black_box;
 
 use liftoff::model::{BarSystem, ContactSet, Form, Phase, PhaseVisitor};
 use liftoff_codegen::analyse;
-use liftoff_models::*;
+use liftoff_compiled::*;
 use serde_json::{Value, json};
 
 use crate::Result;

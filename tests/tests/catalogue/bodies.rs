@@ -4,7 +4,7 @@ use super::common::run;
 use super::{CLOSE, at, pose};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use liftoff::prelude::*;
-use liftoff_models::*;
+use liftoff_compiled::*;
 
 const RATES: [&str; 5] = ["a'", "b'", "c'", "f'", "h'"];
 

@@ -5,7 +5,7 @@ use super::{CLOSE, at};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use core::f64::consts::FRAC_PI_2;
 use liftoff::prelude::*;
-use liftoff_models::*;
+use liftoff_compiled::*;
 use liftoff_tests::catalogue::{ladder, rod_on_floor, toppling_rod};
 
 #[test]

@@ -7,7 +7,7 @@ use core::f64::consts::{FRAC_PI_3, PI};
 use liftoff::model::Slip;
 use liftoff::prelude::*;
 use liftoff::{Note, RunCause, StartError};
-use liftoff_models::*;
+use liftoff_compiled::*;
 use liftoff_tests::catalogue::toppling_rod;
 use liftoff_tests::numerics::{integral, root};
 

@@ -4,7 +4,7 @@ use super::common::{kinds, prepared, run};
 use super::{CLOSE, at, pose};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use liftoff::prelude::*;
-use liftoff_models::*;
+use liftoff_compiled::*;
 use liftoff_tests::catalogue::{bouncing_ball, falling_bar, rocking_block, struck_chain};
 
 fn impacts(run: &Trajectory) -> Vec<&Event> {

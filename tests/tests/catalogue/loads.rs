@@ -5,7 +5,7 @@ use super::{CLOSE, at, pose};
 use approx::assert_abs_diff_eq;
 use core::f64::consts::PI;
 use liftoff::prelude::*;
-use liftoff_models::*;
+use liftoff_compiled::*;
 use liftoff_tests::catalogue::{oscillator, parallelogram};
 
 /// A point thrown through air that resists in proportion to speed, pushed by a swinging wind.

@@ -6,7 +6,7 @@ use approx::{assert_abs_diff_eq, assert_relative_eq};
 use core::f64::consts::{FRAC_PI_2, PI};
 use liftoff::method::Dop853;
 use liftoff::prelude::*;
-use liftoff_models::*;
+use liftoff_compiled::*;
 use liftoff_tests::catalogue::{car_axis, parallelogram, slider_crank, squeezer};
 use liftoff_tests::numerics::integral;
 

@@ -5,7 +5,7 @@ use super::{CLOSE, at, pose};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use core::f64::consts::{FRAC_PI_2, PI};
 use liftoff::prelude::*;
-use liftoff_models::*;
+use liftoff_compiled::*;
 use liftoff_tests::catalogue::compass::{Compass, Stride};
 use liftoff_tests::catalogue::{jansen, trebuchet};
 

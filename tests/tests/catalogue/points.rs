@@ -5,7 +5,7 @@ use super::{CLOSE, at, pose};
 use approx::assert_abs_diff_eq;
 use core::f64::consts::PI;
 use liftoff::prelude::*;
-use liftoff_models::*;
+use liftoff_compiled::*;
 use liftoff_tests::catalogue::{oscillator, ring};
 
 /// Upright, the spring pendulum is a damped oscillator about its stretched length, below, at and above critical damping.

@@ -5,7 +5,7 @@ use super::{CLOSE, at, pose};
 use approx::assert_abs_diff_eq;
 use liftoff::LoggedDecision;
 use liftoff::prelude::*;
-use liftoff_models::*;
+use liftoff_compiled::*;
 use liftoff_tests::catalogue::{vanishing_support, zigzag_thread};
 
 #[test]

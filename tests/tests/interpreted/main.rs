@@ -10,7 +10,7 @@ use std::sync::Arc;
 use liftoff::model::{Form, Layout};
 use liftoff::system::Model;
 use liftoff_interpreter::Interpreted;
-use liftoff_models::models;
+use liftoff_compiled::models;
 use liftoff_studio::registry::Entry;
 use liftoff_studio::run_spec::Values;
 

@@ -1,6 +1,6 @@
 //! The equations as derived from the declarations, beside those of the paper.
 
-use crate::{FallingPair, ZigzagPublished};
+use crate::systems::{FallingPair, ZigzagPublished};
 use liftoff::model::Layout;
 use liftoff::prelude::BarSystem;
 use liftoff_studio::equations;

@@ -2,8 +2,8 @@
 
 use super::dimension::{Dimension, of_parameters};
 use super::energy_rate::energy_rate;
-use super::origin::Origin;
-use super::{Configuration, MotionError, PrecisionSpec, RunOptions};
+use super::origin::{Derived, Origin};
+use super::{Configuration, MethodId, MotionError, PrecisionSpec, RunOptions};
 use super::{chain, input, stopped};
 use crate::run_spec::{PointImpulse, RunSpec, Values};
 use core::ops::ControlFlow;
@@ -15,6 +15,7 @@ use liftoff::scalar::{DoubleDouble, Dual4};
 use liftoff::system::{Model, ModelOn, System};
 use liftoff::{Modes, Output, OutputError, Pose, Simulation, Trajectory};
 use liftoff_interpreter::Interpreted;
+use liftoff_verification::judgement::witness;
 use liftoff_verification::precision::check_tolerance;
 use liftoff_verification::{Measurement, Precision};
 use std::sync::Arc;
@@ -37,8 +38,23 @@ impl Entry {
 
     /// A model that no compiler has seen, with the run that it declares.
     pub fn interpreted(model: Arc<Interpreted>) -> Self {
-        let default_run = RunSpec::declared(model.layout());
-        Self::new(Arc::new(model), default_run)
+        let layout = model.layout();
+        Self::deferred(kebab(layout.name), RunSpec::declared(layout), || model)
+    }
+
+    /// A model that is derived when its equations are first needed.
+    pub fn deferred(
+        name: String,
+        default_run: RunSpec,
+        derive: impl FnOnce() -> Arc<Interpreted> + Send + 'static,
+    ) -> Self {
+        Self { name, default_run, origin: Arc::new(Derived::new(Box::new(derive))) }
+    }
+
+    /// The same model with another default run.
+    #[must_use]
+    pub fn with_default_run(self, default_run: RunSpec) -> Self {
+        Self { default_run, ..self }
     }
 
     /// Name on the command line, in kebab case.
@@ -72,9 +88,9 @@ impl Entry {
     /// Its equations in double-double, with these parameters.
     ///
     /// # Errors
-    /// Parameters that it does not have, or that are not given.
+    /// Parameters that it does not have, or that are not given; the declaration cannot be derived again.
     pub fn precise(&self, parameters: &Values) -> Result<Arc<dyn System<DoubleDouble>>, MotionError> {
-        Ok(self.origin.precise(&self.model(parameters)?.parameters))
+        Ok(self.for_interpreter()?.precise(&self.model(parameters)?.parameters))
     }
 
     /// The model on values with their derivatives, given those of all parameters in the order of the layout.
@@ -82,7 +98,7 @@ impl Entry {
     /// # Errors
     /// The declaration cannot be derived again.
     pub fn varied(&self, parameters: &[Dual4]) -> Result<ModelOn<Dual4>, MotionError> {
-        self.origin.varied(parameters).map_err(MotionError::Input)
+        Ok(self.for_interpreter()?.varied(parameters))
     }
 
     /// The simulation that a run asks for.
@@ -120,6 +136,14 @@ impl Entry {
         options.apply(self.simulation(spec)?).run().map_err(stopped)
     }
 
+    /// Runs it by a method, for a case that the judge follows.
+    pub fn run_witnessed(&self, by: MethodId, spec: &RunSpec) -> Result<Trajectory, MotionError> {
+        let simulation = self.simulation(spec)?.method(by);
+        let run = simulation.run().map_err(stopped)?;
+        witness(&run, &simulation.held());
+        Ok(run)
+    }
+
     /// Runs it with these options and keeps the events and the last state alone: however long the run, it takes no more memory
     /// than its events do. The observer sees each step; `&mut ()` looks at none.
     pub fn observe_by(
@@ -149,8 +173,9 @@ impl Entry {
         go_on: &mut dyn FnMut() -> ControlFlow<()>,
     ) -> Result<Vec<Measurement>, MotionError> {
         request.check().map_err(input)?;
+        let interpreted = self.for_interpreter()?;
         let precision =
-            Precision::new(self.simulation(spec)?, |parameters: &[f64]| self.origin.precise(parameters));
+            Precision::new(self.simulation(spec)?, |parameters: &[f64]| interpreted.precise(parameters));
         let mut precision = precision.measuring(request.measuring);
         let mut rows = Vec::new();
         for (method, tolerance) in
@@ -188,13 +213,17 @@ impl Entry {
         Ok(energy_rate(&*phase, &self.layout().state_at(state, t), simulation.scales().time))
     }
 
+    fn for_interpreter(&self) -> Result<Arc<Interpreted>, MotionError> {
+        self.origin.interpreted().map_err(MotionError::Input)
+    }
+
     /// How its motions are integrated side by side, if they can be.
     pub(crate) fn lanes(&self) -> Option<liftoff::system::LaneConstructor> {
         self.origin.lanes()
     }
 }
 
-pub(super) fn simulation(model: Model, spec: &RunSpec) -> Result<Simulation, MotionError> {
+fn simulation(model: Model, spec: &RunSpec) -> Result<Simulation, MotionError> {
     check_tolerance(spec.tolerance).map_err(input)?;
     for values in [&spec.start, &spec.energy_of] {
         check_angles(model.layout(), values)?;
@@ -239,7 +268,7 @@ fn of_condition(condition: &str, error: OutputError) -> MotionError {
     }
 }
 
-pub(super) fn model(origin: &dyn Origin, parameters: &Values) -> Result<Model, MotionError> {
+fn model(origin: &dyn Origin, parameters: &Values) -> Result<Model, MotionError> {
     let names = origin.layout().parameters;
     let stranger = parameters.iter().find(|(name, _)| !names.contains(&name.as_str()));
     if let Some((name, _)) = stranger {

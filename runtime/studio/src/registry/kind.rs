@@ -1,24 +1,11 @@
 //! What is compiled of a registry for each type, and what stands for a type.
 
-use super::entry::{model, simulation};
+use super::Entry;
 use super::origin::{Compiled, Origin};
-use super::stopped;
-use super::{Entry, MethodId, MotionError};
 use crate::run_spec::{DefaultRun, RunSpec};
 use core::marker::PhantomData;
-use liftoff::Trajectory;
 use liftoff::model::BarSystem;
-use liftoff_verification::judgement::witness;
 use std::sync::Arc;
-
-/// Runs a model by a method.
-pub fn run<M: BarSystem>(by: MethodId, spec: &RunSpec) -> Result<Trajectory, MotionError> {
-    let model = model(&Compiled::<M>::default(), &spec.parameters)?;
-    let simulation = simulation(model, spec)?.method(by);
-    let run = simulation.run().map_err(stopped)?;
-    witness(&run, &simulation.held());
-    Ok(run)
-}
 
 /// A type, to tell whether it is a [`DefaultRun`].
 #[doc(hidden)]

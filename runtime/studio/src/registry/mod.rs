@@ -18,7 +18,6 @@ pub use configuration::Configuration;
 pub use dimension::Dimension;
 pub(crate) use dimension::{of_coordinate, per};
 pub use entry::{Entry, kebab};
-pub use kind::run;
 #[doc(hidden)]
 pub use kind::{Bare, Kind, WithDefaultRun};
 pub use liftoff::method::MethodId;

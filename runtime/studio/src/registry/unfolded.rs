@@ -1,7 +1,5 @@
 //! A mirrored model with both of its halves.
 
-use std::sync::Arc;
-
 use liftoff_interpreter::Interpreted;
 use nalgebra::DMatrix;
 
@@ -22,10 +20,8 @@ impl Entry {
     /// It has no mirror, or both halves are no model.
     pub fn unfolded(&self) -> Result<Unfolded, MotionError> {
         let halves = halves(self.layout()).map_err(MotionError::Input)?;
-        let model = Self::new(
-            Arc::new(Interpreted::of(&halves.analysis)),
-            RunSpec { parameters: self.default_run().parameters, ..RunSpec::default() },
-        );
+        let run = RunSpec { parameters: self.default_run().parameters, ..RunSpec::default() };
+        let model = Self::interpreted(Interpreted::of(&halves.analysis)).with_default_run(run);
         Ok(Unfolded { model, halves })
     }
 }

@@ -5,11 +5,13 @@ mod diagnostics;
 pub use diagnostics::rendered;
 
 use crate::registry::Entry;
+use crate::run_spec::RunSpec;
 use core::ops::Range;
 use liftoff_codegen::text::Equations;
 use liftoff_interpreter::Interpreted;
 use proc_macro2::{LexError, TokenStream};
 use quote::ToTokens;
+use std::sync::Arc;
 use syn::{Attribute, File, Item, Meta, Path, Stmt, Token, punctuated::Punctuated};
 
 /// A mistake, and where it is: bytes of the file.
@@ -34,7 +36,24 @@ pub fn equations(source: &str) -> Result<Vec<Equations>, Vec<Mistake>> {
 /// # Errors
 /// All mistakes of all of them.
 pub fn models(source: &str) -> Result<Vec<Entry>, Vec<Mistake>> {
-    each(source, |item| Ok(Entry::interpreted(Interpreted::of(&liftoff_codegen::analyse(item)?))))
+    Ok(derived(source)?.into_iter().map(Entry::interpreted).collect())
+}
+
+/// A model that a program carries as text. It is derived when its equations are first needed.
+///
+/// # Panics
+/// At that time, if the text does not declare exactly one model.
+pub fn embedded(name: &'static str, source: &'static str, default_run: RunSpec) -> Entry {
+    Entry::deferred(name.to_owned(), default_run, move || match derived(source).as_deref() {
+        Ok([model]) => Arc::clone(model),
+        Ok(models) => panic!("the text of `{name}` declares {} models", models.len()),
+        Err(mistakes) => panic!("{name}: {mistakes:?}"),
+    })
+}
+
+/// The models of a text, derived for the interpreter.
+fn derived(source: &str) -> Result<Vec<Arc<Interpreted>>, Vec<Mistake>> {
+    each(source, |item| Ok(Interpreted::of(&liftoff_codegen::analyse(item)?)))
 }
 
 /// What is made of every item that derives `BarSystem`, in order.
@@ -92,10 +111,10 @@ fn declared(item: Item) -> Vec<Item> {
         Item::Mod(module) => inside(module.content.map_or_else(Vec::new, |(_, items)| items)),
         Item::Fn(function) => inside(function.block.stmts.into_iter().filter_map(item_of).collect()),
         Item::Struct(mut item) => {
-            derived(&mut item.attrs).then_some(Item::Struct(item)).into_iter().collect()
+            takes_derive(&mut item.attrs).then_some(Item::Struct(item)).into_iter().collect()
         }
-        Item::Enum(mut item) => derived(&mut item.attrs).then_some(Item::Enum(item)).into_iter().collect(),
-        Item::Union(mut item) => derived(&mut item.attrs).then_some(Item::Union(item)).into_iter().collect(),
+        Item::Enum(mut item) => takes_derive(&mut item.attrs).then_some(Item::Enum(item)).into_iter().collect(),
+        Item::Union(mut item) => takes_derive(&mut item.attrs).then_some(Item::Union(item)).into_iter().collect(),
         _ => Vec::new(),
     }
 }
@@ -114,7 +133,7 @@ fn item_of(statement: Stmt) -> Option<Item> {
 }
 
 /// Whether `BarSystem` is derived; `derive` is gone then.
-fn derived(attributes: &mut Vec<Attribute>) -> bool {
+fn takes_derive(attributes: &mut Vec<Attribute>) -> bool {
     let derived = attributes.iter().any(derives);
     attributes.retain(|attribute| !attribute.path().is_ident("derive"));
     derived

@@ -6,7 +6,7 @@ mod diffsol;
 mod ivp;
 mod ode_solvers;
 
-use liftoff_models::models;
+use liftoff_compiled::models;
 use liftoff_peers::{event_error, state_error};
 use liftoff_studio::plot::with_theme;
 use liftoff_studio::registry::PrecisionSpec;
