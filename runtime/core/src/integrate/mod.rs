@@ -27,7 +27,9 @@ mod tsit5;
 pub use dense::Dense;
 pub use dop853::Dop853;
 #[cfg(feature = "std")]
-pub use erased::{ByOrders, DenseOutput, InitialValueProblem, PhaseStepper, SeriesExpansion, SeriesOrders};
+pub use erased::{
+    ByOrders, DenseOutput, InitialValueProblem, Methods, PhaseStepper, SeriesExpansion, SeriesOrders,
+};
 pub use explicit::Explicit;
 pub use gauss::Gauss;
 #[cfg(feature = "std")]
@@ -48,7 +50,7 @@ pub type Rates<'a, S, const N: usize> = &'a dyn Fn(&[S; N]) -> [S; N];
 /// ∂f/∂y, row `i` that of fᵢ.
 pub type Jacobian<'a, S, const N: usize> = &'a dyn Fn(&[S; N]) -> [[S; N]; N];
 
-/// An integration in step_state, forwards in time.
+/// An integration in progress, forward in time.
 pub trait Stepper<S: Scalar, const N: usize> {
     /// Where the integration is.
     fn step_state(&self) -> &StepState<S, N>;

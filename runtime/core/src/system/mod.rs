@@ -23,7 +23,7 @@ pub use series::{SeriesEquations, TIME_ORDERS, TimeSeries};
 
 use std::sync::Arc;
 
-use crate::integrate::SeriesExpansion;
+use crate::integrate::{Methods, SeriesExpansion};
 use crate::model::{ContactSet, Energy, Form, Layout, SlipState};
 use crate::scalar::Scalar;
 
@@ -87,6 +87,10 @@ pub trait Phase<S: Scalar = f64>: Send + Sync {
     /// How many products and quotients of series a closed form has; 0 where that is not known.
     fn products(&self) -> usize {
         0
+    }
+    /// The methods of integration that serve its size.
+    fn methods(&self) -> Methods {
+        Methods::default()
     }
     /// ∂f/∂y, if it is known exactly; what can be stiff should know it.
     fn jacobian(&self) -> Option<Jacobian<'_>> {

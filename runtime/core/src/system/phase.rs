@@ -8,7 +8,7 @@ use super::jacobian::{self, JacobianOf};
 use super::lifted::Lifted;
 use super::projected::{KernelOrders, TakeOrder, projected_series};
 use super::{Jacobian, Phase, System};
-use crate::integrate::{ExpansionBy, PhaseExpansion, SeriesExpansion};
+use crate::integrate::{ExpansionBy, Methods, PhaseExpansion, SeriesExpansion};
 use crate::model::{
     self, Array, BarSystem, ClosedForm, ContactSet, Energy, Form, KernelSeries, OfState, PhaseSeries,
     PhaseVisitor, Varying,
@@ -274,6 +274,10 @@ impl<M: BarSystem, S: Liftable, const N: usize> Phase<S> for LiftedPhase<M, S, N
 
     fn products(&self) -> usize {
         self.products
+    }
+
+    fn methods(&self) -> Methods {
+        const { Methods::for_entries(N, M::LAYOUT.compliant) }
     }
 
     fn jacobian(&self) -> Option<Jacobian<'_>> {

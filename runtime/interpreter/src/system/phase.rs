@@ -7,7 +7,7 @@ use liftoff_codegen::algebra::Symbol;
 use liftoff_codegen::functions::PhaseFunctions;
 use liftoff_codegen::motion::UNROLLED;
 use liftoff_codegen::program::Id;
-use liftoff_core::integrate::SeriesExpansion;
+use liftoff_core::integrate::{Methods, SeriesExpansion};
 use liftoff_core::kernel::are_trusted;
 use liftoff_core::model::{ContactSet, Energy, Form};
 use liftoff_core::scalar::{DoubleDouble, Dual4};
@@ -271,6 +271,10 @@ impl Phase for InterpretedPhase<f64> {
         }
         let orders = Orders::new(system.full().series.as_ref()?, system.full(), &system.constants);
         projected_series(layout, self.info.set, Box::new(orders))
+    }
+
+    fn methods(&self) -> Methods {
+        Methods::for_entries(self.info.entries, self.system.model.layout.compliant)
     }
 
     fn jacobian(&self) -> Option<Jacobian<'_>> {

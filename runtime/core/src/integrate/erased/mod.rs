@@ -1,23 +1,23 @@
 //! Integrations of a phase with its dimension forgotten. One copy of each method serves all models: of each capacity that
-//! `sized` lists, the state filled up with entries that stand still.
+//! `methods` lists, the state filled up with entries that stand still.
 
 mod by_orders;
 mod dense;
 mod expansion;
+mod methods;
 mod problem;
 mod sized;
 
 pub use by_orders::{ByOrders, SeriesOrders};
 pub use dense::DenseOutput;
 pub use expansion::SeriesExpansion;
+pub use methods::{ExplicitMethods, Methods, StartStepper, gauss, radau};
 pub use problem::InitialValueProblem;
 
-use super::{Counts, Dop853, Gauss, Guards, Radau, StepError, StepState, Stepper, Taylor, Tsit5};
-use expansion::Padded;
-use problem::JacobianMatrix;
-use sized::{Sized, sized};
+use super::{Counts, Guards, StepError, StepState, Stepper};
+use sized::Sized;
 
-/// An integration of a phase in step_state, forwards in time; see [`Stepper`].
+/// An integration of a phase in progress, forward in time; see [`Stepper`].
 pub trait PhaseStepper {
     /// Time of the last accepted state.
     fn time(&self) -> f64;
@@ -41,40 +41,6 @@ pub trait PhaseStepper {
     fn replace_end(&mut self, y1: &[f64]) -> Result<(), StepError>;
     /// The series of what tells when contacts open or close over the last step, if the method has them.
     fn guards(&mut self) -> Option<Guards<'_>>;
-}
-
-/// An integration by DOP853.
-pub fn dop853<'a>(problem: &InitialValueProblem<'a>) -> Option<Box<dyn PhaseStepper + 'a>> {
-    sized!(explicit problem.len(), N => problem.stepper::<N, _>(|step_state| Dop853::new(problem.rates(), step_state)))
-}
-
-/// An integration by Tsitouras's pair.
-pub fn tsit5<'a>(problem: &InitialValueProblem<'a>) -> Option<Box<dyn PhaseStepper + 'a>> {
-    sized!(explicit problem.len(), N => problem.stepper::<N, _>(|step_state| Tsit5::new(problem.rates(), step_state)))
-}
-
-/// An integration by Gauss's method.
-pub fn gauss<'a>(problem: &InitialValueProblem<'a>) -> Option<Box<dyn PhaseStepper + 'a>> {
-    sized!(gauss problem.len(), N => problem.stepper::<N, _>(|step_state| {
-        let pairs = problem.pairs::<N>(&step_state);
-        Gauss::new(problem.rates(), step_state).with_pairs(pairs)
-    }))
-}
-
-/// An integration by Radau's method; none where the phase is too large for a Jacobian in place.
-pub fn radau<'a>(problem: &InitialValueProblem<'a>) -> Option<Box<dyn PhaseStepper + 'a>> {
-    sized!(radau problem.len(), N => {
-        let jacobian = JacobianMatrix::<N>::of(problem);
-        problem.stepper::<N, _>(|step_state| Radau::new(problem.rates(), move |y: &[f64; N]| jacobian.at(y), step_state))
-    })
-}
-
-/// An integration by Taylor's method; none where the phase has no series.
-pub fn taylor<'a>(problem: &InitialValueProblem<'a>) -> Option<Box<dyn PhaseStepper + 'a>> {
-    sized!(explicit problem.len(), N => {
-        let expansion = Padded::<N>::of(problem)?;
-        problem.stepper::<N, _>(|step_state| Taylor::new(expansion, step_state))
-    })
 }
 
 impl<T: Stepper<f64, N>, const N: usize> PhaseStepper for Sized<T, N> {

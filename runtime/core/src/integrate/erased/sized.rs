@@ -1,4 +1,9 @@
-//! The capacities for which methods are compiled.
+//! One capacity of a method: it integrates states of at most so many entries, filled up with entries that stand still.
+
+use super::expansion::Padded;
+use super::problem::JacobianMatrix;
+use super::{InitialValueProblem, PhaseStepper};
+use crate::integrate::{Dop853, Gauss, Radau, Taylor, Tsit5};
 
 /// An integration of the first `entries` entries of `N`.
 pub(super) struct Sized<T, const N: usize> {
@@ -6,27 +11,29 @@ pub(super) struct Sized<T, const N: usize> {
     pub(super) entries: usize,
 }
 
-/// Evaluates an expression of type `Option` with the constant `$N` the least capacity for `$len` entries; none beyond. Small
-/// systems have nearly their own size, as their loops are unrolled. Implicit methods have fewer capacities, Radau's with its
-/// matrices in place none above 64.
-macro_rules! sized {
-    (explicit $len:expr, $N:ident => $begin:expr) => {
-        sized!(@ $len, $N => $begin; 2 4 6 8 12 16 32 64 128 1024 8192)
-    };
-    (gauss $len:expr, $N:ident => $begin:expr) => {
-        sized!(@ $len, $N => $begin; 2 4 8 16 32 64 128 1024)
-    };
-    (radau $len:expr, $N:ident => $begin:expr) => {
-        sized!(@ $len, $N => $begin; 2 4 6 8 12 16 32 64)
-    };
-    (@ $len:expr, $N:ident => $begin:expr; $($size:literal)*) => {
-        match $len {
-            $(len if len <= $size => {
-                const $N: usize = $size;
-                $begin
-            })*
-            _ => None,
-        }
-    };
+type Started<'a> = Option<Box<dyn PhaseStepper + 'a>>;
+
+pub(super) fn dop853<'a, const N: usize>(problem: &InitialValueProblem<'a>) -> Started<'a> {
+    problem.stepper::<N, _>(|step_state| Dop853::new(problem.rates(), step_state))
 }
-pub(super) use sized;
+
+pub(super) fn tsit5<'a, const N: usize>(problem: &InitialValueProblem<'a>) -> Started<'a> {
+    problem.stepper::<N, _>(|step_state| Tsit5::new(problem.rates(), step_state))
+}
+
+pub(super) fn taylor<'a, const N: usize>(problem: &InitialValueProblem<'a>) -> Started<'a> {
+    let expansion = Padded::<N>::of(problem)?;
+    problem.stepper::<N, _>(|step_state| Taylor::new(expansion, step_state))
+}
+
+pub(super) fn radau<'a, const N: usize>(problem: &InitialValueProblem<'a>) -> Started<'a> {
+    let jacobian = JacobianMatrix::<N>::of(problem);
+    problem.stepper::<N, _>(|step_state| Radau::new(problem.rates(), move |y: &[f64; N]| jacobian.at(y), step_state))
+}
+
+pub(super) fn gauss<'a, const N: usize>(problem: &InitialValueProblem<'a>) -> Started<'a> {
+    problem.stepper::<N, _>(|step_state| {
+        let pairs = problem.pairs::<N>(&step_state);
+        Gauss::new(problem.rates(), step_state).with_pairs(pairs)
+    })
+}

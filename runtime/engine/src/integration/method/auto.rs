@@ -2,7 +2,7 @@
 
 use super::stiffness::{damping, watched};
 use super::{Dop853, Method, Problem, StartedStepper, Taylor, Tsit5};
-use crate::integrate::{InitialValueProblem, erased};
+use crate::integrate::InitialValueProblem;
 use crate::model::Form;
 
 /// Damping is stiff where −tr ∂f/∂y exceeds this per natural time: what it damps has decayed long before anything else moves.
@@ -41,7 +41,7 @@ impl Method for Auto {
     }
 
     fn begin<'a>(&self, problem: &Problem<'a>) -> Option<StartedStepper<'a>> {
-        let implicit = if is_stiff(problem) { erased::radau(&problem.problem) } else { None };
+        let implicit = if is_stiff(problem) { problem.start_implicit() } else { None };
         explicit(problem).map(|begun| watched(begun, problem, implicit))
     }
 }
@@ -55,7 +55,7 @@ fn explicit<'a>(problem: &Problem<'a>) -> Option<StartedStepper<'a>> {
         begun.map(because("its Taylor series would take longer"))
     } else if !series_pay(problem) {
         Dop853.begin(problem).map(because("its Taylor series would take longer"))
-    } else if let Some(stepper) = erased::taylor(&problem.problem) {
+    } else if let Some(stepper) = problem.start_taylor() {
         Some(StartedStepper::asked(&Taylor, stepper).because("it has Taylor series"))
     } else if problem.problem.relative > LOOSE {
         Tsit5.begin(problem).map(because("it has no Taylor series, and the tolerance is loose"))

@@ -1,7 +1,6 @@
 //! DOP853 as a method.
 
 use super::{Method, Problem, StartedStepper};
-use crate::integrate::erased;
 
 /// Dormand and Prince's explicit Runge–Kutta method of order 8: [`crate::integrate::Dop853`].
 #[derive(Debug, Clone, Copy, Default)]
@@ -13,6 +12,6 @@ impl Method for Dop853 {
     }
 
     fn begin<'a>(&self, problem: &Problem<'a>) -> Option<StartedStepper<'a>> {
-        Some(StartedStepper::asked(self, erased::dop853(&problem.problem)?))
+        Some(StartedStepper::asked(self, problem.start_dop853()?))
     }
 }

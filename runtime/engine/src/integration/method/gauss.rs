@@ -14,7 +14,8 @@ impl Method for Gauss {
     }
 
     fn begin<'a>(&self, problem: &Problem<'a>) -> Option<StartedStepper<'a>> {
-        match erased::gauss(&problem.problem) {
+        let start = erased::gauss(problem.problem.start.len());
+        match start.and_then(|start| start(&problem.problem)) {
             Some(stepper) => Some(StartedStepper::asked(self, stepper)),
             None => Dop853.begin(problem).map(|begun| begun.because("it has too many entries")),
         }

@@ -96,3 +96,22 @@ pub struct Problem<'a> {
     /// Whether the model has dampers.
     pub damped: bool,
 }
+
+/// The methods that its phase names.
+impl<'a> Problem<'a> {
+    fn start_dop853(&self) -> Option<Box<dyn PhaseStepper + 'a>> {
+        (self.problem.phase.methods().explicit?.dop853)(&self.problem)
+    }
+
+    fn start_tsit5(&self) -> Option<Box<dyn PhaseStepper + 'a>> {
+        (self.problem.phase.methods().explicit?.tsit5)(&self.problem)
+    }
+
+    fn start_taylor(&self) -> Option<Box<dyn PhaseStepper + 'a>> {
+        (self.problem.phase.methods().explicit?.taylor)(&self.problem)
+    }
+
+    fn start_implicit(&self) -> Option<Box<dyn PhaseStepper + 'a>> {
+        self.problem.phase.methods().implicit?(&self.problem)
+    }
+}

@@ -14,7 +14,8 @@ impl Method for Radau {
     }
 
     fn begin<'a>(&self, problem: &Problem<'a>) -> Option<StartedStepper<'a>> {
-        match erased::radau(&problem.problem) {
+        let start = erased::radau(problem.problem.start.len());
+        match start.and_then(|start| start(&problem.problem)) {
             Some(stepper) => Some(StartedStepper::asked(self, stepper)),
             None => Dop853.begin(problem).map(|begun| begun.because("it has too many entries")),
         }

@@ -7,7 +7,7 @@
 use super::auto::STIFF;
 use super::pair::StepperPair;
 use super::{Choice, Method, Problem, Radau, StartedStepper, Switches};
-use crate::integrate::{Counts, DenseOutput, Guards, PhaseStepper, StepError, erased};
+use crate::integrate::{Counts, DenseOutput, Guards, PhaseStepper, StepError};
 use crate::system::Jacobian;
 
 /// Steps from one look to the next.
@@ -96,7 +96,7 @@ impl<'a> Watched<'a> {
 
     fn has_implicit(&mut self) -> bool {
         if self.steppers.other.is_none() {
-            self.steppers.other = erased::radau(&self.problem.problem);
+            self.steppers.other = self.problem.start_implicit();
         }
         self.steppers.other.is_some()
     }

@@ -1,7 +1,6 @@
 //! Taylor's method as a method.
 
 use super::{Dop853, Method, Problem, StartedStepper};
-use crate::integrate::erased;
 
 /// Taylor's method of variable order, [`crate::integrate::Taylor`], for the phases that have series, in closed form or of the full equations without sliding contacts; DOP853 for the others.
 #[derive(Debug, Clone, Copy, Default)]
@@ -17,7 +16,7 @@ impl Method for Taylor {
     }
 
     fn begin<'a>(&self, problem: &Problem<'a>) -> Option<StartedStepper<'a>> {
-        match erased::taylor(&problem.problem) {
+        match problem.start_taylor() {
             Some(stepper) => Some(StartedStepper::asked(self, stepper)),
             None => Dop853.begin(problem).map(|begun| begun.because("the phase has no Taylor series")),
         }

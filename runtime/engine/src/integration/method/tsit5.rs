@@ -1,7 +1,6 @@
 //! Tsitouras's pair as a method.
 
 use super::{Method, Problem, StartedStepper};
-use crate::integrate::erased;
 
 /// Tsitouras's explicit Runge–Kutta pair of order 5, for tolerances of 1e-5 and looser: [`crate::integrate::Tsit5`].
 #[derive(Debug, Clone, Copy, Default)]
@@ -13,6 +12,6 @@ impl Method for Tsit5 {
     }
 
     fn begin<'a>(&self, problem: &Problem<'a>) -> Option<StartedStepper<'a>> {
-        Some(StartedStepper::asked(self, erased::tsit5(&problem.problem)?))
+        Some(StartedStepper::asked(self, problem.start_tsit5()?))
     }
 }

@@ -15,7 +15,7 @@ use std::cell::RefCell;
 
 use super::pair::StepperPair;
 use super::{InitialValueProblem, Problem, StartedStepper};
-use crate::integrate::{Counts, DenseOutput, Guards, PhaseStepper, StepError, erased};
+use crate::integrate::{Counts, DenseOutput, Guards, PhaseStepper, StepError};
 use crate::integration::phase_point::Numbers;
 use crate::model::Kink;
 use locate::Samples;
@@ -58,13 +58,13 @@ struct CutAtKinks<'a> {
 
 /// The same, cut at the kinks of the phase, if it has any.
 pub(crate) fn cut<'a>(begun: StartedStepper<'a>, problem: &Problem<'a>) -> StartedStepper<'a> {
-    let Problem { problem, time, .. } = *problem;
-    let kinks = problem.phase.system().layout().kinks;
+    let kinks = problem.problem.phase.system().layout().kinks;
     if kinks.is_empty() {
         return begun;
     }
     let StartedStepper { choice, stepper: main, switches } = begun;
-    let bridge = if choice.method == "taylor" { erased::dop853(&problem) } else { None };
+    let bridge = if choice.method == "taylor" { problem.start_dop853() } else { None };
+    let Problem { problem, time, .. } = *problem;
     let stepper = Box::new(CutAtKinks {
         problem,
         kinks,
