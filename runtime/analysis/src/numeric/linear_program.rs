@@ -48,9 +48,12 @@ enum Course {
 }
 
 /// The greatest lower bound of g·x, −∞ where there is none; nothing where no x is between the
-/// bounds.
+/// bounds, or where numbers are not finite.
 pub(crate) fn solve_linear_program(g: &DVector<f64>, a: &DMatrix<f64>, b: &DVector<f64>) -> Option<f64> {
     let (m, n) = a.shape();
+    if g.iter().chain(a.iter()).chain(b.iter()).any(|x| !x.is_finite()) {
+        return None;
+    }
     let sizes: Vec<f64> = a.row_iter().map(|row| row.amax()).collect();
     // A bound of nothing holds, or it never does.
     if (0..m).any(|i| sizes[i] == 0.0 && b[i] > 0.0) {

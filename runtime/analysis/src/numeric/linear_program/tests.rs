@@ -32,6 +32,7 @@ fn what_has_no_bound_or_no_point_is_known() {
     assert_eq!(solve(&[0.0], &[&[0.0]], &[-1.0]), Some(0.0));
     assert_eq!(solve(&[0.0], &[&[0.0]], &[1.0]), None);
     assert_eq!(solve(&[], &[&[]], &[-1.0]), Some(0.0));
+    assert_eq!(solve(&[1.0], &[&[1.0]], &[f64::NAN]), None);
 }
 
 /// The examples of Beale and of Marshall and Suurballe, on which the rule of the steepest descent
