@@ -54,12 +54,15 @@ pub(crate) fn minimize(
             let x = &at.x + &direction * step;
             let (value, gradient) = evaluate(&x)?;
             let slope = direction.dot(&gradient);
+            if !(value.is_finite() && slope.is_finite()) {
+                return None;
+            }
             let tried = Point { x, value, gradient };
             if tried.value < best.value {
                 best = tried.clone();
             }
             last = Some(tried);
-            (value.is_finite() && slope.is_finite()).then_some(Sample { step, value, slope })
+            Some(Sample { step, value, slope })
         });
         let next = if end == LineEnd::Met { last.unwrap_or(best) } else { best };
         if next.value >= at.value || end == LineEnd::Exhausted {

@@ -2,8 +2,10 @@
 //! *Handbook of Mathematical Functions*, 1964, 26.7.3 and 26.7.4): with tan θ = t/√ν
 //!
 //! ```text
-//! P(|T| ≤ t) = (2/π) (θ + sin θ (cos θ + 2/3 cos³θ + … + 2·4…(ν − 3)/(3·5…(ν − 2)) cos^(ν−2) θ))    ν odd
-//!            = sin θ (1 + 1/2 cos²θ + … + 1·3…(ν − 3)/(2·4…(ν − 2)) cos^(ν−2) θ)                    ν even
+//! P(|T| ≤ t) = (2/π) (θ + sin θ (cos θ + 2/3 cos³θ + … + c cos^(ν−2) θ)),    ν odd
+//! c = 2·4…(ν − 3)/(3·5…(ν − 2))
+//! P(|T| ≤ t) = sin θ (1 + 1/2 cos²θ + … + c cos^(ν−2) θ),    ν even
+//! c = 1·3…(ν − 3)/(2·4…(ν − 2))
 //! ```
 //!
 //! All terms are positive: nothing cancels.
