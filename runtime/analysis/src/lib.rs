@@ -7,6 +7,7 @@
 //! All derivatives at rest are central differences of the model's own equations in double-double: with steps of 1e-9 they are exact to all
 //! digits of a double.
 //!
+//! - `numeric`: least squares, minima, linear programs and quantiles, on numbers alone.
 //! - [`Subject`]: a model with its parameters, its natural units, and a figure to begin with.
 //! - `local`: the motion of one contact set near a position at rest, in tangent coordinates that are orthonormal in the mass metric.
 //! - [`Linearisation`], and its [`Mode`]s of vibration; [`BySymmetry`]: what keeps the symmetry of a position, and what breaks it.
@@ -23,6 +24,7 @@ mod fit;
 mod linear;
 mod local;
 mod mode;
+mod numeric;
 mod optimum;
 mod orbit;
 mod sensitivity;

@@ -9,10 +9,10 @@
 
 use liftoff::model::{ContactKind, ContactSet, SlipState};
 use liftoff::scalar::{DoubleDouble, Real};
-use microlp::{ComparisonOp, LinearExpr, OptimizationDirection, Problem, SolveOutcome, Variable};
 use nalgebra::{DMatrix, DVector};
 
 use crate::Subject;
+use crate::numeric::linear_program::solve_linear_program;
 
 /// Rows of J depend on each other below this.
 const RANK: f64 = 1e-9;
@@ -112,38 +112,30 @@ impl Shares {
 
     /// The least and the largest λ of a row, infinite where there is none; nothing if the bounds exclude each other.
     fn range(&self, place: usize) -> Option<[f64; 2]> {
-        let sides = [OptimizationDirection::Minimize, OptimizationDirection::Maximize];
-        let [least, largest] = sides.map(|direction| self.extreme(place, direction));
+        let [least, largest] = [1.0, -1.0].map(|sign| self.extreme(place, sign));
         let rounded = |force: f64| if force.abs() <= self.none { 0.0 } else { force };
         Some([rounded(least?), rounded(largest?)])
     }
 
-    fn extreme(&self, place: usize, direction: OptimizationDirection) -> Option<f64> {
+    /// The λ of a row that is least with a sign of 1, or largest with one of −1.
+    fn extreme(&self, place: usize, sign: f64) -> Option<f64> {
         let value = |terms: &[(usize, f64)]| terms.iter().map(|(k, c)| c * self.least[*k]).sum::<f64>();
         if self.free.ncols() == 0 {
             let obeyed = self.bounds.iter().all(|terms| value(terms) >= -self.none);
             return obeyed.then(|| self.least[place]);
         }
-        let mut problem = Problem::new(direction);
-        let infinite = (f64::NEG_INFINITY, f64::INFINITY);
-        let unknowns: Vec<Variable> =
-            (0..self.free.ncols()).map(|k| problem.add_var(self.free[(place, k)], infinite)).collect();
-        for terms in &self.bounds {
-            let mut sum = LinearExpr::empty();
-            for (k, unknown) in unknowns.iter().enumerate() {
-                sum.add(*unknown, terms.iter().map(|(row, c)| c * self.free[(*row, k)]).sum::<f64>());
-            }
-            problem.add_constraint(sum, ComparisonOp::Ge, (-self.none - value(terms)) / self.scale());
-        }
-        match problem.solve() {
-            Ok(SolveOutcome::Solution(found)) => Some(self.least[place] + found.objective() * self.scale()),
-            Ok(SolveOutcome::Interrupted(_)) => None,
-            Err(microlp::Error::Unbounded) => Some(match direction {
-                OptimizationDirection::Minimize => f64::NEG_INFINITY,
-                OptimizationDirection::Maximize => f64::INFINITY,
-            }),
-            Err(_) => None,
-        }
+        let along = |terms: &[(usize, f64)], k: usize| -> f64 {
+            let size: f64 = terms.iter().map(|(_, c)| c.abs()).sum();
+            let entry = terms.iter().map(|(row, c)| c * self.free[(*row, k)]).sum::<f64>();
+            if entry.abs() <= RANK * size { 0.0 } else { entry }
+        };
+        let unknowns = self.free.ncols();
+        let values = DVector::from_fn(unknowns, |k, _| along(&[(place, sign)], k));
+        let matrix = DMatrix::from_fn(self.bounds.len(), unknowns, |i, k| along(&self.bounds[i], k));
+        let bound = |i: usize, _| (-self.none - value(&self.bounds[i])) / self.scale();
+        let bounds = DVector::from_fn(self.bounds.len(), bound);
+        let found = solve_linear_program(&values, &matrix, &bounds)?;
+        Some(self.least[place] + sign * self.scale() * found)
     }
 
     /// The unit of c.

@@ -5,10 +5,10 @@
 //! ```
 
 use nalgebra::{DMatrix, DVector};
-use statrs::distribution::{ContinuousCDF, StudentsT};
 
 use super::trial::Trial;
 use super::{Datum, Fit, FitError};
+use crate::numeric::student::two_sided_quantile;
 
 /// The part of estimates that is to lie within their interval.
 const CONFIDENCE: f64 = 0.95;
@@ -48,8 +48,8 @@ pub(super) fn estimates(
 ) -> Result<(Vec<Estimate>, Vec<Vec<f64>>), FitError> {
     let inverse = inverse(fit, best, jacobian)?;
     let n = fit.variables.len();
-    let freedom = (fit.data.len() - n) as f64;
-    let quantile = StudentsT::new(0.0, 1.0, freedom).ok().map(|of| of.inverse_cdf(0.5 + 0.5 * CONFIDENCE));
+    let freedom = fit.data.len() - n;
+    let quantile = (freedom > 0).then(|| two_sided_quantile(CONFIDENCE, freedom));
     let estimate = |k: usize| {
         let value = best.values[k];
         let standard_error = scatter.map(|scatter| scatter * inverse[(k, k)].sqrt());

@@ -1,23 +1,20 @@
 //! The way to the least sum of squares.
 
-use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
-use levenberg_nalgebra::storage::Owned;
-use levenberg_nalgebra::{DMatrix as LmMatrix, DVector as LmVector, Dyn};
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 use super::estimate::{estimates, is_held_up};
-use super::trial::{FAR, Trial, TrialError};
+use super::trial::{Trial, TrialError};
 use super::{Ending, Fit, FitError, Fitted};
+use crate::numeric::least_squares::{self, Limits, Residuals, minimize};
 
 /// Relative changes of the sum of squares and of the variables below this are none: some ten times the error of a run.
 const NOTHING: f64 = 1e-10;
 /// Runs at most, for each variable and one more.
 const PATIENCE: usize = 60;
 
-/// The best trial so far, and where the search is.
+/// The best trial so far.
 struct Search<'a> {
     fit: &'a Fit<'a>,
-    at: LmVector<f64>,
     best: Trial,
     jacobian: DMatrix<f64>,
     /// The last trial, or why there is none, unless it is the best.
@@ -45,12 +42,13 @@ impl Fit<'_> {
         }
         let values: Vec<f64> = self.variables.iter().map(|variable| variable.value).collect();
         let (best, jacobian) = self.differentiated(&values).map_err(FitError::Start)?;
-        let at = LmVector::from_vec(values);
-        let search =
-            Search { fit: self, at, best, jacobian, other: None, failed: None, iterations: 0, runs: 1 };
-        let method = LevenbergMarquardt::new().with_ftol(NOTHING).with_xtol(NOTHING).with_gtol(NOTHING);
-        let (search, report) = method.with_patience(PATIENCE).minimize(search);
-        let ending = search.ending(&report.termination);
+        let (x, residuals) = (DVector::from_vec(values), best.residuals.clone());
+        let begun = jacobian.clone();
+        let mut search =
+            Search { fit: self, best, jacobian, other: None, failed: None, iterations: 0, runs: 1 };
+        let limits = Limits { tolerance: NOTHING, evaluations: PATIENCE * (variables + 1) };
+        let (_, ending) = minimize(x, residuals, begun, limits, &mut search);
+        let ending = search.ending(ending);
         let Search { best, jacobian, iterations, runs, .. } = search;
         let norm = best.residuals.norm();
         let freedom = data - variables;
@@ -78,24 +76,20 @@ impl Fit<'_> {
 }
 
 impl Search<'_> {
-    fn ending(&self, reason: &TerminationReason) -> Ending {
-        use TerminationReason::{Converged, LostPatience, NoImprovementPossible};
+    fn ending(&self, reached: least_squares::Ending) -> Ending {
+        use least_squares::Ending::{Exhausted, Least, NoDerivatives, Short};
         // Short steps that gain a little lead to a bound as they do to a minimum.
-        if reason.was_successful()
-            && let Some(why) = &self.failed
+        if let (Least | Short, Some(why)) = (reached, &self.failed)
             && is_held_up(self.fit, &self.best, &self.jacobian)
         {
             return Ending::Stopped(format!("no step leads on: {why}"));
         }
-        match (reason, &self.other) {
+        match (reached, &self.other) {
             // Steps have become short because longer ones failed.
-            (Converged { ftol: false, .. } | NoImprovementPossible(_), Some(Err(why))) => {
-                Ending::Stopped(format!("no step leads on: {why}"))
-            }
-            (NoImprovementPossible(_), _) => Ending::Converged,
-            (reason, _) if reason.was_successful() => Ending::Converged,
-            (LostPatience, _) => Ending::Stopped(format!("{} runs are the most", self.runs)),
-            (reason, _) => Ending::Stopped(format!("the equations of a step have no solution: {reason:?}")),
+            (Short, Some(Err(why))) => Ending::Stopped(format!("no step leads on: {why}")),
+            (Least | Short, _) => Ending::Converged,
+            (Exhausted, _) => Ending::Stopped(format!("{} runs are the most", self.runs)),
+            (NoDerivatives, _) => Ending::Stopped("a step has no derivatives that are numbers".to_owned()),
         }
     }
 
@@ -110,52 +104,28 @@ impl Search<'_> {
         self.iterations += 1;
         Ok(None)
     }
-
-    fn is_at_best(&self) -> bool {
-        self.best.values == self.at.as_slice()
-    }
 }
 
-impl LeastSquaresProblem<f64, Dyn, Dyn> for Search<'_> {
-    type ResidualStorage = Owned<f64, Dyn>;
-    type JacobianStorage = Owned<f64, Dyn, Dyn>;
-    type ParameterStorage = Owned<f64, Dyn>;
-
-    fn set_params(&mut self, x: &LmVector<f64>) {
-        self.at.copy_from(x);
-        // At its end the search goes back to the best; what became of the last step is still asked for.
-        if !self.is_at_best() {
-            self.runs += 1;
-            self.other = self.attempt(x.as_slice()).transpose();
-            if let Some(Err(why)) = &self.other {
+impl Residuals for Search<'_> {
+    fn residuals(&mut self, x: &DVector<f64>) -> Option<DVector<f64>> {
+        self.runs += 1;
+        self.other = self.attempt(x.as_slice()).transpose();
+        match &self.other {
+            None => Some(self.best.residuals.clone()),
+            Some(Ok(trial)) => Some(trial.residuals.clone()),
+            Some(Err(why)) => {
                 self.failed = Some(why.clone());
+                None
             }
         }
     }
 
-    fn params(&self) -> LmVector<f64> {
-        self.at.clone()
-    }
-
-    fn residuals(&self) -> Option<LmVector<f64>> {
-        let of = |trial: &Trial| LmVector::from_column_slice(trial.residuals.as_slice());
-        Some(match &self.other {
-            _ if self.is_at_best() => of(&self.best),
-            Some(Ok(trial)) => of(trial),
-            _ => LmVector::from_element(self.best.residuals.len(), FAR),
-        })
-    }
-
-    fn jacobian(&self) -> Option<LmMatrix<f64>> {
-        let of = |matrix: &DMatrix<f64>| {
-            let (rows, columns) = matrix.shape();
-            LmMatrix::from_column_slice(rows, columns, matrix.as_slice())
-        };
+    fn jacobian(&mut self) -> Option<DMatrix<f64>> {
         match &self.other {
-            _ if self.is_at_best() => Some(of(&self.jacobian)),
+            None => Some(self.jacobian.clone()),
             // Nearer than the last step that was taken, but not than one that gained too little to be.
-            Some(Ok(trial)) => self.fit.jacobian(trial).ok().as_ref().map(of),
-            _ => None,
+            Some(Ok(trial)) => self.fit.jacobian(trial).ok(),
+            Some(Err(_)) => None,
         }
     }
 }

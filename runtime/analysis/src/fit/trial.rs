@@ -10,8 +10,8 @@ use crate::sensitivity::{Direction, WIDTH, read_along};
 use crate::{SensitivityError, Variable};
 use liftoff::event::Occurrence;
 
-/// Each residual of a run that failed: larger than any other, and its square is a number.
-pub(super) const FAR: f64 = 1e100;
+/// A residual is smaller than this, so that its square is a number.
+const FAR: f64 = 1e100;
 
 /// Why a run cannot be compared with the data.
 #[derive(Debug, Clone, PartialEq, Error)]

@@ -1,8 +1,6 @@
 //! Runs with the values of an output and its slopes.
 
-use std::cell::RefCell;
-
-use argmin::core::{CostFunction, Error, Gradient};
+use nalgebra::DVector;
 
 use super::Optimum;
 use crate::fit::{Datum, Fit, TrialError};
@@ -19,31 +17,20 @@ pub(super) struct Point {
     pub(super) gradient: Vec<f64>,
 }
 
-/// What is to become least, from a point on, scaled so that the first step has a given length.
+/// What is to become least, with what has been computed of it.
 pub(super) struct Cost<'a> {
     optimum: &'a Optimum<'a>,
     fit: &'a Fit<'a>,
-    /// The scaled slope at that point: the length of the first step, in θ.
-    step: f64,
-    unit: f64,
-    first: f64,
-    pub(super) seen: RefCell<Seen>,
-}
-
-/// What has been computed.
-pub(super) struct Seen {
+    /// A run that fails is worse than the best one by so much.
+    loss: f64,
     pub(super) best: Point,
-    /// The last θ, with what came of it.
-    last: (Vec<f64>, Option<Point>),
     /// Why the last run that failed did.
     pub(super) failed: Option<TrialError>,
     pub(super) runs: usize,
-    /// How often it was asked for a value or a slope.
-    asked: usize,
 }
 
-/// Values and slopes that are asked for at most: a search of steps that are no numbers would have no end.
-const MOST: usize = 2000;
+/// Runs of a search at most.
+const MOST: usize = 1000;
 
 impl<'a> Optimum<'a> {
     /// What was measured of an output, 0, with a deviation of 1: its residual is the output.
@@ -65,42 +52,41 @@ impl<'a> Optimum<'a> {
         Ok(Point { theta: theta.to_vec(), values, output: trial.residuals[0], slopes, gradient })
     }
 
+    /// What is to become least.
+    pub(super) fn cost(&self, point: &Point) -> f64 {
+        self.sign() * point.output
+    }
+
     pub(super) fn sign(&self) -> f64 {
         if self.greatest { -1.0 } else { 1.0 }
     }
 }
 
 impl<'a> Cost<'a> {
-    pub(super) fn new((optimum, fit): (&'a Optimum<'a>, &'a Fit<'a>), start: Point, step: f64) -> Self {
-        let (unit, first) = (start.steepest(), start.output);
-        let last = (start.theta.clone(), Some(start.clone()));
-        let seen = RefCell::new(Seen { best: start, last, failed: None, runs: 0, asked: 0 });
-        Self { optimum, fit, step, unit, first, seen }
+    pub(super) fn new((optimum, fit): (&'a Optimum<'a>, &'a Fit<'a>), best: Point, loss: f64) -> Self {
+        Self { optimum, fit, loss, best, failed: None, runs: 0 }
     }
 
-    fn cost_of(&self, output: f64) -> f64 {
-        self.step * self.optimum.sign() * (output - self.first) / self.unit
-    }
-
-    /// The run with these θ; none where there is no such run.
-    fn at(&self, theta: &[f64]) -> Result<Option<Point>, Error> {
-        let mut seen = self.seen.borrow_mut();
-        seen.asked += 1;
-        if seen.asked > MOST || theta.iter().any(|theta| !theta.is_finite()) {
-            return Err(Error::msg("no step is better"));
+    /// The value with these θ and its slopes; none where the search is to end.
+    pub(super) fn evaluate(&mut self, theta: &DVector<f64>) -> Option<(f64, DVector<f64>)> {
+        if self.runs == MOST || theta.iter().any(|theta| !theta.is_finite()) {
+            return None;
         }
-        if seen.last.0 == theta {
-            return Ok(seen.last.1.clone());
+        self.runs += 1;
+        match self.optimum.point(self.fit, theta.as_slice()) {
+            Ok(point) => {
+                let value = self.optimum.cost(&point);
+                let gradient = DVector::from_row_slice(&point.gradient);
+                if value < self.optimum.cost(&self.best) {
+                    self.best = point;
+                }
+                Some((value, gradient))
+            }
+            Err(why) => {
+                self.failed = Some(why);
+                Some((self.optimum.cost(&self.best) + self.loss, DVector::zeros(theta.len())))
+            }
         }
-        seen.runs += 1;
-        let point = self.optimum.point(self.fit, theta).map_err(|why| seen.failed = Some(why)).ok();
-        if let Some(point) = &point
-            && self.cost_of(point.output) < self.cost_of(seen.best.output)
-        {
-            seen.best = point.clone();
-        }
-        seen.last = (theta.to_vec(), point.clone());
-        Ok(point)
     }
 }
 
@@ -108,31 +94,5 @@ impl Point {
     /// The largest slope by θ.
     pub(super) fn steepest(&self) -> f64 {
         self.gradient.iter().fold(0.0, |most: f64, slope| most.max(slope.abs()))
-    }
-}
-
-/// As the search asks for it.
-pub(super) struct Asked<'a>(pub(super) &'a Cost<'a>);
-
-impl CostFunction for Asked<'_> {
-    type Param = Vec<f64>;
-    type Output = f64;
-
-    /// A run that fails is worse than the best one by a first step.
-    fn cost(&self, theta: &Vec<f64>) -> Result<f64, Error> {
-        let point = self.0.at(theta)?;
-        let worse = || self.0.cost_of(self.0.seen.borrow().best.output) + self.0.step;
-        Ok(point.map_or_else(worse, |point| self.0.cost_of(point.output)))
-    }
-}
-
-impl Gradient for Asked<'_> {
-    type Param = Vec<f64>;
-    type Gradient = Vec<f64>;
-
-    fn gradient(&self, theta: &Vec<f64>) -> Result<Vec<f64>, Error> {
-        let scaled =
-            |point: Point| point.gradient.iter().map(|slope| self.0.step * slope / self.0.unit).collect();
-        Ok(self.0.at(theta)?.map_or_else(|| vec![0.0; theta.len()], scaled))
     }
 }

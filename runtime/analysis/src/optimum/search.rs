@@ -1,14 +1,12 @@
 //! The way to the least value: searches one after the other, each on the scale of the slopes where the last one ended, and
 //! behind it Newton's method on the slopes.
 
-use argmin::core::{Executor, IterState};
-use argmin::solver::linesearch::MoreThuenteLineSearch;
-use argmin::solver::quasinewton::LBFGS;
 use nalgebra::{DMatrix, DVector};
 
-use super::cost::{Asked, Cost, Point, Seen};
+use super::cost::{Cost, Point};
 use super::{Best, Optimum, OptimumError};
 use crate::fit::{Ending, Fit, TrialError};
+use crate::numeric::quasi_newton::{self, minimize};
 
 /// Slopes by θ below this part of the steepest one at the start of a search are none.
 const FLAT: f64 = 1e-7;
@@ -29,9 +27,6 @@ const POLISHED: usize = 4;
 const PROBE: f64 = 1e-4;
 /// How far it is looked around, in θ, where there is no slope.
 const AROUND: f64 = 1e-2;
-/// Steps that H is made of, and directions that a search takes at most.
-const REMEMBERED: usize = 8;
-const DIRECTIONS: u64 = 200;
 
 /// Where the searches have come to.
 struct Progress<'a> {
@@ -130,16 +125,17 @@ impl Optimum<'_> {
 impl Progress<'_> {
     /// Searches once from the best point on, until slopes are this part of those at first; whether that has gained next to nothing.
     fn once(&mut self, step: f64, flat: f64) -> bool {
-        self.steepest = self.steepest.max(self.best.steepest());
-        let cost = Cost::new((self.optimum, &self.fit), self.best.clone(), step);
-        let method = LBFGS::new(MoreThuenteLineSearch::new(), REMEMBERED);
-        let method =
-            method.with_tolerance_grad(flat * step).and_then(|method| method.with_tolerance_cost(0.0));
-        let theta = self.best.theta.clone();
-        let begun = |state: IterState<_, _, _, _, _, _>| state.param(theta).max_iters(DIRECTIONS);
+        let steepest = self.best.steepest();
+        self.steepest = self.steepest.max(steepest);
+        let start = quasi_newton::Point {
+            x: DVector::from_row_slice(&self.best.theta),
+            value: self.optimum.cost(&self.best),
+            gradient: DVector::from_row_slice(&self.best.gradient),
+        };
+        let mut cost = Cost::new((self.optimum, &self.fit), self.best.clone(), steepest);
         // However it ends, what was best has been seen.
-        let _ = method.and_then(|method| Executor::new(Asked(&cost), method).configure(begun).run());
-        let Seen { best, failed, runs, .. } = cost.seen.into_inner();
+        minimize(start, step, flat * steepest, |theta| cost.evaluate(theta));
+        let Cost { best, failed, runs, .. } = cost;
         let settled = (self.best.output - best.output).abs() <= SETTLED * best.output.abs();
         // Short steps do not come to what has held up long ones.
         if failed.is_some() || !settled {

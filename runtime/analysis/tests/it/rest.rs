@@ -24,6 +24,34 @@ fn reactions_of_a_plank_are_known_between_bounds() {
     }
 }
 
+/// A bar that lies on two rough feet.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = l)]
+#[support(A = floor, rough)]
+#[support(B = floor, rough)]
+#[figure(A = (0, 0), B = (l, 0))]
+#[coordinate(phi = angle(AB), from = right)]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+struct Lying {
+    m: f64,
+    l: f64,
+    g: f64,
+}
+
+/// Each foot bears a half; along the floor they may push or pull against each other without bound.
+#[test]
+fn one_reaction_without_bounds_leaves_others_unique() {
+    let found = resting(&Lying { m: 2.0, l: 3.0, g: 9.81 }, Pose::nominal()).unwrap();
+    let [rest] = &found[..] else { panic!("{found:?}") };
+    assert_eq!(rest.closed, ["A", "B"]);
+    for load in &rest.loads {
+        assert!(load.normal.iter().all(|force| (force - 9.81).abs() < 1e-11), "{load:?}");
+        assert_eq!(load.friction, Some([f64::NEG_INFINITY, f64::INFINITY]));
+    }
+}
+
 /// A bar between a floor and a wall, both with dry friction.
 #[derive(BarSystem)]
 #[gravity(g)]
