@@ -1,12 +1,9 @@
-//! Bar systems declared with liftoff, one file each in `systems`; their default runs in `default_run`. Beside them what
-//! only our own command does: `paper` reproduces the seed, `stability` has stiff and extreme scenes to be judged.
+//! What only our own command does: `paper` reproduces the seed, `stability` has stiff and extreme scenes to be judged. The
+//! bar systems are in `liftoff-systems`.
 
 pub mod command;
 pub mod paper;
 pub mod stability;
-pub mod systems;
 
-mod default_run;
-mod registry;
-
-pub use registry::{models, with_default_run};
+pub use liftoff_systems as systems;
+pub use liftoff_systems::models;

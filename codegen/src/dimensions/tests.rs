@@ -189,7 +189,7 @@ fn powers_beyond_measure_say_nothing() {
 
 /// All declarations of the workspace's models, by name.
 fn models() -> Vec<(String, Dimensions, Vec<String>)> {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../models/src/systems");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../models/systems/src");
     let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
     let sources = files.filter(|path| path.is_file()).map(|path| std::fs::read_to_string(path).unwrap());
     let items = sources.flat_map(|source| syn::parse_file(&source).unwrap().items);

@@ -1,79 +1,81 @@
-//! Every bar system of `liftoff-models` as a type: the tests hold the compiled ones to what the texts say.
+//! Every bar system of `liftoff-systems` as a type: the tests hold the compiled ones to what the texts say.
 
-#[path = "../../src/systems/a_frame.rs"]
+#[path = "../../systems/src/a_frame.rs"]
 mod a_frame;
-#[path = "../../src/systems/balance_wheel.rs"]
+#[path = "../../systems/src/balance_wheel.rs"]
 mod balance_wheel;
-#[path = "../../src/systems/belt.rs"]
+#[path = "../../systems/src/belt.rs"]
 mod belt;
-#[path = "../../src/systems/bouncing_ball.rs"]
+#[path = "../../systems/src/bouncing_ball.rs"]
 mod bouncing_ball;
-#[path = "../../src/systems/bouncing_bar.rs"]
+#[path = "../../systems/src/bouncing_bar.rs"]
 mod bouncing_bar;
-#[path = "../../src/systems/car_axis.rs"]
+#[path = "../../systems/src/car_axis.rs"]
 mod car_axis;
-#[path = "../../src/systems/chimney.rs"]
+#[path = "../../systems/src/chimney.rs"]
 mod chimney;
-#[path = "../../src/systems/compass_walker.rs"]
+#[path = "../../systems/src/compass_walker.rs"]
 mod compass_walker;
-#[path = "../../src/systems/dominoes.rs"]
+#[path = "../../systems/src/dominoes.rs"]
 mod dominoes;
-#[path = "../../src/systems/double_pendulum.rs"]
+#[path = "../../systems/src/double_pendulum.rs"]
 mod double_pendulum;
-#[path = "../../src/systems/folded_chain.rs"]
+#[path = "../../systems/src/folded_chain.rs"]
 mod folded_chain;
-#[path = "../../src/systems/jansen_leg.rs"]
+#[path = "../../systems/src/jansen_leg.rs"]
 mod jansen_leg;
-#[path = "../../src/systems/ladder.rs"]
+#[path = "../../systems/src/ladder.rs"]
 mod ladder;
-#[path = "../../src/systems/looping.rs"]
+#[path = "../../systems/src/looping.rs"]
 mod looping;
-#[path = "../../src/systems/marble.rs"]
+#[path = "../../systems/src/marble.rs"]
 mod marble;
-#[path = "../../src/systems/n_four_bar.rs"]
+#[path = "../../systems/src/n_four_bar.rs"]
 mod n_four_bar;
-#[path = "../../src/systems/newtons_cradle.rs"]
+#[path = "../../systems/src/newtons_cradle.rs"]
 mod newtons_cradle;
-#[path = "../../src/systems/painleve.rs"]
+#[path = "../../systems/src/painleve.rs"]
 mod painleve;
-#[path = "../../src/systems/parallelogram.rs"]
+#[path = "../../systems/src/parallelogram.rs"]
 mod parallelogram;
-#[path = "../../src/systems/pendulum.rs"]
+#[path = "../../systems/src/pendulum.rs"]
 mod pendulum;
-#[path = "../../src/systems/quick_return.rs"]
+#[path = "../../systems/src/quick_return.rs"]
 mod quick_return;
-#[path = "../../src/systems/rimless_wheel.rs"]
+#[path = "../../systems/src/rimless_wheel.rs"]
 mod rimless_wheel;
-#[path = "../../src/systems/rocking_block.rs"]
+#[path = "../../systems/src/rocking_block.rs"]
 mod rocking_block;
-#[path = "../../src/systems/rod_on_floor.rs"]
+#[path = "../../systems/src/rod_on_floor.rs"]
 mod rod_on_floor;
-#[path = "../../src/systems/rod_on_three.rs"]
+#[path = "../../systems/src/rod_on_three.rs"]
 mod rod_on_three;
-#[path = "../../src/systems/slider_crank.rs"]
+#[path = "../../systems/src/slider_crank.rs"]
 mod slider_crank;
-#[path = "../../src/systems/slipping_ladder.rs"]
+#[path = "../../systems/src/slipping_ladder.rs"]
 mod slipping_ladder;
-#[path = "../../src/systems/slipping_rod.rs"]
+#[path = "../../systems/src/slipping_rod.rs"]
 mod slipping_rod;
-#[path = "../../src/systems/spring_pendulum.rs"]
+#[path = "../../systems/src/spring_pendulum.rs"]
 mod spring_pendulum;
-#[path = "../../src/systems/squeezer.rs"]
+#[path = "../../systems/src/squeezer.rs"]
 mod squeezer;
-#[path = "../../src/systems/struck_chain.rs"]
+#[path = "../../systems/src/struck_chain.rs"]
 mod struck_chain;
-#[path = "../../src/systems/toppling_rod.rs"]
+#[path = "../../systems/src/toppling_rod.rs"]
 mod toppling_rod;
-#[path = "../../src/systems/trebuchet.rs"]
+#[path = "../../systems/src/trebuchet.rs"]
 mod trebuchet;
-#[path = "../../src/systems/unequal_pendulum.rs"]
+#[path = "../../systems/src/unequal_pendulum.rs"]
 mod unequal_pendulum;
-#[path = "../../src/systems/walker.rs"]
+#[path = "../../systems/src/walker.rs"]
 mod walker;
-#[path = "../../src/systems/woodpecker.rs"]
+#[path = "../../systems/src/woodpecker.rs"]
 mod woodpecker;
 
-pub use liftoff_models::systems::*;
+pub use liftoff_systems::{
+    FallingPair, FallingPairFull, NarrowGap, Zigzag, ZigzagFull, ZigzagPublished, ZigzagThread,
+};
 
 pub use a_frame::AFrame;
 pub use balance_wheel::BalanceWheel;
@@ -163,7 +165,7 @@ pub fn models() -> &'static Models {
             JansenLeg,
             BalanceWheel
         ];
-        Models::new(models.iter().cloned().map(liftoff_models::with_default_run).collect())
+        Models::new(models.iter().cloned().map(liftoff_systems::with_default_run).collect())
     });
     &MODELS
 }

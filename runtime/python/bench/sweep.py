@@ -44,7 +44,7 @@ def from_rust(program: str) -> float:
 
 def main() -> None:
     """By turns, so that what the machine does meets both."""
-    model = liftoff.Model.from_file(ROOT / "models/src/systems/zigzag.rs")
+    model = liftoff.Model.from_file(ROOT / "models/systems/src/zigzag.rs")
     build = [*CARGO, "-p", "liftoff-python", "--example", "sweep_from_rust", "--", "--where"]
     program, repeats = subprocess.run(build, cwd=ROOT, check=True, capture_output=True, text=True).stdout.split()
     turns = [(from_python(model, int(repeats)), from_rust(program)) for _ in range(TURNS)]

@@ -8,7 +8,7 @@ use liftoff_studio::sweep::{Spread, Sweep, SweepError, Varied};
 use std::env::{args, current_exe};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-const ZIGZAG: &str = include_str!("../../../models/src/systems/zigzag.rs");
+const ZIGZAG: &str = include_str!("../../../models/systems/src/zigzag.rs");
 const RUNS: usize = 10_000;
 const REPEATS: usize = 5;
 

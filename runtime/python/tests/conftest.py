@@ -57,7 +57,7 @@ def pendulum() -> liftoff.Model:
 
 @pytest.fixture(scope="session")
 def zigzag() -> liftoff.Model:
-    return liftoff.Model.from_file(ROOT / "models/src/systems/zigzag.rs")
+    return liftoff.Model.from_file(ROOT / "models/systems/src/zigzag.rs")
 
 
 @pytest.fixture(scope="session")

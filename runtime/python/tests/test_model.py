@@ -58,6 +58,6 @@ def test_models_are_equal_where_their_texts_are(ladder):
 
 
 def test_all_models_of_the_gallery_are_read():
-    files = [path for path in (ROOT / "models/src/systems").glob("*.rs") if "#[derive(BarSystem" in path.read_text()]
+    files = [path for path in (ROOT / "models/systems/src").glob("*.rs") if "#[derive(BarSystem" in path.read_text()]
     assert len(files) > 30
     assert all(liftoff.Model.from_file(path).explain() for path in files)

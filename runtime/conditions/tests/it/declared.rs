@@ -6,9 +6,9 @@ use std::fs;
 use std::path::Path;
 use syn::Item;
 
-/// The text of a file of `models/src/systems`.
+/// The text of a file of `models/systems/src`.
 pub fn source(file: &str) -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../models/src/systems").join(file).with_extension("rs");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../models/systems/src").join(file).with_extension("rs");
     fs::read_to_string(path).expect("a model")
 }
 

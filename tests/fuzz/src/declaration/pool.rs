@@ -36,7 +36,7 @@ impl Pool {
 
 /// The declarations of the models, file by file.
 fn models() -> Vec<String> {
-    let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../models/src/systems");
+    let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../models/systems/src");
     let entries = std::fs::read_dir(directory).into_iter().flatten().flatten();
     let mut files: Vec<_> = entries.map(|entry| entry.path()).collect();
     files.sort();

@@ -1,7 +1,9 @@
 //! Every model by its name: the paper's compiled, the others as text that is derived and interpreted when it is used.
 
 use crate::default_run::default_run;
-use crate::systems::*;
+use crate::{
+    FallingPair, FallingPairFull, NarrowGap, Zigzag, ZigzagFull, ZigzagPublished, ZigzagThread,
+};
 use liftoff_studio::registry::{Entry, Models};
 use liftoff_studio::source::embedded;
 use std::sync::LazyLock;
@@ -9,7 +11,7 @@ use std::sync::LazyLock;
 /// Names with the text of the file of each.
 macro_rules! texts {
     ($($name:literal $file:literal)*) => {
-        [$(($name, include_str!(concat!("systems/", $file, ".rs")))),*]
+        [$(($name, include_str!(concat!($file, ".rs")))),*]
     };
 }
 
@@ -55,7 +57,7 @@ const TEXTS: [(&str, &str); 36] = texts![
 /// Every model.
 pub fn models() -> &'static Models {
     static MODELS: LazyLock<Models> = LazyLock::new(|| {
-        let compiled = liftoff_cli::models![
+        let compiled = liftoff_studio::models![
             FallingPair,
             FallingPairFull,
             NarrowGap,
