@@ -2,17 +2,18 @@
 //! until all are at rest.
 
 use liftoff::prelude::*;
-use liftoff_models::systems::ZigzagThread;
+use liftoff_models::models;
 
 /// Lost flights within the bounds of their gaps used to be struck late, each with more energy than was left: thousands of events,
 /// more at some tolerances than at others.
 #[test]
 fn chatter_dies_at_every_tolerance() {
     let angle = 1.266_103_672_779_499_2;
-    let model = ZigzagThread { m1: 0.5, m2: 0.5, l: 1.0, s: 0.6, g: 9.81 };
+    let entry = models().find("zigzag-thread").unwrap();
+    let model = entry.model(&entry.default_run().parameters).unwrap();
     for tolerance in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14] {
         let start = Pose::at("phi_inner", angle).with("phi_outer", angle).with("y", 0.0).with("y'", -0.03);
-        let run = Simulation::new(&model).unwrap().tolerance(tolerance).start(start).unwrap();
+        let run = Simulation::new(model.clone()).unwrap().tolerance(tolerance).start(start).unwrap();
         let run = run.limit(0.6).run().unwrap();
         assert!(run.events().len() < 500, "{tolerance:e}: {}", run.events().len());
         let energies: Vec<f64> =

@@ -1,8 +1,8 @@
 //! First integrals along motions: what the formulas say stays constant does, in runs of the compiled models.
 
 use liftoff::Trajectory;
-use liftoff_conditions::{FirstIntegrals, Kind, first_integrals};
 use liftoff_compiled::models;
+use liftoff_conditions::{FirstIntegrals, Kind, first_integrals};
 use liftoff_studio::registry::Entry;
 use std::collections::BTreeSet;
 

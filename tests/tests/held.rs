@@ -8,8 +8,8 @@ use liftoff::model::{ContactSet, Form, Layout};
 use liftoff::system::{Equations, Model};
 use liftoff_codegen::analyse;
 use liftoff_codegen::functions::HeldMotion;
-use liftoff_interpreter::Interpreted;
 use liftoff_compiled::models;
+use liftoff_interpreter::Interpreted;
 use liftoff_tests::random::Source;
 use nalgebra::{DMatrix, DVector};
 

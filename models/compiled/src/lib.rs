@@ -20,6 +20,8 @@ mod compass_walker;
 mod dominoes;
 #[path = "../../systems/src/double_pendulum.rs"]
 mod double_pendulum;
+#[path = "../../systems/src/falling_pair_full.rs"]
+mod falling_pair_full;
 #[path = "../../systems/src/folded_chain.rs"]
 mod folded_chain;
 #[path = "../../systems/src/jansen_leg.rs"]
@@ -32,6 +34,8 @@ mod looping;
 mod marble;
 #[path = "../../systems/src/n_four_bar.rs"]
 mod n_four_bar;
+#[path = "../../systems/src/narrow_gap.rs"]
+mod narrow_gap;
 #[path = "../../systems/src/newtons_cradle.rs"]
 mod newtons_cradle;
 #[path = "../../systems/src/painleve.rs"]
@@ -72,10 +76,10 @@ mod unequal_pendulum;
 mod walker;
 #[path = "../../systems/src/woodpecker.rs"]
 mod woodpecker;
+#[path = "../../systems/src/zigzag_thread.rs"]
+mod zigzag_thread;
 
-pub use liftoff_systems::{
-    FallingPair, FallingPairFull, NarrowGap, Zigzag, ZigzagFull, ZigzagPublished, ZigzagThread,
-};
+pub use liftoff_systems::{FallingPair, Zigzag, ZigzagFull, ZigzagPublished};
 
 pub use a_frame::AFrame;
 pub use balance_wheel::BalanceWheel;
@@ -87,12 +91,14 @@ pub use chimney::Chimney;
 pub use compass_walker::CompassWalker;
 pub use dominoes::Dominoes;
 pub use double_pendulum::DoublePendulum;
+pub use falling_pair_full::FallingPairFull;
 pub use folded_chain::FoldedChain;
 pub use jansen_leg::JansenLeg;
 pub use ladder::Ladder;
 pub use looping::Looping;
 pub use marble::Marble;
 pub use n_four_bar::NFourBar;
+pub use narrow_gap::NarrowGap;
 pub use newtons_cradle::NewtonsCradle;
 pub use painleve::Painleve;
 pub use parallelogram::Parallelogram;
@@ -113,6 +119,7 @@ pub use trebuchet::Trebuchet;
 pub use unequal_pendulum::UnequalPendulum;
 pub use walker::Walker;
 pub use woodpecker::Woodpecker;
+pub use zigzag_thread::ZigzagThread;
 
 use liftoff_studio::registry::Models;
 use std::sync::LazyLock;
@@ -120,7 +127,7 @@ use std::sync::LazyLock;
 /// Every model, compiled.
 pub fn models() -> &'static Models {
     static MODELS: LazyLock<Models> = LazyLock::new(|| {
-        let models = liftoff_studio::models![
+        liftoff_systems::with_default_runs(&liftoff_studio::models![
             FallingPair,
             FallingPairFull,
             NarrowGap,
@@ -164,8 +171,7 @@ pub fn models() -> &'static Models {
             Trebuchet,
             JansenLeg,
             BalanceWheel
-        ];
-        Models::new(models.iter().cloned().map(liftoff_systems::with_default_run).collect())
+        ])
     });
     &MODELS
 }

@@ -1,10 +1,8 @@
 //! Every model by its name: the paper's compiled, the others as text that is derived and interpreted when it is used.
 
-use crate::default_run::default_run;
-use crate::{
-    FallingPair, FallingPairFull, NarrowGap, Zigzag, ZigzagFull, ZigzagPublished, ZigzagThread,
-};
-use liftoff_studio::registry::{Entry, Models};
+use crate::default_run::{DefaultRun, default_runs};
+use crate::{FallingPair, Zigzag, ZigzagFull, ZigzagPublished};
+use liftoff_studio::registry::Models;
 use liftoff_studio::source::embedded;
 use std::sync::LazyLock;
 
@@ -15,7 +13,10 @@ macro_rules! texts {
     };
 }
 
-const TEXTS: [(&str, &str); 36] = texts![
+const TEXTS: [(&str, &str); 39] = texts![
+    "falling-pair-full" "falling_pair_full"
+    "narrow-gap" "narrow_gap"
+    "zigzag-thread" "zigzag_thread"
     "ladder" "ladder"
     "rod-on-floor" "rod_on_floor"
     "toppling-rod" "toppling_rod"
@@ -57,23 +58,22 @@ const TEXTS: [(&str, &str); 36] = texts![
 /// Every model.
 pub fn models() -> &'static Models {
     static MODELS: LazyLock<Models> = LazyLock::new(|| {
-        let compiled = liftoff_studio::models![
-            FallingPair,
-            FallingPairFull,
-            NarrowGap,
-            ZigzagPublished,
-            Zigzag,
-            ZigzagFull,
-            ZigzagThread
-        ];
-        let texts = TEXTS.map(|(name, text)| embedded(name, text, default_run(name)));
-        Models::new(compiled.iter().cloned().map(with_default_run).chain(texts).collect())
+        let compiled = liftoff_studio::models![FallingPair, Zigzag, ZigzagFull, ZigzagPublished];
+        with_default_runs(&compiled)
     });
     &MODELS
 }
 
-/// A model with the default run that it has here.
-pub fn with_default_run(model: Entry) -> Entry {
-    let run = default_run(model.name());
-    model.with_default_run(run)
+/// Every model with its default run: those that are compiled, and the others from their texts.
+pub fn with_default_runs(compiled: &Models) -> Models {
+    let model = |(name, run): DefaultRun| match compiled.find(name) {
+        Ok(model) => model.clone().with_default_run(run()),
+        Err(_) => embedded(name, text(name), run()),
+    };
+    Models::new(default_runs().map(model).collect())
+}
+
+fn text(name: &str) -> &'static str {
+    let found = TEXTS.iter().find(|(known, _)| *known == name);
+    found.map_or("", |(_, text)| text)
 }

@@ -1,7 +1,7 @@
 //! Whole runs of models compiled and interpreted, and how long it takes from a declaration's text to its first result.
 
-use liftoff_interpreter::Interpreted;
 use liftoff_compiled::models;
+use liftoff_interpreter::Interpreted;
 use liftoff_studio::registry::Entry;
 use liftoff_studio::run_spec::RunSpec;
 use serde_json::{Value, json};

@@ -9,8 +9,8 @@ use std::sync::Arc;
 
 use liftoff::model::{Form, Layout};
 use liftoff::system::Model;
-use liftoff_interpreter::Interpreted;
 use liftoff_compiled::models;
+use liftoff_interpreter::Interpreted;
 use liftoff_studio::registry::Entry;
 use liftoff_studio::run_spec::Values;
 

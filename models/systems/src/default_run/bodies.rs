@@ -8,9 +8,9 @@ pub(super) const RUNS: &[DefaultRun] = &[
     ("newtons-cradle", newtons_cradle),
     ("dominoes", dominoes),
     ("compass-walker", compass_walker),
-    ("balance-wheel", balance_wheel),
     ("trebuchet", trebuchet),
     ("jansen-leg", jansen_leg),
+    ("balance-wheel", balance_wheel),
 ];
 
 fn newtons_cradle() -> RunSpec {
@@ -30,8 +30,7 @@ fn compass_walker() -> RunSpec {
     let place = [("gamma", gamma), ("s", 0.535), ("g", 9.8)];
     let parameters: Vec<(&str, f64)> = masses.into_iter().chain(place).collect();
     // Both feet on the slope, A at rest.
-    let legs =
-        [("left", 0.2187), ("right", -2.0 * gamma - 0.2187), ("left'", -1.0918), ("right'", -0.3772)];
+    let legs = [("left", 0.2187), ("right", -2.0 * gamma - 0.2187), ("left'", -1.0918), ("right'", -0.3772)];
     let foot = [("x", 0.0), ("y", 0.0), ("x'", 0.0), ("y'", 0.0)];
     let start: Vec<(&str, f64)> = legs.into_iter().chain(foot).collect();
     RunSpec::with(&parameters).start(&start).until("t = 5")

@@ -6,8 +6,8 @@ use std::f64::consts::PI;
 
 pub(super) const RUNS: &[DefaultRun] = &[
     ("belt", belt),
-    ("slipping-ladder", slipping_ladder),
     ("slipping-rod", slipping_rod),
+    ("slipping-ladder", slipping_ladder),
     ("painleve", painleve),
     ("rimless-wheel", rimless_wheel),
     ("woodpecker", woodpecker),

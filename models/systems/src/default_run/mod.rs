@@ -11,7 +11,7 @@ mod seed;
 use liftoff_studio::RunSpec;
 
 /// A model's name, and what makes its default run.
-type DefaultRun = (&'static str, fn() -> RunSpec);
+pub type DefaultRun = (&'static str, fn() -> RunSpec);
 
 /// One mass, one length, and gravity in SI units.
 const ONE: [(&str, f64); 3] = [("m", 1.0), ("l", 1.0), ("g", 9.81)];
@@ -19,8 +19,7 @@ const ONE: [(&str, f64); 3] = [("m", 1.0), ("l", 1.0), ("g", 9.81)];
 const GROUPS: [&[DefaultRun]; 7] =
     [seed::RUNS, bars::RUNS, chains::RUNS, loops::RUNS, points::RUNS, friction::RUNS, bodies::RUNS];
 
-/// The default run of a model; without values where the model has none of its own.
-pub fn default_run(name: &str) -> RunSpec {
-    let found = GROUPS.iter().copied().flatten().find(|(known, _)| *known == name);
-    found.map_or_else(RunSpec::default, |(_, run)| run())
+/// Every model, with what makes its default run.
+pub fn default_runs() -> impl Iterator<Item = DefaultRun> {
+    GROUPS.into_iter().flatten().copied()
 }

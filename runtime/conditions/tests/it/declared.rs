@@ -8,7 +8,10 @@ use syn::Item;
 
 /// The text of a file of `models/systems/src`.
 pub fn source(file: &str) -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../models/systems/src").join(file).with_extension("rs");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../models/systems/src")
+        .join(file)
+        .with_extension("rs");
     fs::read_to_string(path).expect("a model")
 }
 

@@ -9,7 +9,6 @@ use liftoff_interpreter::Interpreted;
 
 use crate::explain::interpreted;
 
-
 /// A model without values of its parameters.
 pub(super) trait Origin: Send + Sync {
     fn layout(&self) -> &'static Layout;

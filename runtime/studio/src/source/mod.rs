@@ -113,8 +113,12 @@ fn declared(item: Item) -> Vec<Item> {
         Item::Struct(mut item) => {
             takes_derive(&mut item.attrs).then_some(Item::Struct(item)).into_iter().collect()
         }
-        Item::Enum(mut item) => takes_derive(&mut item.attrs).then_some(Item::Enum(item)).into_iter().collect(),
-        Item::Union(mut item) => takes_derive(&mut item.attrs).then_some(Item::Union(item)).into_iter().collect(),
+        Item::Enum(mut item) => {
+            takes_derive(&mut item.attrs).then_some(Item::Enum(item)).into_iter().collect()
+        }
+        Item::Union(mut item) => {
+            takes_derive(&mut item.attrs).then_some(Item::Union(item)).into_iter().collect()
+        }
         _ => Vec::new(),
     }
 }

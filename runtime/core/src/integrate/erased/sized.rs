@@ -28,7 +28,9 @@ pub(super) fn taylor<'a, const N: usize>(problem: &InitialValueProblem<'a>) -> S
 
 pub(super) fn radau<'a, const N: usize>(problem: &InitialValueProblem<'a>) -> Started<'a> {
     let jacobian = JacobianMatrix::<N>::of(problem);
-    problem.stepper::<N, _>(|step_state| Radau::new(problem.rates(), move |y: &[f64; N]| jacobian.at(y), step_state))
+    problem.stepper::<N, _>(|step_state| {
+        Radau::new(problem.rates(), move |y: &[f64; N]| jacobian.at(y), step_state)
+    })
 }
 
 pub(super) fn gauss<'a, const N: usize>(problem: &InitialValueProblem<'a>) -> Started<'a> {
