@@ -9,7 +9,7 @@ import fmpy
 import pytest
 
 ROOT = pathlib.Path(__file__).parents[3]
-BUILT = ROOT / "target" / "debug"
+BUILT = ROOT / "target" / "release"
 PROGRAM = os.environ.get("LIFTOFF", BUILT / "examples" / "step_ladder")
 GALLERY = ROOT / "runtime" / "web" / "gallery"
 MODELS = ROOT / "runtime" / "fmu" / "tests" / "models"

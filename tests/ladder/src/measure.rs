@@ -29,19 +29,18 @@ impl Binary {
         Ok(Self { data: fs::read(env::current_exe()?)? })
     }
 
-    /// A program of this package, built without optimisation.
-    pub fn tested(name: &str) -> io::Result<Self> {
-        cargo(name, "dev", &[])?;
-        Ok(Self { data: fs::read(target()?.join("debug").join(name))? })
+    /// The program at a path.
+    pub fn built(path: &str) -> io::Result<Self> {
+        Ok(Self { data: fs::read(path)? })
     }
 
     /// A program of this package, built in release, and how long that took with all that it depends on ready.
     pub fn released(name: &str) -> io::Result<(Self, Duration)> {
-        cargo(name, "release", &[])?;
+        cargo(name, &[])?;
         let start = Instant::now();
         // Another name for its symbols is another program to compile.
         let metadata = format!("metadata=measure{}", std::process::id());
-        cargo(name, "release", &["-C", &metadata])?;
+        cargo(name, &["-C", &metadata])?;
         let took = start.elapsed();
         Ok((Self { data: fs::read(target()?.join("release").join(name))? }, took))
     }
@@ -81,17 +80,11 @@ fn target() -> io::Result<PathBuf> {
     target.ok_or_else(|| io::Error::other("the program does not lie in a target directory"))
 }
 
-/// What the profile of tests optimises of a program.
-const OPTIMISED: [&str; 3] = ["liftoff", "liftoff-core", "nalgebra"];
-
-/// Builds a program with its symbols, and with further options of the compiler.
-fn cargo(name: &str, profile: &str, options: &[&str]) -> io::Result<()> {
+/// Builds a program in release, with its symbols and further options of the compiler.
+fn cargo(name: &str, options: &[&str]) -> io::Result<()> {
     let mut command = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    command.args(["rustc", "--quiet", "--package", "liftoff-ladder", "--bin", name, "--profile", profile]);
-    for package in OPTIMISED.iter().filter(|_| profile == "dev") {
-        command.arg("--config").arg(format!("profile.dev.package.{package}.opt-level=0"));
-    }
-    command.args(["--features", "programs"]);
+    command.args(["rustc", "--quiet", "--package", "liftoff-ladder", "--bin", name, "--release"]);
+    command.args(["--features", "programs,by-hand"]);
     command.arg("--target-dir").arg(target()?).args(["--", "-C", "strip=none"]).args(options);
     let built = command.current_dir(env!("CARGO_MANIFEST_DIR")).status()?.success();
     if built { Ok(()) } else { Err(io::Error::other(format!("{name} was not built"))) }

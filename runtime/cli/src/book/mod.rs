@@ -57,6 +57,8 @@ pub mod sensitivities {}
 pub mod tutorial {}
 #[doc = include_str!("vocabulary.md")]
 pub mod vocabulary {}
+#[doc = include_str!("weight.md")]
+pub mod weight {}
 #[doc = include_str!("without_a_compiler.md")]
 pub mod without_a_compiler {}
 

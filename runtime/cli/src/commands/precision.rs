@@ -94,6 +94,13 @@ impl Precision {
         if cfg!(debug_assertions) {
             tell(UNOPTIMISED);
         }
+        let interpreted: Vec<&str> = found.iter().filter(|m| !m.is_compiled()).map(|m| m.name()).collect();
+        if !interpreted.is_empty() {
+            tell(&format!(
+                "interpreted: {}; compiled they take a third to two thirds of the time",
+                interpreted.join(", ")
+            ));
+        }
         let each = spec.methods.len() * spec.tolerances.len();
         let progress = Progress::of(found.len() * each, "measurements");
         let mut done = 0;

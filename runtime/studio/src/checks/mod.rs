@@ -5,7 +5,6 @@
 //! run. `stability` on the command line judges both.
 //!
 //! ```
-//! use liftoff_studio::registry::run;
 //! use liftoff::prelude::*;
 //! use liftoff_studio::run_spec::RunSpec;
 //! use liftoff_studio::checks::{Case, expect};
@@ -28,7 +27,8 @@
 //! let falls = RunSpec::with(&[("m", 1.0), ("l", 1.0), ("g", 1.0)]).start(&[("phi", 1.5707963267948966)]).until("phi = 0");
 //! let expectations = vec![expect("phi'", -3f64.sqrt(), 1e-10)];
 //! let case = Case::numbers("pendulum.falls", "a bar falls from the horizontal", "energy", expectations, move |by| {
-//!     let record = run::<Pendulum>(by, &falls)?;
+//!     let models = liftoff_studio::models![Pendulum];
+//!     let record = models.find("pendulum")?.run_witnessed(by, &falls)?;
 //!     Ok(vec![record.state(record.interval()[1])[1]])
 //! });
 //! assert!(case.judge(Duration::from_secs(60)).passes());

@@ -77,6 +77,11 @@ impl Entry {
         self.default_run.clone()
     }
 
+    /// Whether a compiler has seen its equations; else they are interpreted.
+    pub fn is_compiled(&self) -> bool {
+        self.origin.lanes().is_some()
+    }
+
     /// The model with these parameters.
     ///
     /// # Errors

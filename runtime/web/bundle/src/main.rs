@@ -1,4 +1,4 @@
-//! Puts the page together: `cargo run -p liftoff-web-bundle -- OUT.html [ENGINE.wasm]`.
+//! Puts the page together: `cargo run --release -p liftoff-web-bundle -- OUT.html [ENGINE.wasm]`.
 //!
 //! Without an engine it is built first, which needs the target `wasm32-unknown-unknown`.
 

@@ -1,4 +1,4 @@
-//! The page in a browser, as a reader uses it. It is that of `target/liftoff/web`, which `cargo run -p liftoff-web-bundle` writes,
+//! The page in a browser, as a reader uses it. It is that of `target/liftoff/web`, which `cargo run --release -p liftoff-web-bundle` writes,
 //! or the one that `LIFTOFF_WEB` names.
 
 use liftoff_pages::{Browser, Screen};
