@@ -4,8 +4,10 @@
 mod circles;
 mod imports;
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use imports::Imports;
 
@@ -295,4 +297,26 @@ fn no_tests_are_left_out() {
         }
     }
     assert!(without > 8, "{without}");
+}
+
+/// Packages of a program at most, itself among them: those that it is built from and with.
+const PACKAGES: [(&str, &[&str], usize); 5] = [
+    ("liftoff", &[], 28),
+    ("liftoff", &["--no-default-features", "--features", "libm"], 13),
+    ("liftoff-cli", &[], 110),
+    ("liftoff-models", &[], 118),
+    ("liftoff-python", &[], 85),
+];
+
+#[test]
+fn programs_are_made_of_few_packages() {
+    for (package, features, most) in PACKAGES {
+        let mut tree = Command::new(env!("CARGO"));
+        tree.args(["tree", "--offline", "--edges", "normal,build", "--prefix", "none", "--package", package]);
+        let output = tree.args(features).current_dir(runtime()).output().expect("cargo");
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let text = String::from_utf8_lossy(&output.stdout).into_owned();
+        let names: BTreeSet<&str> = text.lines().filter_map(|line| line.split(' ').next()).collect();
+        assert!(names.len() <= most, "{package} is made of {} packages: {names:?}", names.len());
+    }
 }
