@@ -1,32 +1,45 @@
-//! Decompositions that come to an end, with what rounding allows: nalgebra's own turn for ever on entries that are not finite. A matrix that is not finite counts as zero, so that what is asked of it is singular.
+//! Decompositions that come to an end, with what rounding allows: nalgebra's own turn for ever on entries that are not finite, and
+//! now and then leave an error in singular values. A matrix that is not finite counts as zero, so that what is asked of it is singular.
 
 use nalgebra::{Complex, DMatrix, DVector, Dyn, SVD, Schur, SymmetricEigen};
 
+/// A product that differs by more from its matrix, for each row or column in units of rounding of the largest entry, is no
+/// decomposition.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// Columns are orthogonal up to this part of their lengths.
 const ORTHOGONAL: f64 = f64::EPSILON;
 /// Beside the square of this, one is rounding.
 const LARGE: f64 = 1e8;
-/// Sweeps over all pairs of columns at most: some ten are needed.
+/// Sweeps over all pairs of columns at most: few are needed, from a decomposition that is nearly right.
 const SWEEPS: usize = 60;
 
-/// `A = U Σ Vᵀ`, largest singular value first, by rotations of the columns of A V until these are orthogonal (Hestenes,
-/// *Inversion of matrices by biorthogonalization*, J. SIAM 6, 1958). nalgebra's own has been seen to leave errors of 8e-2 in the
-/// last two values.
+/// Singular values, largest first, with the left and right vectors. nalgebra's step for the last two of them has been seen to
+/// leave errors of 8e-2; where its product is not the matrix, [`turned`] goes on from there.
 pub(crate) fn svd(matrix: DMatrix<f64>) -> SVD<f64, Dyn, Dyn> {
+    decomposed(matrix, |matrix, sweeps| {
+        let found = SVD::try_new(matrix.clone(), true, true, 5.0 * f64::EPSILON, sweeps)?;
+        let (left, right) = (found.u.as_ref()?, found.v_t.as_ref()?);
+        let rest = left * DMatrix::from_diagonal(&found.singular_values) * right - &matrix;
+        let size = ROUNDING * matrix.nrows().max(matrix.ncols()) as f64 * matrix.amax();
+        if rest.amax() <= size { Some(found) } else { turned(&matrix, found) }
+    })
+}
+
+/// `A V = U Σ` by rotations of the columns of A V until these are orthogonal (Hestenes, *Inversion of matrices by
+/// biorthogonalization*, J. SIAM 6, 1958).
+fn turned(matrix: &DMatrix<f64>, found: SVD<f64, Dyn, Dyn>) -> Option<SVD<f64, Dyn, Dyn>> {
     if matrix.nrows() < matrix.ncols() {
-        return transposed(svd(matrix.transpose()));
+        return turned(&matrix.transpose(), flipped(found)).map(flipped);
     }
-    // In units of the largest entry no square overflows.
-    let size = matrix.iter().fold(0.0, largest);
-    let unit = if size > 0.0 { size } else { 1.0 };
-    let mut left = if size > 0.0 { matrix / unit } else { DMatrix::zeros(matrix.nrows(), matrix.ncols()) };
-    let mut right = DMatrix::identity(left.ncols(), left.ncols());
+    let mut right = found.v_t?.transpose();
+    let mut left = matrix * &right;
     make_orthogonal(&mut left, |pair, tangent| rotate(&mut right, pair, tangent));
-    let lengths = DVector::from_iterator(left.ncols(), left.column_iter().map(|column| column.norm()));
-    normalise(&mut left, &lengths);
-    let mut svd = SVD { u: Some(left), v_t: Some(right.transpose()), singular_values: lengths * unit };
+    let singular_values =
+        DVector::from_iterator(left.ncols(), left.column_iter().map(|column| column.norm()));
+    normalise(&mut left, &singular_values);
+    let mut svd = SVD { u: Some(left), v_t: Some(right.transpose()), singular_values };
     svd.sort_by_singular_values();
-    svd
+    Some(svd)
 }
 
 /// Turns pairs of columns until all are orthogonal, each turn told with its tangent.
@@ -73,13 +86,8 @@ pub(crate) fn least_ratio_bound(matrix: &DMatrix<f64>) -> f64 {
     inverse.map_or(0.0, |inverse| (1.0 / (matrix.norm() * inverse.norm())).max(0.0))
 }
 
-/// The larger of two sizes; not a number where one of them is none.
-fn largest(most: f64, entry: &f64) -> f64 {
-    if entry.is_finite() && !most.is_nan() { most.max(entry.abs()) } else { f64::NAN }
-}
-
 /// That of the transposed matrix.
-fn transposed(svd: SVD<f64, Dyn, Dyn>) -> SVD<f64, Dyn, Dyn> {
+fn flipped(svd: SVD<f64, Dyn, Dyn>) -> SVD<f64, Dyn, Dyn> {
     let SVD { u, v_t, singular_values } = svd;
     SVD { u: v_t.map(|v| v.transpose()), v_t: u.map(|u| u.transpose()), singular_values }
 }
