@@ -273,6 +273,11 @@ impl Phase for InterpretedPhase<f64> {
         projected_series(layout, self.info.set, Box::new(orders))
     }
 
+    fn products(&self) -> usize {
+        let series = self.code().and_then(|code| code.series.as_ref());
+        series.map_or(0, |series| series.columns)
+    }
+
     fn methods(&self) -> Methods {
         Methods::for_entries(self.info.entries, self.system.model.layout.compliant)
     }

@@ -16,6 +16,7 @@ pub use liftoff_codegen::text::Equations;
 pub use liftoff_codegen::{math, text};
 use liftoff_interpreter::Interpreted;
 use proc_macro2::TokenStream;
+use quote::ToTokens;
 use std::sync::Arc;
 
 /// Names in print: Greek letters, indices, dots.
@@ -42,6 +43,48 @@ pub(crate) fn halves(layout: &Layout) -> Result<Halves, String> {
 /// A compiled model once more, interpreted.
 pub(crate) fn interpreted(layout: &Layout) -> Result<Arc<Interpreted>, String> {
     derived(layout, |analysis| Ok(Interpreted::of(analysis)))
+}
+
+/// The declaration of a model as one would write it: comments, attributes and fields one a line. The compiler keeps it so; of
+/// what was derived while a program runs only the tokens are left.
+pub fn written(layout: &Layout) -> String {
+    let parsed = || syn::parse_str::<syn::ItemStruct>(layout.declaration).ok();
+    match layout.declaration.starts_with("# [").then(parsed).flatten() {
+        None => layout.declaration.to_owned(),
+        Some(item) => {
+            let fields = item.fields.iter().flat_map(|field| {
+                let name = field.ident.as_ref().map_or_else(String::new, |name| format!("{name}: f64,"));
+                field.attrs.iter().map(attribute).chain([name]).map(|line| format!("    {line}"))
+            });
+            let head = format!("struct {} {{", item.ident);
+            let lines = item.attrs.iter().map(attribute).chain([head]).chain(fields).chain(["}".to_owned()]);
+            lines.collect::<Vec<_>>().join("\n")
+        }
+    }
+}
+
+/// An attribute, or the line of documentation that it stands for.
+fn attribute(attribute: &syn::Attribute) -> String {
+    if let syn::Meta::NameValue(doc) = &attribute.meta
+        && doc.path.is_ident("doc")
+        && let syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Str(text), .. }) = &doc.value
+    {
+        return format!("///{}", text.value());
+    }
+    let tokens = attribute.meta.to_token_stream().to_string();
+    let closer = [
+        (" (", "("),
+        ("( ", "("),
+        (" )", ")"),
+        (" ,", ","),
+        ("=(", "= ("),
+        (",(", ", ("),
+        ("(- ", "(-"),
+        (", - ", ", -"),
+        ("= - ", "= -"),
+    ];
+    let text = closer.iter().fold(tokens, |text, (wide, narrow)| text.replace(wide, narrow));
+    format!("#[{text}]")
 }
 
 /// The equations of motion of a model and of its phases in textbook notation: those of the whole system and those of each

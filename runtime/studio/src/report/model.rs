@@ -1,6 +1,7 @@
 //! The model: its drawing, its names with their dimensions, its declaration.
 
 use super::Subject;
+use crate::explain::written;
 use crate::html::escaped;
 use crate::picture;
 use crate::registry::{Dimension, MotionError};
@@ -10,7 +11,7 @@ pub fn html(subject: &Subject) -> Result<String, MotionError> {
     let drawing = drawn(subject).map_or(String::new(), |svg| {
         format!("<div class=figures><figure class=\"model wide\">{svg}</figure></div>\n")
     });
-    let declaration = escaped(subject.model.layout().declaration);
+    let declaration = escaped(&written(subject.model.layout()));
     let declaration =
         format!("<details><summary>Declaration</summary>\n<pre>{declaration}</pre></details>\n");
     Ok(drawing + &names(subject) + &declaration)
