@@ -88,8 +88,10 @@ pub fn load_limit(
         match &lost {
             Some(lost) if is_last || value + step == value => {
                 let end = match lost {
-                    Some(end) => end.clone(),
-                    None => at_limit(&subject(value)?, &last),
+                    Some(LimitEnd::Fold) => LimitEnd::Fold,
+                    otherwise => at_limit(&subject(value)?, &last, &supports)
+                        .or_else(|| otherwise.clone())
+                        .unwrap_or(LimitEnd::Fold),
                 };
                 return Ok(Some(LoadLimit { value, rest: last.1, end }));
             }
@@ -107,7 +109,7 @@ struct Begun {
 }
 
 type Followed = (Vec<DoubleDouble>, Equilibrium);
-/// What an equilibrium is lost by; none where its contacts cannot hold it.
+/// What an equilibrium is lost by, if none of its contacts is at its limit; none where these cannot hold it.
 type Lost = Option<LimitEnd>;
 
 impl Begun {
@@ -135,19 +137,21 @@ fn reach(subject: &Subject, state: &[DoubleDouble]) -> f64 {
     lengths.fold(1.0, |most: f64, (_, q)| most.max(q.hi().abs() / subject.scales.length))
 }
 
-/// Which contacts bear nothing, or else which are about to slide.
-fn at_limit(subject: &Subject, (state, rest): &Followed) -> LimitEnd {
+/// Which of these contacts bear nothing, or else which are about to slide, if any are.
+fn at_limit(subject: &Subject, (state, rest): &Followed, supports: &[&str]) -> Option<LimitEnd> {
     let largest = rest.loads.iter().fold(0.0, |most: f64, load| most.max(load.normal[1].abs()));
-    let empty = rest.loads.iter().filter(|load| load.normal[1] <= LOST * largest);
-    let empty: Vec<&str> = empty.map(|load| load.contact).collect();
+    let loads = || rest.loads.iter().filter(|load| supports.contains(&load.contact));
+    let empty: Vec<&str> =
+        loads().filter(|load| load.normal[1] <= LOST * largest).map(|load| load.contact).collect();
     if !empty.is_empty() {
-        return LimitEnd::Opens(empty);
+        return Some(LimitEnd::Opens(empty));
     }
-    let slides = rest.loads.iter().filter(|load| {
+    let slides = loads().filter(|load| {
         let limit = subject.static_friction(load.contact, state);
         let Some((friction, limit)) = load.friction.zip(limit) else { return false };
         let force = friction[0].abs().min(friction[1].abs());
         force >= (1.0 - LOST) * limit * load.normal[0]
     });
-    LimitEnd::Slides(slides.map(|load| load.contact).collect())
+    let slides: Vec<&str> = slides.map(|load| load.contact).collect();
+    (!slides.is_empty()).then_some(LimitEnd::Slides(slides))
 }
