@@ -36,7 +36,7 @@ const CONTACTS: &[&str] = &[
 /// Methods that only dampers and springs need, or that nobody asked for.
 const STIFF: &[&str] = &["liftoff_core::integrate::radau", "liftoff_core::integrate::gauss"];
 
-/// Budgets are 4 % above what a processor with AVX-512 or AVX2 takes, whichever is more.
+/// Budgets serve processors with AVX-512 and with AVX2 alone, whose code is 6 % longer: they are the first with 9 % to spare.
 const RUNGS: [Rung; 11] = [
     rung!("free_bar", 320 kB, without CONTACTS),
     rung!("falling_bar", 320 kB, without CONTACTS),
@@ -47,7 +47,7 @@ const RUNGS: [Rung; 11] = [
     rung!("slung_bar", 2200 kB, without STIFF),
     rung!("rubbing_rod", 2200 kB, without STIFF),
     rung!("fig_1a", 2200 kB, without STIFF),
-    rung!("fig_1b", 2200 kB, without STIFF),
+    rung!("fig_1b", 2300 kB, without STIFF),
     rung!("four_bar", 2200 kB, without STIFF),
 ];
 
