@@ -1,4 +1,5 @@
-//! Every model by its name: the paper's compiled, the others as text that is derived and interpreted when it is used.
+//! Every model by its name: four of the paper compiled, the others as text that is derived and
+//! interpreted when it is used.
 
 use crate::default_run::{DefaultRun, default_runs};
 use crate::{FallingPair, Zigzag, ZigzagFull, ZigzagPublished};
@@ -6,53 +7,53 @@ use liftoff_studio::registry::Models;
 use liftoff_studio::source::embedded;
 use std::sync::LazyLock;
 
-/// Names with the text of the file of each.
+/// Files with their texts.
 macro_rules! texts {
-    ($($name:literal $file:literal)*) => {
-        [$(($name, include_str!(concat!($file, ".rs")))),*]
+    ($($file:ident)*) => {
+        [$((stringify!($file), include_str!(concat!(stringify!($file), ".rs")))),*]
     };
 }
 
 const TEXTS: [(&str, &str); 39] = texts![
-    "falling-pair-full" "falling_pair_full"
-    "narrow-gap" "narrow_gap"
-    "zigzag-thread" "zigzag_thread"
-    "ladder" "ladder"
-    "rod-on-floor" "rod_on_floor"
-    "toppling-rod" "toppling_rod"
-    "pendulum" "pendulum"
-    "chimney" "chimney"
-    "bouncing-bar" "bouncing_bar"
-    "rocking-block" "rocking_block"
-    "rod-on-three" "rod_on_three"
-    "a-frame" "a_frame"
-    "double-pendulum" "double_pendulum"
-    "unequal-pendulum" "unequal_pendulum"
-    "struck-chain" "struck_chain"
-    "folded-chain" "folded_chain"
-    "walker" "walker"
-    "parallelogram" "parallelogram"
-    "n-four-bar" "n_four_bar"
-    "slider-crank" "slider_crank"
-    "quick-return" "quick_return"
-    "squeezer" "squeezer"
-    "car-axis" "car_axis"
-    "bouncing-ball" "bouncing_ball"
-    "spring-pendulum" "spring_pendulum"
-    "marble" "marble"
-    "looping" "looping"
-    "belt" "belt"
-    "slipping-rod" "slipping_rod"
-    "slipping-ladder" "slipping_ladder"
-    "painleve" "painleve"
-    "rimless-wheel" "rimless_wheel"
-    "woodpecker" "woodpecker"
-    "newtons-cradle" "newtons_cradle"
-    "dominoes" "dominoes"
-    "compass-walker" "compass_walker"
-    "trebuchet" "trebuchet"
-    "jansen-leg" "jansen_leg"
-    "balance-wheel" "balance_wheel"
+    falling_pair_full
+    narrow_gap
+    zigzag_thread
+    ladder
+    rod_on_floor
+    toppling_rod
+    pendulum
+    chimney
+    bouncing_bar
+    rocking_block
+    rod_on_three
+    a_frame
+    double_pendulum
+    unequal_pendulum
+    struck_chain
+    folded_chain
+    walker
+    parallelogram
+    n_four_bar
+    slider_crank
+    quick_return
+    squeezer
+    car_axis
+    bouncing_ball
+    spring_pendulum
+    marble
+    looping
+    belt
+    slipping_rod
+    slipping_ladder
+    painleve
+    rimless_wheel
+    woodpecker
+    newtons_cradle
+    dominoes
+    compass_walker
+    trebuchet
+    jansen_leg
+    balance_wheel
 ];
 
 /// Every model.
@@ -74,6 +75,6 @@ pub fn with_default_runs(compiled: &Models) -> Models {
 }
 
 fn text(name: &str) -> &'static str {
-    let found = TEXTS.iter().find(|(known, _)| *known == name);
+    let found = TEXTS.iter().find(|(file, _)| file.replace('_', "-") == name);
     found.map_or("", |(_, text)| text)
 }
