@@ -1,4 +1,5 @@
-//! Every bar system of `liftoff-systems` as a type: the tests hold the compiled ones to what the texts say.
+//! Every bar system of `liftoff-systems` as a type: the tests hold the compiled ones to what the
+//! texts say.
 
 #[path = "../../systems/src/a_frame.rs"]
 mod a_frame;

@@ -1,5 +1,5 @@
-//! Bar systems declared with liftoff, one file each. The paper's are compiled; the other files are run as text. The default
-//! run of each is in `default_run`.
+//! Bar systems declared with liftoff, one file each. Four of the paper are compiled, the other
+//! files are run as text. The default run of each is in `default_run`.
 
 mod default_run;
 mod falling_pair;

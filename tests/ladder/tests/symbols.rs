@@ -1,8 +1,10 @@
-//! What a scene does not need is not in its program: the modules that have code in it, and the bytes of that code.
+//! What a scene does not need is not in its program: the modules that have code in it, and the
+//! bytes of that code.
 
 use liftoff_ladder::measure::{Binary, has_code};
 
-/// A program with the most bytes of machine code that it may have in release, and the modules of the runtime that it needs not.
+/// A program with the most bytes of machine code that it may have in release, and the modules of
+/// the runtime that it needs not.
 struct Rung {
     name: &'static str,
     path: &'static str,
@@ -36,7 +38,8 @@ const CONTACTS: &[&str] = &[
 /// Methods that only dampers and springs need, or that nobody asked for.
 const STIFF: &[&str] = &["liftoff_core::integrate::radau", "liftoff_core::integrate::gauss"];
 
-/// Budgets serve processors with AVX-512 and with AVX2 alone, whose code is 6 % longer: they are the first with 9 % to spare.
+/// Budgets serve processors with AVX-512 and with AVX2 alone, whose code is 6 % longer: they are
+/// the first with 9 % to spare.
 const RUNGS: [Rung; 11] = [
     rung!("free_bar", 320 kB, without CONTACTS),
     rung!("falling_bar", 320 kB, without CONTACTS),

@@ -75,7 +75,7 @@ pub fn complaints(arrows: &Arrows, listed: &[&[&str]]) -> Vec<String> {
     let is_known = |modules: &[&str]| listed.iter().any(|circle| is_within(modules, circle));
     let new = found.iter().filter(|circle| !is_known(circle)).map(|circle| {
         let shortest = shortest(arrows, circle, &is_known);
-        format!("imports in a new circle:\n{}", told(arrows, &shortest))
+        format!("imports in a new circle:\n{}", describe_cycle(arrows, &shortest))
     });
     let is_gone = |circle: &&&[&str]| !found.iter().any(|other| is_within(circle, other));
     let gone = listed.iter().filter(is_gone).map(|circle| {
@@ -101,12 +101,12 @@ fn shortest<'a>(arrows: &'a Arrows, circle: &[&str], is_known: &dyn Fn(&[&str]) 
 }
 
 /// Each arrow of a way with its place.
-fn told(arrows: &Arrows, way: &[&str]) -> String {
-    let told = way.windows(2).map(|pair| {
+fn describe_cycle(arrows: &Arrows, way: &[&str]) -> String {
+    let steps = way.windows(2).map(|pair| {
         let place = &arrows[&(pair[0].to_owned(), pair[1].to_owned())];
         format!("  {} imports {} at {place}", pair[0], pair[1])
     });
-    told.collect::<Vec<_>>().join("\n")
+    steps.collect::<Vec<_>>().join("\n")
 }
 
 #[cfg(test)]
@@ -117,7 +117,7 @@ mod tests {
     /// Arrows from each letter to the next, of which each has a line.
     fn arrows(pairs: &[&str]) -> Arrows {
         let name = |pair: &str, i: usize| pair[i..=i].to_owned();
-        let arrow = |(line, pair): (usize, &&str)| ((name(pair, 0), name(pair, 1)), Place::of("f.rs", line));
+        let arrow = |(line, pair): (usize, &&str)| ((name(pair, 0), name(pair, 1)), Place::new("f.rs", line));
         pairs.iter().enumerate().map(arrow).collect()
     }
 

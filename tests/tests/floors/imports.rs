@@ -24,7 +24,7 @@ pub struct Place {
 }
 
 impl Place {
-    pub fn of(file: impl Into<PathBuf>, line: usize) -> Self {
+    pub fn new(file: impl Into<PathBuf>, line: usize) -> Self {
         Self { file: file.into(), line }
     }
 }
@@ -56,7 +56,7 @@ pub struct Imports {
 
 impl Imports {
     /// Of the crate whose root this file is.
-    pub fn read(root: &Path) -> Self {
+    pub fn from_root(root: &Path) -> Self {
         let mut imports = Self::default();
         imports.read_file(root, &[]);
         imports
@@ -164,7 +164,7 @@ struct Reader<'a> {
 
 impl Reader<'_> {
     fn add(&mut self, path: Names, at: Span) {
-        let place = Place::of(self.file, at.start().line);
+        let place = Place::new(self.file, at.start().line);
         self.imports.imports.push(Import { module: self.module.clone(), path, place });
     }
 

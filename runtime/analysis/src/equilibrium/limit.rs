@@ -109,7 +109,8 @@ struct Begun {
 }
 
 type Followed = (Vec<DoubleDouble>, Equilibrium);
-/// What an equilibrium is lost by, if none of its contacts is at its limit; none where these cannot hold it.
+/// What an equilibrium is lost by, if none of its contacts is at its limit; none where these cannot
+/// hold it.
 type Lost = Option<LimitEnd>;
 
 impl Begun {

@@ -45,8 +45,8 @@ pub(crate) fn interpreted(layout: &Layout) -> Result<Arc<Interpreted>, String> {
     derived(layout, |analysis| Ok(Interpreted::of(analysis)))
 }
 
-/// The declaration of a model as one would write it: comments, attributes and fields one a line. The compiler keeps it so; of
-/// what was derived while a program runs only the tokens are left.
+/// The declaration of a model as one would write it: comments, attributes and fields one a line.
+/// The compiler keeps it so; of what was derived while a program runs only the tokens are left.
 pub fn written(layout: &Layout) -> String {
     let parsed = || syn::parse_str::<syn::ItemStruct>(layout.declaration).ok();
     match layout.declaration.starts_with("# [").then(parsed).flatten() {

@@ -93,7 +93,8 @@ impl Entry {
     /// Its equations in double-double, with these parameters.
     ///
     /// # Errors
-    /// Parameters that it does not have, or that are not given; the declaration cannot be derived again.
+    /// Parameters that it does not have, or that are not given; the declaration cannot be derived
+    /// again.
     pub fn precise(&self, parameters: &Values) -> Result<Arc<dyn System<DoubleDouble>>, MotionError> {
         Ok(self.for_interpreter()?.precise(&self.model(parameters)?.parameters))
     }

@@ -1,11 +1,14 @@
-//! Which methods of integration a program has: those that its phases name, each for the sizes of these phases alone.
+//! Which methods of integration a program has: those that its phases name, each for the sizes of
+//! these phases alone.
 //!
-//! All capacities are compiled here, once. A compiled phase knows its size, so that it names one of the tables below while it
-//! is compiled, and the linker leaves out the others. What learns sizes at run time has them all.
+//! All capacities are compiled here, once. A compiled phase knows its size, so that it names one of
+//! the tables below while it is compiled, and the linker leaves out the others. What learns sizes
+//! at run time has them all.
 
 use super::{InitialValueProblem, PhaseStepper, sized};
 
-/// Starts an integration; none where the tolerance is invalid or the method does not serve the phase.
+/// Starts an integration; none where the tolerance is invalid or the method does not serve the
+/// phase.
 pub type StartStepper = for<'a> fn(&InitialValueProblem<'a>) -> Option<Box<dyn PhaseStepper + 'a>>;
 
 /// Explicit methods for phases of one capacity.
@@ -41,7 +44,8 @@ impl Methods {
     }
 }
 
-/// Declares a table for each capacity, and the function that finds the least capacity for so many entries.
+/// Declares a table for each capacity, and the function that finds the least capacity for so many
+/// entries.
 macro_rules! capacities {
     ($(#[$meta:meta])* $find:ident -> $table:ty: $($capacity:ident = $value:expr, $size:literal;)*) => {
         $(static $capacity: $table = $value;)*

@@ -1,4 +1,5 @@
-//! One capacity of a method: it integrates states of at most so many entries, filled up with entries that stand still.
+//! One capacity of a method: it integrates states of at most so many entries, filled up with
+//! entries that stand still.
 
 use super::expansion::Padded;
 use super::problem::JacobianMatrix;
