@@ -123,8 +123,10 @@ pub use liftoff_core::scales::Scales;
 pub use liftoff_core::system;
 pub use liftoff_core::{FlowError, flow};
 pub use liftoff_core::{chain, figure, hinge, integrate, kernel, model, scalar, series};
+#[cfg(feature = "derive")]
 #[doc = include_str!("attributes.md")]
 pub use liftoff_derive::BarSystem;
+#[cfg(feature = "derive")]
 /// Appends the equations of a model to its documentation; stands above `#[derive(BarSystem)]`.
 ///
 /// `cargo doc` then shows energies, mass matrix, forces, gaps and the equations of every phase below what the struct's own
@@ -149,6 +151,7 @@ pub use liftoff_derive::BarSystem;
 /// }
 /// ```
 pub use liftoff_derive::document;
+#[cfg(feature = "derive")]
 #[doc(hidden)]
 pub use liftoff_derive::documented;
 pub use model::BarSystem;
