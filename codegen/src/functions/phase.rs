@@ -100,16 +100,19 @@ fn reactions(
     let frictions: Vec<usize> = motion.frictions().map(|(_, row)| row).collect();
     let rubs = |row: usize| frictions.iter().position(|slip| *slip == row).map(|k| contacts + k);
     let place = |row: usize| if row < contacts { Some(row) } else { rubs(row) };
-    let closed = || phase.reactions.iter().filter_map(|(row, reaction)| Some((place(*row)?, reaction)));
+    let steps = &phase.reaction_steps;
     let mut lowering =
-        Lowering::new(program, system, &phase.opaque_terms, closed().map(|(_, r)| r.numerator()));
+        Lowering::new(program, system, &phase.opaque_terms, steps.iter().map(|(_, r)| r.numerator()));
     let mut reactions = vec![lowering.program().integer(0); contacts + frictions.len()];
     let forces = phase.sliding.iter().zip(rubbed.iter().flat_map(|rubbed| &rubbed.forces));
     for (sliding, [_, friction]) in forces.clone() {
         lowering.define(Symbol::reaction(sliding.row), *friction);
     }
-    for (place, reaction) in closed() {
-        reactions[place] = lowering.quotient(reaction);
+    for (row, reaction) in steps {
+        let value = lowering.quotient(reaction);
+        lowering.define(Symbol::reaction(*row), value);
+        let Some(place) = place(*row) else { continue };
+        reactions[place] = value;
         let (kind, contact) = match place.checked_sub(contacts) {
             None => ("reaction", place),
             Some(k) => ("friction", motion.tangents[frictions[k] - motion.slips()]),

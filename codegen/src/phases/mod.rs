@@ -58,6 +58,8 @@ pub struct Phase {
     pub opaque_terms: Vec<OpaqueTerm>,
     /// Reaction of each closed row (index of the row, λ), in terms of kept accelerations and the friction forces.
     pub reactions: Vec<(usize, Quotient)>,
+    /// The same in an order in which one may contain those before it, as numbers are best computed.
+    pub reaction_steps: Vec<(usize, Quotient)>,
     /// The contacts that slide.
     pub sliding: Vec<Sliding>,
 }

@@ -1,7 +1,7 @@
 //! Reduced equations of a contact set from the full ones and the eliminated coordinates.
 
 use super::elimination::{Elimination, Value, substitute_all, turned};
-use super::{Phase, Sliding, rows};
+use super::{Phase, Sliding};
 use crate::algebra::{Angle, Quotient, Rational, Series, Symbol};
 use crate::motion::{ClosedSet, Dense, Motion, OpaqueTerm};
 
@@ -41,7 +41,9 @@ pub(super) fn reduce(
     if (0..moving.len()).any(|k| mass[k][k].is_zero()) {
         return None;
     }
-    let reactions = full.reactions(motion, set, &substitution, &accelerations)?;
+    let equations = full.reaction_equations(motion, set, &substitution, &accelerations);
+    let reactions = equations.solve()?;
+    let reaction_steps = equations.back_substitute(&reactions);
     // What sticks to a moving surface has its velocity, whether that depends on time or not.
     let kinetic = match rates.iter().any(|rate| !without_rates(rate, &moving).is_zero()) {
         true => kinetic(&full.mass, &rates),
@@ -59,6 +61,7 @@ pub(super) fn reduce(
         kinetic,
         potential: substitution.apply(&motion.potential),
         reactions,
+        reaction_steps,
         sliding: motion.sliding(set).filter_map(|slides| substitution.sliding(motion, slides)).collect(),
         opaque_terms: motion
             .opaque_terms
@@ -160,27 +163,76 @@ impl Full {
     }
 
     /// `J_eᵀ λ = (M a + h − Q)_e`, eliminated in the order in which the rows gave their coordinates.
-    fn reactions(
+    fn reaction_equations(
         &self,
         motion: &Motion,
         set: ClosedSet,
         substitution: &Substitution,
         accelerations: &[Quotient],
-    ) -> Option<Vec<(usize, Quotient)>> {
-        let order: Vec<usize> = substitution.eliminated.iter().map(|e| e.row).collect();
-        debug_assert_eq!(order.len(), rows(motion, set).len());
+    ) -> ReactionEquations {
+        let rows: Vec<usize> = substitution.eliminated.iter().map(|e| e.row).collect();
+        debug_assert_eq!(rows.len(), super::rows(motion, set).len());
         let at: Vec<usize> = substitution.eliminated.iter().map(|e| e.coordinate).collect();
-        let mut matrix = grid(order.len(), |e, r| substitution.apply(&motion.rows[order[r]].jacobian[at[e]]));
-        let mut right: Vec<Quotient> = at
-            .iter()
-            .map(|&e| {
-                let inertia = dot(&self.mass[e], accelerations);
-                &(&inertia + &self.velocity_terms[e]) - &self.forces[e]
-            })
-            .collect();
-        solve(&mut matrix, &mut right)?;
-        Some(order.into_iter().zip(right).collect())
+        let matrix = grid(rows.len(), |e, r| substitution.apply(&motion.rows[rows[r]].jacobian[at[e]]));
+        let right = at.iter().map(|&e| {
+            let inertia = dot(&self.mass[e], accelerations);
+            &(&inertia + &self.velocity_terms[e]) - &self.forces[e]
+        });
+        ReactionEquations { right: right.collect(), rows, matrix }
     }
+}
+
+/// `matrix · λ = right`, λ those of `rows`.
+struct ReactionEquations {
+    rows: Vec<usize>,
+    matrix: Vec<Vec<Quotient>>,
+    right: Vec<Quotient>,
+}
+
+impl ReactionEquations {
+    /// λ, each by itself.
+    fn solve(&self) -> Option<Vec<(usize, Quotient)>> {
+        let mut right = self.right.clone();
+        solve(&mut self.matrix.clone(), &mut right)?;
+        Some(self.rows.iter().copied().zip(right).collect())
+    }
+
+    /// λ one after the other: one whose own quotient has several factors below its line follows from an equation in which the
+    /// others stand before it. Multiplied out, such a numerator cancels where one of the factors is small.
+    fn back_substitute(&self, solved: &[(usize, Quotient)]) -> Vec<(usize, Quotient)> {
+        let n = solved.len();
+        let (mut steps, mut left): (Vec<usize>, Vec<usize>) = (0..n).partition(|&r| is_simple(&solved[r].1));
+        let mut values: Vec<(usize, Quotient)> = steps.iter().map(|&r| solved[r].clone()).collect();
+        let next = |steps: &[usize], left: &[usize]| {
+            let pairs = left.iter().flat_map(|&r| (0..n).map(move |equation| (r, equation)));
+            let known = |&(r, equation): &(usize, usize)| {
+                let other = |k: usize| k == r || self.matrix[equation][k].is_zero() || steps.contains(&k);
+                !self.matrix[equation][r].is_zero() && (0..n).all(other)
+            };
+            let step = |(r, equation)| Some((r, self.step(r, equation))).filter(|(_, step)| is_simple(step));
+            pairs.filter(known).find_map(step)
+        };
+        while let Some((r, step)) = next(&steps, &left) {
+            values.push((self.rows[r], step));
+            steps.push(r);
+            left.retain(|&other| other != r);
+        }
+        values.extend(left.iter().map(|&r| solved[r].clone()));
+        values
+    }
+
+    /// λ of one row by one equation and the other λ.
+    fn step(&self, r: usize, equation: usize) -> Quotient {
+        let others = (0..self.rows.len()).filter(|&k| k != r);
+        let symbol = |k: usize| Quotient::from(Series::symbol(Symbol::reaction(self.rows[k])));
+        let loads = sum(others.map(|k| &self.matrix[equation][k] * &symbol(k)));
+        &(&self.right[equation] - &loads) * &self.matrix[equation][r].recip()
+    }
+}
+
+/// Whether at most one factor stands below the line.
+fn is_simple(quotient: &Quotient) -> bool {
+    quotient.factors().len() <= 1
 }
 
 /// Gauss–Jordan elimination; a pivot that vanishes is exchanged for a later row's.

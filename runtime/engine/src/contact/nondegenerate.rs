@@ -8,19 +8,24 @@
 use super::{ContactProblem, ContactSolution};
 use crate::integration::phase_point::{Numbers, RunContext, reactions_of};
 use crate::model::ContactSet;
+use crate::system::Phase;
 use smallvec::smallvec;
 
 /// A reaction, or its change in one natural time, is clearly nonzero above this fraction of the natural force.
 pub(super) const CLEAR: f64 = 1e-6;
+/// A reaction of a closed form is rounding below this fraction of the natural force.
+const ROUNDING: f64 = 1e-12;
 /// Half the span of the central difference for the rate of a reaction, in natural times; its relative error is the square of
 /// that.
 const SPAN: f64 = 1e-4;
 
-/// The decision, if this is such a case.
+/// The decision, if this is such a case. Reactions come from `reduced`, the closed form of all contacts that touch, where its
+/// chart is valid: it is well conditioned also where the rows of W all but depend on each other.
 pub(crate) fn decide(
     context: &RunContext,
     state: &[f64],
     question: &ContactProblem,
+    reduced: Option<&dyn Phase>,
 ) -> Option<ContactSolution> {
     let layout = context.layout();
     let smooth = |i: usize| !layout.contacts[i].rough;
@@ -30,8 +35,14 @@ pub(crate) fn decide(
         return None;
     }
     let set = question.touching.union(question.held);
-    let (accelerations, mut reactions) = solve(context, state, set)?;
-    let clear = CLEAR * context.scales.force();
+    let solve_after = |h: f64| match reduced {
+        Some(phase) => reduced_reactions(phase, state, h),
+        None => multipliers_after(context, state, set, h),
+    };
+    let mut reactions = solve_after(0.0)?;
+    // Where nothing was located, the state is exact, and what a closed form gives has the rounding of its terms.
+    let is_exact = reduced.is_some() && question.unloaded.is_empty();
+    let clear = if is_exact { ROUNDING } else { CLEAR } * context.scales.force();
     let asked = question.touching.iter().filter(|&i| !question.held.contains(i));
     let mut bearing = asked.filter(|&i| !question.unloaded.contains(i));
     if !bearing.all(|i| reactions[i] > clear) {
@@ -39,7 +50,9 @@ pub(crate) fn decide(
     }
     let mut closed = set;
     for i in question.unloaded.iter() {
-        if reaction_rate(context, state, &accelerations, (set, i))? * context.scales.time > -clear {
+        let h = SPAN * context.scales.time;
+        let rate = (solve_after(h)?[i] - solve_after(-h)?[i]) / (2.0 * h);
+        if rate * context.scales.time > -clear {
             return None;
         }
         closed = closed.without(i);
@@ -47,6 +60,35 @@ pub(crate) fn decide(
     }
     let (bearing, reactions) = (closed, reactions.to_vec());
     Some(ContactSolution { closed, bearing, reactions, unique: true, alternatives: None })
+}
+
+/// Reactions of a closed form at `y + h ẏ`.
+fn reduced_reactions(phase: &dyn Phase, state: &[f64], h: f64) -> Option<Numbers> {
+    let info = phase.info();
+    let [mut y, mut rates]: [Numbers; 2] = [(); 2].map(|()| smallvec![0.0; info.entries]);
+    phase.restrict(state, &mut y);
+    phase.derivative(&y, &mut rates);
+    y.iter_mut().zip(&rates).for_each(|(y, rate)| *y += h * rate);
+    let mut reactions: Numbers = smallvec![0.0; phase.system().layout().reactions()];
+    phase.reactions(&y, &mut reactions);
+    reactions.iter().all(|x| x.is_finite()).then_some(reactions)
+}
+
+/// Reactions with the contacts of a set closed, by its multipliers, at `y + h ẏ`. The terms of order h² that positions leave
+/// out cancel in the central difference.
+fn multipliers_after(context: &RunContext, state: &[f64], set: ContactSet, h: f64) -> Option<Numbers> {
+    let (accelerations, reactions) = solve(context, state, set)?;
+    if h == 0.0 {
+        return Some(reactions);
+    }
+    let n = accelerations.len();
+    let entry = |k: usize| match k {
+        _ if k < n => state[k] + h * state[n + k],
+        _ if k < 2 * n => state[k] + h * accelerations[k - n],
+        _ => state[k] + h,
+    };
+    let after: Numbers = (0..state.len()).map(entry).collect();
+    Some(solve(context, &after, set)?.1)
 }
 
 /// Accelerations, and reactions of the contacts with those of `set` closed; None if they are not determined.
@@ -57,27 +99,6 @@ pub(super) fn solve(context: &RunContext, state: &[f64], set: ContactSet) -> Opt
     let unique = context.system().solve(state, set, &mut accelerations, &mut multipliers);
     let finite = accelerations.iter().chain(&multipliers).all(|x| x.is_finite());
     (unique && finite).then(|| (accelerations, reactions_of(layout, &multipliers)))
-}
-
-/// λ̇ of contact `i` with the contacts of a set closed, by a central difference along the motion.
-fn reaction_rate(
-    context: &RunContext,
-    state: &[f64],
-    a: &[f64],
-    (set, i): (ContactSet, usize),
-) -> Option<f64> {
-    let (n, h, y) = (a.len(), SPAN * context.scales.time, state);
-    let after = |h: f64| -> Numbers {
-        let entry = |k: usize| match k {
-            // The terms of order h² cancel in the difference.
-            _ if k < n => y[k] + h * y[n + k],
-            _ if k < 2 * n => y[k] + h * a[k - n],
-            _ => y[k] + h,
-        };
-        (0..y.len()).map(entry).collect()
-    };
-    let [before, after] = [after(-h), after(h)].map(|state| solve(context, &state, set));
-    Some((after?.1[i] - before?.1[i]) / (2.0 * h))
 }
 
 #[cfg(test)]

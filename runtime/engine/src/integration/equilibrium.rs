@@ -1,5 +1,14 @@
-//! Whether a phase at rest stays there: its accelerations vanish, or are no larger than what rounding of the
-//! coordinates makes of zero (sin π is not 0 in floating point, yet a pendulum at π never falls).
+//! Whether a phase at rest stays there: its accelerations vanish, or are what rounding of the coordinates makes of zero (sin π
+//! is not 0 in floating point, yet a pendulum at π never falls). With K = ∂a/∂q and R the roundings of the coordinates,
+//!
+//! ```text
+//! a + K R z = 0,   |zᵢ| ≤ 1
+//! ```
+//!
+//! Bars that lean one way by more than their roundings do fall, also where roundings against each other would accelerate them
+//! as much.
+
+use nalgebra::{DMatrix, DVector};
 
 use crate::integration::phase_point::{Numbers, RunContext};
 use crate::model::Form;
@@ -7,7 +16,11 @@ use crate::system::Phase;
 use smallvec::smallvec;
 
 /// Roundings of a coordinate: it was typed in, converted and added to.
-const ROUNDINGS: f64 = 4.0 * f64::EPSILON;
+const ROUNDINGS: f64 = 2.0 * f64::EPSILON;
+/// The difference that K is taken of, in natural units: the cube root of ε balances its errors.
+const STEP: f64 = 1e-5;
+/// Singular values below this part of the largest are rounding of K.
+const RANK: f64 = 1e-9;
 /// Rounding inside the masked solve, relative to natural accelerations.
 const SOLVE: f64 = 1e-14;
 
@@ -34,16 +47,36 @@ pub(crate) fn is_equilibrium(context: &RunContext, phase: &dyn Phase, state: &[f
         return false;
     }
     let now = derivative(&reduced);
-    let unit = |&entry: &usize| match info.form {
-        Form::Projected => SOLVE * context.scales.entry(layout, entry) / context.scales.time,
-        Form::Closed => 0.0,
-    };
-    let mut rounding: Numbers = phase.kept().iter().map(unit).collect();
-    for j in 0..info.coordinates {
+    let solve_error: Numbers = phase
+        .kept()
+        .iter()
+        .map(|&entry| match info.form {
+            Form::Projected => SOLVE * context.scales.entry(layout, entry) / context.scales.time,
+            Form::Closed => 0.0,
+        })
+        .collect();
+    let change = |j: usize, by: f64| {
         let mut moved = reduced.clone();
-        moved[j] += ROUNDINGS * reduced[j];
+        moved[j] += by;
         let there = derivative(&moved);
-        rates.clone().for_each(|k| rounding[k] += (there[k] - now[k]).abs());
+        DVector::from_iterator(info.rates, rates.clone().map(|k| there[k] - now[k]))
+    };
+    let roundings: Vec<DVector<f64>> =
+        (0..info.coordinates).map(|j| change(j, ROUNDINGS * reduced[j])).collect();
+    let beyond_error = |k: usize| now[k].signum() * (now[k].abs() - solve_error[k]).max(0.0);
+    let left = DVector::from_iterator(info.rates, rates.clone().map(beyond_error));
+    if left.iter().all(|a| *a == 0.0) {
+        return true;
     }
-    rates.into_iter().all(|k| now[k].abs() <= rounding[k])
+    let may_vanish = |k: usize| left[k].abs() <= roundings.iter().map(|change| change[k].abs()).sum();
+    if !(0..info.rates).all(may_vanish) {
+        return false;
+    }
+    let columns = (0..info.coordinates).map(|j| {
+        let step = STEP * context.scales.entry(layout, phase.kept()[j]);
+        change(j, step) * (ROUNDINGS * reduced[j].abs() / step)
+    });
+    let columns = DMatrix::from_columns(&columns.collect::<Vec<_>>());
+    let rank = RANK * columns.amax();
+    columns.pseudo_inverse(rank).is_ok_and(|inverse| (inverse * left).amax() <= 1.0)
 }

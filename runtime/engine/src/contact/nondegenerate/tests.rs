@@ -14,7 +14,7 @@ fn context(model: Model) -> RunContext {
 
 fn decided(model: Model, state: &[f64], touching: u64, unloaded: u64) -> Option<ContactSolution> {
     let [touching, unloaded] = [touching, unloaded].map(ContactSet::from_bits);
-    decide(&context(model), state, &ContactProblem { touching, unloaded, ..ContactProblem::default() })
+    decide(&context(model), state, &ContactProblem { touching, unloaded, ..ContactProblem::default() }, None)
 }
 
 /// Units in which nothing is one: m, l, g.

@@ -46,7 +46,11 @@ impl Driver<'_> {
         let searched = || decide(&context.model, &self.state, &question);
         let decided = match (self.layout().has_hinges(), slips.is_empty()) {
             (true, _) => hinges::decide(context, &self.state, &question),
-            (false, true) => nondegenerate::decide(context, &self.state, &question).map_or_else(searched, Ok),
+            (false, true) => {
+                let reduced = self.valid_chart(self.touching.union(held));
+                nondegenerate::decide(context, &self.state, &question, reduced.as_deref())
+                    .map_or_else(searched, Ok)
+            }
             (false, false) => single::decide(context, &self.state, &question).map_or_else(searched, Ok),
         };
         let decided = match decided {
@@ -81,14 +85,17 @@ impl Driver<'_> {
     /// All closed contacts where their closed form holds: they depend on each other at this position at most, such as those of
     /// sin α = sin β at cos α = 0, and hold the motion that follows together.
     fn bearing_from_here(&self) -> ContactSet {
-        let Simulation { context, form, tolerance, .. } = self.setup;
-        if self.bearing == self.closed || *form == Form::Projected {
+        if self.bearing == self.closed || self.setup.form == Form::Projected {
             return self.bearing;
         }
-        match chart::at(context, self.closed, &self.state, (self.relative_bound(), *tolerance)).0 {
-            Chart::Valid => self.closed,
-            _ => self.bearing,
-        }
+        self.valid_chart(self.closed).map_or(self.bearing, |_| self.closed)
+    }
+
+    /// The closed form of a set, if it has one that holds here.
+    fn valid_chart(&self, set: ContactSet) -> Option<Arc<dyn Phase>> {
+        let Simulation { context, tolerance, .. } = self.setup;
+        let (chart, phase) = chart::at(context, set, &self.state, (self.relative_bound(), *tolerance));
+        (chart == Chart::Valid).then_some(phase)
     }
 
     /// Contacts that did depend on those that bear and have come off: their gaps were zero only where the phase began.
