@@ -65,6 +65,10 @@ fn layout(analysis: &Analysis, drawn: &Geometry) -> TokenStream {
         .switches
         .iter()
         .map(|Switch { label, condition }| quote!(Switch { label: #label, condition: #condition }));
+    let signals = system.signals.iter().map(|signal| {
+        let (expression, drives) = (&signal.expression, signal.drives);
+        quote!(Signal { expression: #expression, drives: #drives })
+    });
     let quantities = analysis.functions.quantities.iter().map(|quantity| {
         let (name, kind) = (&quantity.name, quantities::kind(quantity.kind));
         quote!(Quantity { name: #name, kind: #kind })
@@ -96,6 +100,7 @@ fn layout(analysis: &Analysis, drawn: &Geometry) -> TokenStream {
             frictions: &[#(#frictions),*],
             timed: #timed,
             switches: &[#(#switches),*],
+            signals: &[#(#signals),*],
             compliant: #compliant,
             kinks: &[#(#kinks),*],
             loaded: #loaded,

@@ -38,6 +38,7 @@ fn implemented(runtime: &Path, ident: &Ident, names: &TokenStream) -> TokenStrea
                     timed: false,
                     switches: &[],
                     compliant: false,
+                    signals: &[],
                     kinks: &[],
                     loaded: false,
                     quantities: &[],

@@ -176,5 +176,5 @@ pub(super) fn moving(
 ) -> Option<Formula> {
     let why = "the velocity of a surface is a function of time: it may contain `t` and parameters, no motion";
     let readable = Readable { structure, coordinates: &[] };
-    readable.of_time(scope, declared.moving.as_ref()?, why)
+    readable.prescribed(scope, declared.moving.as_ref()?, why)
 }

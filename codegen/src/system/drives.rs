@@ -45,7 +45,7 @@ fn drive(
     declared: &DriveDeclaration,
 ) -> Option<Drive> {
     let why = "a drive prescribes motion as a function of time: its value may contain `t` and parameters, no motion";
-    let value = readable.of_time(scope, &declared.value, why);
+    let value = readable.prescribed(scope, &declared.value, why);
     let structure = readable.structure;
     let read = |reading: Option<Reading>| reading.map(Driven::Reading);
     let (name, driven) = match &declared.target {

@@ -44,12 +44,23 @@ enum Reads {
 impl Readable<'_> {
     /// The formula of an expression, or its mistakes are kept.
     pub fn formula(&self, scope: &mut Scope, expr: &Expr) -> Option<Formula> {
-        Reader { scope, readable: self, reads: Reads::Motion }.read(expr)
+        let formula = Reader { scope, readable: self, reads: Reads::Motion }.read(expr)?;
+        scope.note_signal(expr, &formula, false);
+        Some(formula)
     }
 
     /// The formula of an expression of time and parameters, or its mistakes are kept; `why` it contains no motion.
     pub fn of_time(&self, scope: &mut Scope, expr: &Expr, why: &'static str) -> Option<Formula> {
-        Reader { scope, readable: self, reads: Reads::Time(why) }.read(expr)
+        let formula = Reader { scope, readable: self, reads: Reads::Time(why) }.read(expr)?;
+        scope.note_signal(expr, &formula, false);
+        Some(formula)
+    }
+
+    /// The same of a prescribed motion.
+    pub fn prescribed(&self, scope: &mut Scope, expr: &Expr, why: &'static str) -> Option<Formula> {
+        let formula = Reader { scope, readable: self, reads: Reads::Time(why) }.read(expr)?;
+        scope.note_signal(expr, &formula, true);
+        Some(formula)
     }
 
     /// The formula of an expression of a slip velocity `v` and parameters, or its mistakes are kept.

@@ -35,6 +35,7 @@ mod roots;
 mod scope;
 mod sections;
 mod sides;
+mod signals;
 mod sliders;
 mod springs;
 mod supports;
@@ -57,6 +58,7 @@ pub use constraints::{Drive, Driven, Guide, Slider, Weld};
 pub use loads::{Formula, Function, Load, LoadKind, Operator, Reading, Section, Spring, Switch, Torsion};
 pub use names::ParameterNames;
 pub use one_sided::{Centre, Edge, Friction, OneSided, Support};
+pub use signals::Signal;
 pub use value::Numbers;
 
 pub(crate) use coordinates::measures_the_same;
@@ -111,6 +113,8 @@ pub struct System {
     pub loads: Vec<Load>,
     /// What springs and loads act by that do not always.
     pub switches: Vec<Switch>,
+    /// What loads and drives follow that is no polynomial of time and motion.
+    pub signals: Vec<Signal>,
     /// Sections of bars.
     pub sections: Vec<Section>,
     /// The acceleration of free fall.

@@ -107,6 +107,7 @@ impl System {
             torsions: parts.torsions,
             loads: parts.loads,
             switches: scope.switches.clone(),
+            signals: scope.signals.clone(),
             sections: parts.sections,
             supports: parts.supports,
             coordinates: parts.coordinates,

@@ -7,6 +7,7 @@ use syn::{Expr, Ident};
 
 use super::Switch;
 use super::constants::Constants;
+use super::signals::Signal;
 use super::value::Numbers;
 use crate::algebra::{Series, Symbol};
 use crate::syntax::{self, Description, Report, identifiers, nearest, plain, unknown};
@@ -25,6 +26,8 @@ pub(super) struct Scope<'a> {
     pub placed: bool,
     /// What springs and loads act by that do not always.
     pub switches: Vec<Switch>,
+    /// Expressions that loads and drives follow.
+    pub signals: Vec<Signal>,
     used: BTreeSet<String>,
     named: BTreeMap<String, Series>,
 }
@@ -45,6 +48,7 @@ impl<'a> Scope<'a> {
             joined: !description.broken.iter().any(|kind| JOINING.contains(kind)),
             placed: !description.broken.contains(&"figure"),
             switches: Vec::new(),
+            signals: Vec::new(),
             used: BTreeSet::new(),
             named: BTreeMap::new(),
         };

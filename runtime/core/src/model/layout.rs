@@ -107,6 +107,15 @@ impl ContactKind {
     }
 }
 
+/// An expression of time and motion that a load or a drive follows. A step is accepted only over what it has seen of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Signal {
+    /// As conditions are written: `sin(t)^2 * x(P)`.
+    pub expression: &'static str,
+    /// Whether it prescribes a motion, so that its rate may not jump.
+    pub drives: bool,
+}
+
 /// What is zero where the equations are not analytic in the state.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Kink {
@@ -200,6 +209,8 @@ pub struct Layout {
     pub compliant: bool,
     /// What is zero where the equations are not analytic in the state, in the order of [`BarSystem::kinks`](super::BarSystem::kinks).
     pub kinks: &'static [Kink],
+    /// What loads and drives follow that is no polynomial of time and motion.
+    pub signals: &'static [Signal],
     /// Whether loads act: their work is no part of the energy.
     pub loaded: bool,
     /// What [`BarSystem::quantity`](super::BarSystem::quantity) computes.

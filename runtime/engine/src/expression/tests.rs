@@ -62,6 +62,7 @@ static LAYOUT: Layout = Layout {
     timed: false,
     switches: &[],
     compliant: false,
+    signals: &[],
     kinks: &[],
     loaded: false,
     quantities: &[

@@ -11,6 +11,7 @@ use smallvec::{SmallVec, smallvec};
 
 use crate::contact::friction::Grip;
 use crate::contact::shortest_reactions;
+use crate::event::detection::Signal;
 use crate::model::{ContactSet, Energy, Form, Layout, Slip};
 use crate::scales::Scales;
 use crate::simulation::Switch;
@@ -30,6 +31,7 @@ pub(crate) struct RunContext {
     pub(crate) model: Model,
     pub(crate) scales: Scales,
     pub(crate) switches: Vec<Switch>,
+    pub(crate) signals: Vec<Signal>,
 }
 
 impl RunContext {

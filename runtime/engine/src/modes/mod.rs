@@ -90,7 +90,9 @@ pub enum Change {
 /// If the parameters make no mechanical system.
 pub fn modes(model: impl Into<Model>) -> Result<Modes, ModelError> {
     let model = model.into();
-    let context = RunContext { scales: scales_of(&model)?, switches: Switch::all(model.layout())?, model };
+    let layout = model.layout();
+    let (switches, signals) = (Switch::all(layout)?, Vec::new());
+    let context = RunContext { scales: scales_of(&model)?, switches, signals, model };
     let layout = context.layout();
     let complete = number_of_sets(layout).is_some_and(|sets| sets <= ALL);
     let sets = sets(layout, complete);

@@ -20,6 +20,7 @@ use crate::assembly::{Pose, Start, on_energy_of, start};
 use crate::error::NameError;
 use crate::error::{ModelError, RunCause, RunError, ScheduleError, StartError, SupportError};
 use crate::event::EventFilter;
+use crate::event::detection::Signal;
 use crate::expression::resolve::{contact_of, unknown_support};
 use crate::expression::{Condition, Output, OutputError};
 use crate::integration::method::{Auto, Method};
@@ -73,7 +74,9 @@ impl Simulation {
         let scales = scales_of(&model)?;
         let restitution = model.restitution.clone();
         let domains = Domain::all(model.layout());
-        let context = RunContext { switches: Switch::all(model.layout())?, model, scales };
+        let layout = model.layout();
+        let (switches, signals) = (Switch::all(layout)?, Signal::all(layout));
+        let context = RunContext { switches, signals, model, scales };
         domains.iter().try_for_each(|domain| domain.check(&context))?;
         Ok(Self {
             context: Arc::new(context),

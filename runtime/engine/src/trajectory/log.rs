@@ -33,6 +33,9 @@ pub enum LoggedDecision {
     /// A gap, a reaction or a condition turns too often to be followed, however short the step: it is taken for noise, and from
     /// here to the end of its phase may be met late.
     GuardUnresolved,
+    /// A load varies so fast that no step, however short, is proved to have seen all of it: what it does within 1e-7 of a step
+    /// may be missing.
+    LoadUnresolved,
     /// A condition has a pole, and beside it perhaps a root that is nearer to it than their times are told apart: whether it is
     /// met there is not decided. Or it is zero but for rounding, or turns so often that it is not followed any farther. The first
     /// such place of a phase.
@@ -95,6 +98,7 @@ impl fmt::Display for LoggedDecision {
             Self::GuardUnresolved => {
                 "a guard turns too often to be followed: it is taken for noise"
             }
+            Self::LoadUnresolved => "a load varies so fast here that no step is proved to have seen all of it",
             Self::ConditionUndecided => "undecided: a condition may be met here, beside a pole or within its rounding",
             Self::Method(Choice { method, why }) => return write!(f, "{method} goes on: {why}"),
             Self::SingularPosition => "a loop passes a singular position: the motion is continued along its branch",

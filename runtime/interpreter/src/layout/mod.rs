@@ -74,6 +74,12 @@ fn layout(analysis: &Analysis) -> Layout {
                 condition: text(&switch.condition),
             }),
         ),
+        signals: list(
+            system
+                .signals
+                .iter()
+                .map(|signal| model::Signal { expression: text(&signal.expression), drives: signal.drives }),
+        ),
         compliant: system.is_compliant(),
         kinks: list(functions.kinks.iter().map(|kink| match kink {
             Kink::Sign(_) => model::Kink::Sign,

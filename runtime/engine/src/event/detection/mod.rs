@@ -12,6 +12,7 @@ mod low_flight;
 mod memo;
 mod pieces;
 mod rubbing;
+mod signals;
 mod step;
 mod watch;
 mod zero;
@@ -20,13 +21,14 @@ mod zero;
 mod tests;
 
 pub(crate) use affine::{AffineGuards, KnownAffineGuards};
+pub(crate) use signals::{Signal, Signals, Unseen};
 pub(crate) use step::StepView;
 pub(crate) use watch::ContactStatus;
 
 use std::cell::{Cell, RefCell};
 
 use crate::event::root_isolation::{GuardError, NODES};
-use crate::expression::{Condition, Relation};
+use crate::expression::{Condition, Relation, Variable};
 use crate::integration::phase_point::Numbers;
 use crate::model::{ContactSet, Layout, Side, Slip};
 use known::Known;

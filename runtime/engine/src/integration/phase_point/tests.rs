@@ -33,6 +33,7 @@ static LAYOUT: Layout = Layout {
     timed: true,
     switches: &[],
     compliant: false,
+    signals: &[],
     kinks: &[],
     loaded: false,
     quantities: &[

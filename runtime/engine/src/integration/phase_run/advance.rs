@@ -7,7 +7,7 @@ use super::record::{LastStep, Recording};
 use super::{PhaseRun, Termination, Touch};
 use crate::audit::work_of;
 use crate::contact::{ContactError, refuse_singular};
-use crate::event::detection::{AffineGuards, Guard, StepEvents, StepView};
+use crate::event::detection::{AffineGuards, Guard, StepEvents, StepView, Unseen};
 use crate::event::root_isolation::GuardError;
 use crate::integrate::{Counts, DenseOutput, Guards, PhaseStepper, StepError};
 use crate::integration::form_selection::{eliminates, least_pivot};
@@ -26,9 +26,25 @@ const MOST_STEPS: usize = 64 * STEPS;
 /// After so many steps in a row that were rejected for an unresolved guard, each [`SHORTER`], it is taken for noise.
 const MOST_UNRESOLVED: u32 = 4;
 
+/// After so many steps in a row that have not seen a load, each [`SHORTER`], what is left of it is not proved to be small.
+const MOST_UNSEEN: u32 = 8;
+
+/// So much of the natural time, or of the time.
+const UNSEEN: f64 = 1e-6;
+
 /// A rejected step is repeated with this fraction of its length, down to this fraction of the time.
 const SHORTER: f64 = 0.125;
 const SHORTEST: f64 = 1e-13;
+
+/// What a step has seen of loads and drives.
+enum Signalled {
+    /// All of it.
+    Seen,
+    /// Not all: a shorter step is made.
+    Shorter,
+    /// A drive is not smooth within it.
+    Breaks(Termination),
+}
 
 /// How many steps in a row have been tiny.
 #[derive(Default)]
@@ -73,7 +89,14 @@ impl<'a> PhaseRun<'a> {
                 self.note_energy(stepper.state());
             }
             let before = recording.t1();
-            self.step(recording, stepper)?;
+            if let Err(error) = self.step(recording, stepper) {
+                return self.break_near(error).map_or(Err(error), Ok);
+            }
+            match self.check_signals(recording, stepper) {
+                Signalled::Seen => {}
+                Signalled::Shorter => continue,
+                Signalled::Breaks(end) => return Ok(end),
+            }
             match self.look(recording, stepper, &mut affine, touches) {
                 Ok(None) => self.unresolved = 0,
                 Ok(Some(guards)) => return Ok(Termination::Event(guards)),
@@ -103,6 +126,47 @@ impl<'a> PhaseRun<'a> {
             }
         }
         Ok(Termination::Horizon)
+    }
+
+    /// The break of a drive for which a step has failed.
+    fn break_near(&self, error: StepError) -> Option<Termination> {
+        let StepError::NotFinite { t } = error else { return None };
+        let (t, expression, break_) = self.signals.0.find_break_near(self.context, t)?;
+        Some(Termination::Drive { t, expression, break_ })
+    }
+
+    /// Whether the last step has seen what loads and drives follow; if not it is rejected in favour of a shorter one.
+    fn check_signals(&mut self, recording: &mut Recording, stepper: &mut dyn PhaseStepper) -> Signalled {
+        let (signals, unseen) = &mut self.signals;
+        let Some(dense) = recording.last().filter(|_| !signals.is_empty()) else { return Signalled::Seen };
+        let (t, natural) = (dense.t0, self.context.scales.time);
+        let is_shortest = *unseen >= MOST_UNSEEN || dense.h < UNSEEN * natural.max(t.abs());
+        let view = StepView::new(&self.phase, self.context, dense).with_series(None);
+        match signals.find_unseen(&view, self.tolerance, is_shortest) {
+            None => {
+                if core::mem::take(unseen) > 0 {
+                    stepper.set_end(self.horizon);
+                }
+                if is_shortest {
+                    self.note_once(t, LoggedDecision::LoadUnresolved);
+                }
+                Signalled::Seen
+            }
+            Some(Unseen::Drive { t, expression, break_ }) => {
+                recording.pop();
+                Signalled::Breaks(Termination::Drive { t, expression, break_ })
+            }
+            Some(Unseen::Step) => {
+                *unseen += 1;
+                let end = t + SHORTER * dense.h;
+                if !self.step_back(recording, stepper) {
+                    return Signalled::Seen;
+                }
+                // A method of constant steps would make it longer again.
+                stepper.set_end(end);
+                Signalled::Shorter
+            }
+        }
     }
 
     /// The guards of the first event of the last step, if there is one, by series where these are known.

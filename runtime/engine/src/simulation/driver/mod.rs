@@ -269,7 +269,8 @@ impl<'a> Driver<'a> {
         }
         self.spend(counts, memory)?;
         self.refuse_left(&end)?;
-        if !matches!(end, Termination::Failed(_) | Termination::Singular(_) | Termination::Loop(_)) {
+        let breaks = matches!(end, Termination::Failed(_) | Termination::Drive { .. });
+        if !breaks && !matches!(end, Termination::Singular(_) | Termination::Loop(_)) {
             self.refuse_drift(counts, &work)?;
         }
         match end {
@@ -286,6 +287,7 @@ impl<'a> Driver<'a> {
                 Err(RunCause::Loop { joints, t })
             }
             Termination::Singular(source) => Err(self.contact_error(source)),
+            Termination::Drive { t, expression, break_ } => Err(RunCause::Drive { t, expression, break_ }),
             Termination::Pivot => {
                 self.form = Form::Projected;
                 self.log(LoggedDecision::SmallPivot);

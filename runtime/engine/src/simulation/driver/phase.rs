@@ -11,7 +11,7 @@ use crate::contact::{
     ContactError, ContactProblem, ContactSolution, decide, hinges, joint_names, labels, nondegenerate,
 };
 use crate::error::{RunCause, StartError};
-use crate::event::detection::{Bounds, ContactStatus, EventDetector};
+use crate::event::detection::{Bounds, ContactStatus, EventDetector, Signals};
 use crate::integration::chart::{self, Chart};
 use crate::integration::phase_point::Numbers;
 use crate::integration::phase_run::{Outcome, PhaseRun};
@@ -243,6 +243,7 @@ impl Driver<'_> {
             phase: self.phase.take().unwrap_or_else(|| context.phase(self.bearing, self.form)),
             closed: self.closed,
             detector: &mut detector,
+            signals: (Signals::new(self.layout(), &context.signals, &context.model.parameters), 0),
             tolerance: *tolerance,
             t: self.t,
             horizon: self.horizon(),

@@ -73,6 +73,7 @@ pub(super) static LAYOUT: Layout = Layout {
     timed: false,
     switches: &[],
     compliant: false,
+    signals: &[],
     kinks: &[],
     loaded: false,
     quantities: &[],

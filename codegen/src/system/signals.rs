@@ -1,0 +1,87 @@
+//! Signals: expressions of time and motion that loads and drives follow, as the runtime reads them. A step of an integration
+//! is accepted only over a signal that it has seen.
+
+use syn::{BinOp, Expr, Lit, UnOp};
+
+use super::scope::Scope;
+use super::{Formula, Function, Operator};
+use crate::syntax::plain;
+
+/// A polynomial of up to this degree in time and motion is seen by every method.
+const DEGREE: i32 = 8;
+
+/// An expression that a load or a drive follows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Signal {
+    /// As conditions are written: `sin(t)^2 * x(P)`.
+    pub expression: String,
+    /// Whether it prescribes a motion, so that a jump or a kink of it is none of a force.
+    pub drives: bool,
+}
+
+impl Scope<'_> {
+    /// Notes an expression that is no polynomial.
+    pub(super) fn note_signal(&mut self, expr: &Expr, formula: &Formula, drives: bool) {
+        let Some(expression) = degree(formula).is_none().then(|| text(self, expr)).flatten() else { return };
+        let signal = Signal { expression, drives };
+        if !self.signals.contains(&signal) {
+            self.signals.push(signal);
+        }
+    }
+}
+
+/// The degree of a polynomial; none of what is no polynomial, or one of a high degree.
+fn degree(formula: &Formula) -> Option<i32> {
+    let degree = match formula {
+        Formula::Constant(_) => 0,
+        Formula::Time | Formula::Slip | Formula::Motion { .. } => 1,
+        Formula::Apply(Function::Negate, argument) => degree(argument)?,
+        Formula::Apply(Function::Power(n @ 0..), argument) => degree(argument)?.checked_mul(*n)?,
+        Formula::Apply(..) => return None,
+        Formula::Join(Operator::Add | Operator::Subtract, a, b) => degree(a)?.max(degree(b)?),
+        Formula::Join(Operator::Multiply, a, b) => degree(a)? + degree(b)?,
+        Formula::Join(Operator::Divide, a, b) => degree(a).filter(|_| b.as_series().is_some())?,
+    };
+    (degree <= DEGREE).then_some(degree)
+}
+
+/// An expression as conditions have it.
+fn text(scope: &Scope, expr: &Expr) -> Option<String> {
+    let inner = |expr: &Expr| text(scope, expr);
+    match expr {
+        Expr::Lit(literal) => match &literal.lit {
+            Lit::Int(number) => Some(number.base10_digits().to_owned()),
+            Lit::Float(number) => Some(number.base10_digits().to_owned()),
+            _ => None,
+        },
+        Expr::Paren(paren) => inner(&paren.expr),
+        Expr::Group(group) => inner(&group.expr),
+        Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => Some(format!("(-{})", inner(&unary.expr)?)),
+        Expr::Binary(binary) => {
+            let operator = match binary.op {
+                BinOp::Add(_) => '+',
+                BinOp::Sub(_) => '-',
+                BinOp::Mul(_) => '*',
+                BinOp::Div(_) => '/',
+                _ => return None,
+            };
+            Some(format!("({} {operator} {})", inner(&binary.left)?, inner(&binary.right)?))
+        }
+        Expr::Path(path) => {
+            let name = path.path.get_ident()?;
+            let constants = &scope.description.constants;
+            let constant = constants.iter().find(|(constant, _)| constant == name);
+            constant.map_or_else(|| Some(plain(name)), |(_, value)| inner(value))
+        }
+        Expr::Call(call) => {
+            let Expr::Path(function) = &*call.func else { return None };
+            let (function, argument) = (function.path.get_ident()?, inner(call.args.first()?)?);
+            Some(if function == "rate" { format!("{argument}'") } else { format!("{function}({argument})") })
+        }
+        Expr::MethodCall(call) if call.method == "powi" => {
+            Some(format!("({}^{})", inner(&call.receiver)?, inner(call.args.first()?)?))
+        }
+        Expr::MethodCall(call) => Some(format!("{}({})", call.method, inner(&call.receiver)?)),
+        _ => None,
+    }
+}
