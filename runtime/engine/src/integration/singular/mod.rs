@@ -91,7 +91,7 @@ impl SingularityMonitor {
         let unit = layout.coordinates.iter().map(|c| context.scales.coordinate(c)).collect();
         let sizes = vec![0.0; rows.len()];
         let loops = Self { set, rows, unit, sizes, rank: 0, tolerance, trials: 0, energy: None };
-        (!layout.joints.is_empty() && loops.rows.len() > 1).then_some(loops)
+        (!layout.joints.is_empty() && !loops.rows.is_empty()).then_some(loops)
     }
 
     /// The tolerance to integrate with from here on.
@@ -127,7 +127,7 @@ impl SingularityMonitor {
     pub(crate) fn note(&mut self, context: &RunContext, (t, next): (f64, f64), state: &[f64]) -> Forecast {
         let equations = context.system().equations(state);
         let (jacobian, time) = (self.scaled_jacobian(&equations), self.time(&equations, state));
-        let bound = least_ratio_bound(&jacobian);
+        let bound = least_bound(&jacobian);
         if self.trials == 0 && self.is_far(context, state, (bound, time, next)) {
             return self.forecast((t, next), &Place { sigma: bound, time }, f64::INFINITY);
         }
@@ -150,7 +150,7 @@ impl SingularityMonitor {
     /// that bound tell.
     fn is_far(&mut self, context: &RunContext, state: &[f64], (bound, time, next): (f64, f64, f64)) -> bool {
         let ahead = |loops: &mut Self, ahead: &[f64]| {
-            least_ratio_bound(&loops.scaled_jacobian(&context.system().equations(ahead)))
+            least_bound(&loops.scaled_jacobian(&context.system().equations(ahead)))
         };
         next <= FALL * bound * time
             || bound > 0.0 && {
@@ -230,7 +230,7 @@ impl SingularityMonitor {
             return f64::INFINITY;
         }
         let values = singular_values(jacobian);
-        let largest = values[0];
+        let largest = if values.len() == 1 { 1.0 } else { values[0] };
         let regular = values.iter().filter(|value| **value > REGULAR * largest).count();
         self.rank = self.rank.max(regular);
         self.rank.checked_sub(1).map_or(f64::INFINITY, |last| values[last] / largest)
@@ -307,6 +307,11 @@ impl SingularityMonitor {
         let size = kinetic.max(now.kinetic).max(context.scales.force() * context.scales.length);
         (now.kinetic + now.potential - total).abs() <= ENERGY * self.tolerance * size
     }
+}
+
+/// A lower bound of σ. A row by itself loses its rank where it vanishes.
+fn least_bound(jacobian: &DMatrix<f64>) -> f64 {
+    if jacobian.nrows() == 1 { jacobian.norm() } else { least_ratio_bound(jacobian) }
 }
 
 /// Kinetic and total energy, if it is kept.
