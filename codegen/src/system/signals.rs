@@ -65,7 +65,10 @@ fn text(scope: &Scope, expr: &Expr) -> Option<String> {
                 BinOp::Div(_) => '/',
                 _ => return None,
             };
-            Some(format!("({} {operator} {})", inner(&binary.left)?, inner(&binary.right)?))
+            let (left, right) = (inner(&binary.left)?, inner(&binary.right)?);
+            // Bounds of a square are not below zero, those of a product are.
+            let is_square = operator == '*' && left == right;
+            Some(if is_square { format!("({left}^2)") } else { format!("({left} {operator} {right})") })
         }
         Expr::Path(path) => {
             let name = path.path.get_ident()?;

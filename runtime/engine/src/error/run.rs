@@ -37,7 +37,7 @@ pub enum RunCause {
     Step(#[from] StepError),
     /// A prescribed motion is not smooth: the force of the drive would be infinite.
     #[error(
-        "at t = {t}: the prescribed motion `{expression}` {break_}; end the run before, or prescribe a smooth motion"
+        "at t = {t}: the prescribed motion `{expression}` {what}; end the run before, or prescribe a smooth motion"
     )]
     Drive {
         /// Time.
@@ -45,7 +45,7 @@ pub enum RunCause {
         /// What is prescribed, as a function of time.
         expression: &'static str,
         /// What it does there.
-        break_: &'static str,
+        what: &'static str,
     },
     /// Closed loops reach a singular position through which the motion could not be continued.
     #[error("at t = {t}: singular position of the loop through {}", joints.join(", "))]

@@ -82,7 +82,7 @@ pub(crate) enum Unseen {
         /// Its value.
         expression: &'static str,
         /// What it has there.
-        break_: &'static str,
+        what: &'static str,
     },
 }
 
@@ -91,6 +91,8 @@ pub(crate) struct Signals<'a> {
     list: &'a [Signal],
     /// The largest size of each so far, or at all.
     largest: Vec<f64>,
+    /// Those that no step, however short, was proved to have seen: they are not followed any farther.
+    is_lost: Vec<bool>,
     values: Values,
 }
 
@@ -101,7 +103,12 @@ impl<'a> Signals<'a> {
             let bounds = signal.condition.enclosure(parameters, &|_| Some(whole));
             bounds.map(|bounds| bounds.value.size()).filter(|size| size.is_finite()).unwrap_or(0.0)
         });
-        Self { list, largest: largest.collect(), values: Values::of(layout) }
+        Self {
+            list,
+            largest: largest.collect(),
+            is_lost: vec![false; list.len()],
+            values: Values::of(layout),
+        }
     }
 
     pub(crate) fn is_empty(&self) -> bool {
@@ -115,7 +122,11 @@ impl<'a> Signals<'a> {
         tolerance: f64,
         is_shortest: bool,
     ) -> Option<Unseen> {
-        (0..self.list.len()).find_map(|k| self.find_unseen_of(k, step, (tolerance, is_shortest)))
+        let mut find = |k: usize| match self.is_lost[k] {
+            true => None,
+            false => self.find_unseen_of(k, step, (tolerance, is_shortest)),
+        };
+        (0..self.list.len()).find_map(&mut find)
     }
 
     fn find_unseen_of(
@@ -166,6 +177,10 @@ impl<'a> Signals<'a> {
         let allowed = Interval { low: low - margin, high: high + margin };
         let is_bounded = |piece: [f64; 2]| {
             let Some(Enclosure { value: natural, slope }) = bound(piece) else { return true };
+            // Of a load that may have a pole nothing is proved.
+            if !drives && !natural.size().is_finite() {
+                return true;
+            }
             let reach = 0.5 * (piece[1] - piece[0]) * slope.size();
             let middle = value(0.5 * (piece[0] + piece[1]));
             let within = |low: f64, high: f64| allowed.low <= low && high <= allowed.high;
@@ -179,10 +194,13 @@ impl<'a> Signals<'a> {
         if !is_shortest {
             return Some(Unseen::Step);
         }
-        let theta = open.filter(|_| *drives)?;
+        let Some(theta) = open.filter(|_| *drives) else {
+            self.is_lost[k] = true;
+            return None;
+        };
         let t = step.dense.t0 + theta * step.dense.h;
-        let break_ = self.list[k].find_break(step.context, t)?;
-        Some(Unseen::Drive { t, expression: text, break_ })
+        let what = self.list[k].find_break(step.context, t)?;
+        Some(Unseen::Drive { t, expression: text, what })
     }
 
     /// The drive that breaks at a time at which no step can be made: when, its value and what it does there.

@@ -90,7 +90,7 @@ impl<'a> PhaseRun<'a> {
             }
             let before = recording.t1();
             if let Err(error) = self.step(recording, stepper) {
-                return self.break_near(error).map_or(Err(error), Ok);
+                return self.break_near(error).ok_or(error);
             }
             match self.check_signals(recording, stepper) {
                 Signalled::Seen => {}
@@ -131,8 +131,8 @@ impl<'a> PhaseRun<'a> {
     /// The break of a drive for which a step has failed.
     fn break_near(&self, error: StepError) -> Option<Termination> {
         let StepError::NotFinite { t } = error else { return None };
-        let (t, expression, break_) = self.signals.0.find_break_near(self.context, t)?;
-        Some(Termination::Drive { t, expression, break_ })
+        let (t, expression, what) = self.signals.0.find_break_near(self.context, t)?;
+        Some(Termination::Drive { t, expression, what })
     }
 
     /// Whether the last step has seen what loads and drives follow; if not it is rejected in favour of a shorter one.
@@ -152,9 +152,9 @@ impl<'a> PhaseRun<'a> {
                 }
                 Signalled::Seen
             }
-            Some(Unseen::Drive { t, expression, break_ }) => {
+            Some(Unseen::Drive { t, expression, what }) => {
                 recording.pop();
-                Signalled::Breaks(Termination::Drive { t, expression, break_ })
+                Signalled::Breaks(Termination::Drive { t, expression, what })
             }
             Some(Unseen::Step) => {
                 *unseen += 1;

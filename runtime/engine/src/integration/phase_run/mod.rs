@@ -59,7 +59,7 @@ pub(crate) enum Termination {
         /// Its value.
         expression: &'static str,
         /// What it has there.
-        break_: &'static str,
+        what: &'static str,
     },
     /// Before a singular position of the loop through these joints.
     Loop(Vec<String>),

@@ -287,7 +287,7 @@ impl<'a> Driver<'a> {
                 Err(RunCause::Loop { joints, t })
             }
             Termination::Singular(source) => Err(self.contact_error(source)),
-            Termination::Drive { t, expression, break_ } => Err(RunCause::Drive { t, expression, break_ }),
+            Termination::Drive { t, expression, what } => Err(RunCause::Drive { t, expression, what }),
             Termination::Pivot => {
                 self.form = Form::Projected;
                 self.log(LoggedDecision::SmallPivot);
