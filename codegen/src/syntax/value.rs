@@ -16,7 +16,7 @@ pub struct DefaultValue {
     pub unit: String,
 }
 
-const NAME: &str = "value";
+pub(super) const NAME: &str = "value";
 const EXAMPLE: &str = "(for example `#[value = 9.81]` or `#[value(9.81, unit = \"m/s²\")]`)";
 
 /// Reads that of a field.
