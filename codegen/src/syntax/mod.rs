@@ -66,7 +66,7 @@ pub use hinge::HingeDeclaration;
 pub use mass::PointMass;
 pub use mirror::MirrorLine;
 pub use point::PointOnBar;
-pub use run::RunDeclaration;
+pub use run::{RunDeclaration, StartValue};
 pub use section::SectionDeclaration;
 pub use shape::{Centre, Shape};
 pub use slider::{SliderDeclaration, Track};
