@@ -58,13 +58,13 @@ fn units_are_converted_or_refused() {
              #[coordinate(phi = angle(OA), from = up)] #[coordinate(x = x(Q))]
              #[run(start = \"{start}\", limit = {limit})]
              struct Swing {{ m: f64, #[value(200, unit = \"{value}\")] l: f64, #[value(9, unit = \"deg\")] a: f64,
-             #[value(2, unit = \"kN mm\")] c: f64, g: f64 }}"
+             #[value(2, unit = \"kN cm\")] c: f64, g: f64 }}"
         )
     };
     let read = analysis(&swing("mm", "phi = 5 deg, phi' = 60 rpm, x = 9 mm, x' = -36 km/h", "\"5 ms\""));
     let values: Vec<_> = read.system.values.iter().map(|known| (known.value, &*known.unit)).collect();
     let (radian, turn) = (core::f64::consts::PI / 180.0, 2.0 * core::f64::consts::PI);
-    assert_eq!(values[1..4], [(Some(0.2), "m"), (Some(9.0 * radian), "rad"), (Some(2.0), "N m")]);
+    assert_eq!(values[1..4], [(Some(0.2), "m"), (Some(9.0 * radian), "rad"), (Some(20.0), "N m")]);
     let run = &read.system.run;
     let start: Vec<_> = run.start.iter().map(|start| (&*start.name, start.value)).collect();
     assert_eq!(start[..3], [("phi", 5.0 * radian), ("phi'", turn), ("x", 9e-3)]);

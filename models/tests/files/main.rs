@@ -143,6 +143,38 @@ fn units_are_converted_wherever_they_stand() {
     }
 }
 
+/// A figure is drawn with the values of parameters: which numbers of a scene are literals makes no difference.
+#[test]
+fn figures_are_drawn_with_the_values_of_parameters() {
+    let leaning = "#[bar(AB, mass = 1, length = 1)] #[support(A = floor(H))] #[support(B = wall(W))] \
+                   #[figure(A = (3, 2.5), B = (3.6, 3.3))] #[coordinate(phi = angle(AB), from = horizontal)]";
+    let pinned = "#[bar(AB, mass = 1, length = 1)] #[pin(A = (H, 0.1))] #[support(B = wall(W))] \
+                  #[figure(B = (1.8, 0.7))] #[coordinate(phi = angle(AB), from = horizontal)]";
+    let corner = "#[bar(AB, mass = 1, length = 2)] #[support(K = corner(W, H), under = AB)] #[support(A = floor)] \
+                  #[figure(A = (3, 0), B = (1.4, 1.2))] #[coordinate(phi = angle(AB), from = right)]";
+    let welded = "#[bar(AB, mass = 1, length = W)] #[bar(BC, mass = 1, length = 1)] #[weld(AB, BC)] #[pin(A = (0, 0))] \
+                  #[figure(B = (W, 0), C = (W, W - H))] #[coordinate(phi = angle(AB), from = right)]";
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("figure.rs");
+    let run = |scene: String| {
+        let text = format!("#[derive(BarSystem)] #[gravity(9.81)] #[run(limit = 0.3)] {scene}");
+        std::fs::write(&path, text).expect("written");
+        let run = liftoff(&["run", path.to_str().expect("UTF-8")]);
+        assert!(run.status.success(), "{run:?}");
+        String::from_utf8(run.stdout).expect("text")
+    };
+    for (scene, w, h) in
+        [(leaning, "4.5", "2.5"), (pinned, "1.2", "1.1"), (corner, "2.2", "0.5"), (welded, "1", "2")]
+    {
+        let literal = run(format!("{} struct S {{}}", scene.replace('W', w).replace('H', h)));
+        let fields = format!("struct S {{ #[value = {w}] w: f64, #[value = {h}] h: f64 }}");
+        assert_eq!(
+            run(format!("{} {fields}", scene.replace('W', "w").replace('H', "h"))),
+            literal,
+            "{scene}"
+        );
+    }
+}
+
 #[test]
 fn what_is_wrong_is_told_at_its_place() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
