@@ -21,6 +21,7 @@
 //! - [`math`]: formulas as they are written, as text, LaTeX and MathML; [`text`]: the equations in them;
 //!   `document`: those in a struct's documentation.
 //! - [`export`]: the equations as sources of other programs.
+//! - [`units`]: values with units, in those of the SI.
 //! - `unfold`: the model that has both halves of a mirrored one.
 
 pub mod algebra;
@@ -42,6 +43,7 @@ mod syntax;
 pub mod system;
 pub mod text;
 mod unfold;
+pub mod units;
 
 use proc_macro2::TokenStream;
 

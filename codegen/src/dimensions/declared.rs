@@ -27,6 +27,7 @@ pub(super) fn equations(description: &Description) -> Vec<Equation<'_>> {
     reader.places(description);
     reader.contacts(description);
     reader.loads(description);
+    reader.units(description);
     reader.equations
 }
 
@@ -182,6 +183,15 @@ impl<'d> Reader<'d> {
             };
             self.of("the drive of", drive.target.ident(), [&drive.value], dimension);
             self.switch(drive.target.ident(), &drive.armed);
+        }
+    }
+
+    fn units(&mut self, d: &'d Description) {
+        for (field, value) in d.fields.iter().zip(&d.values) {
+            if let Some((parameter, [length, time, mass])) = &value.measured {
+                let dimension = powers((*length).into(), (*time).into(), (*mass).into());
+                self.of("the unit of", field, [parameter], dimension);
+            }
         }
     }
 

@@ -226,3 +226,20 @@ fn models_have_the_dimensions_of_their_letters() {
         }
     }
 }
+
+#[test]
+fn units_say_what_parameters_are() {
+    let bar = |unit: &str| {
+        format!(
+            "#[bar(OA, mass = 2 * m, length = 3 * l)] #[pin(O = (0, 0))] #[figure(A = (3 * l, 0))]
+             #[coordinate(phi = angle(OA), from = right)]
+             struct S {{ m: f64, #[value(200, unit = \"{unit}\")] l: f64 }}"
+        )
+    };
+    assert_eq!(of(&bar("mm")).unwrap().parameters[1], powers(1, 0, 0));
+    // Of a number with a dimension of its own, `3 m/s · l`, the unit decides.
+    assert_eq!(of(&bar("ms")).unwrap().parameters[1], powers(0, 1, 0));
+    let item = bar("mm").replace("3 * l, 0", "l, 0").replace("\"mm\"", "\"kg\"");
+    let text = "`l` is a mass here, but a length by the place in the figure of `A`";
+    assert_eq!(told(&item), [("\"kg\"".to_owned(), text.to_owned())]);
+}

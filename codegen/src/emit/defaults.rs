@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 
 use super::option;
-use crate::system::System;
+use crate::system::{StartValue, System};
 
 /// `Defaults`.
 pub(super) fn defaults(system: &System) -> TokenStream {
@@ -13,7 +13,7 @@ pub(super) fn defaults(system: &System) -> TokenStream {
     }
     let values = system.values.iter().map(|known| option(known.value));
     let units = system.values.iter().map(|known| &known.unit);
-    let start = run.start.iter().map(|(name, value)| quote!((#name, #value)));
+    let start = run.start.iter().map(|StartValue { name, value, .. }| quote!((#name, #value)));
     let (until, limit) = (&run.until, option(run.limit));
     quote! {
         &Defaults {

@@ -5,14 +5,14 @@ use syn::parse::ParseStream;
 use syn::{Attribute, Field, Ident, LitBool, Meta, Token};
 
 use super::{
-    Beam, Description, Report, bar, body, budget, chain, constant, coordinate, couple, disc, drive, equal,
-    figure, force, gravity, hinge, identifiers, mass, mirror, nearest, options, particle, plain, point, run,
-    section, slider, spring, support, thread, torsion, value, weld,
+    Beam, Description, bar, body, budget, chain, constant, coordinate, couple, disc, drive, equal, figure,
+    force, gravity, hinge, identifiers, mass, mirror, options, particle, point, run, section, slider, spring,
+    support, thread, torsion, value, weld,
 };
 
 type Reader = fn(ParseStream, &mut Description) -> syn::Result<()>;
 
-const ATTRIBUTES: [(&str, &str, Reader); 29] = [
+pub(super) const ATTRIBUTES: [(&str, &str, Reader); 29] = [
     ("liftoff", "#[liftoff(crate = path, sets = 16)]", settings),
     ("budget", "#[budget(flops = 120)]", |input, d| budget::read(input).map(|budget| d.budgets.push(budget))),
     ("constant", "#[constant(h = l / 2)]", |input, d| {
@@ -98,52 +98,6 @@ pub(super) fn read(attribute: &Attribute, description: &mut Description) {
         }
     }
 }
-
-/// Attributes that are nearly one of this table, and those whose condition only the compiler knows: what `explain` has to
-/// tell by itself. Others may be those of other macros.
-pub(super) fn stray(attributes: &[Attribute]) -> Report {
-    let mut report = Report::default();
-    let known: Vec<&str> = ATTRIBUTES.iter().map(|(name, ..)| *name).collect();
-    for attribute in attributes {
-        let Some(name) = attribute.path().get_ident() else { continue };
-        let text = plain(name);
-        if text == "cfg_attr" {
-            let inside = identifiers(&attribute.meta);
-            if inside.iter().any(|word| known.contains(&word.as_str())) {
-                report.over(
-                    attribute,
-                    "whether this holds is not known here; write the attribute without `cfg_attr`",
-                );
-            }
-        } else if !known.contains(&text.as_str())
-            && !BUILT_IN.contains(&text.as_str())
-            && let Some(near) = nearest(&text, &known)
-        {
-            report.at(name.span(), format!("there is no attribute `{name}`; did you mean `{near}`?"));
-        }
-    }
-    report
-}
-
-/// Attributes of structs that the compiler knows, as far as they may stand beside these.
-const BUILT_IN: [&str; 16] = [
-    "derive",
-    "doc",
-    "allow",
-    "warn",
-    "deny",
-    "forbid",
-    "expect",
-    "cfg",
-    "must_use",
-    "deprecated",
-    "repr",
-    "non_exhaustive",
-    "automatically_derived",
-    "rustfmt",
-    "clippy",
-    "test",
-];
 
 /// All names in an attribute, and the letters of those that may be bars named by their ends.
 fn mentioned(attribute: &Attribute) -> impl Iterator<Item = String> {

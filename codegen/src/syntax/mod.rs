@@ -1,6 +1,7 @@
 //! What is declared: the struct's fields and its helper attributes, with spans, nothing resolved yet.
 
 mod attribute;
+mod attribute_check;
 mod bar;
 mod body;
 mod budget;
@@ -43,10 +44,11 @@ use proc_macro2::{Group, Span, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser};
-use syn::{Attribute, Expr, Ident, Path, Token, Visibility};
+use syn::{Expr, Ident, Path, Token, Visibility};
 
 use crate::limits;
 
+pub use attribute_check::check_attributes;
 pub use bar::{Bar, MassProperties};
 pub use body::RigidBody;
 pub use budget::Budget;
@@ -64,7 +66,7 @@ pub use hinge::HingeDeclaration;
 pub use mass::PointMass;
 pub use mirror::MirrorLine;
 pub use point::PointOnBar;
-pub use run::RunDeclaration;
+pub use run::{RunDeclaration, StartValue};
 pub use section::SectionDeclaration;
 pub use shape::{Centre, Shape};
 pub use slider::{SliderDeclaration, Track};
@@ -274,14 +276,6 @@ impl Description {
             malformed: BTreeSet::new(),
         }
     }
-}
-
-/// Reports attributes of an item that the compiler would refuse before any macro sees them.
-///
-/// # Errors
-/// Each at its place.
-pub fn check_attributes(attributes: &[Attribute]) -> syn::Result<()> {
-    attribute::stray(attributes).finish()
 }
 
 /// A name without `r#`.

@@ -3,7 +3,7 @@
 use proc_macro2::Span;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
-use syn::{Expr, Ident, LitStr, Token, parse_str};
+use syn::{Expr, ExprLit, Ident, Lit, LitStr, Token};
 
 use super::value;
 
@@ -13,11 +13,22 @@ pub struct RunDeclaration {
     /// Where the start is written.
     pub span: Option<Span>,
     /// Coordinates and rates (`phi'`) at the start; none for the nominal figure.
-    pub start: Vec<(String, f64)>,
+    pub start: Vec<StartValue>,
     /// Conditions to stop at, whichever comes first.
     pub until: Vec<String>,
     /// The latest end.
     pub limit: Option<f64>,
+}
+
+/// The value of a coordinate or rate at the start.
+#[derive(Clone, Debug)]
+pub struct StartValue {
+    /// Its name.
+    pub name: String,
+    /// Its value in the coherent unit.
+    pub value: f64,
+    /// Powers of length, time, mass and angle of the unit behind it.
+    pub(crate) powers: Option<[i8; 4]>,
 }
 
 impl RunDeclaration {
@@ -46,7 +57,7 @@ pub(super) fn read(input: ParseStream, known: &mut Option<RunDeclaration>) -> sy
             "limit" => {
                 let given: Expr = input.parse()?;
                 once(&name, run.limit.is_none())?;
-                let limit = value::number(&given)?;
+                let limit = read_time(&given)?;
                 if !(limit > 0.0 && limit.is_finite()) {
                     return Err(syn::Error::new_spanned(given, "the latest end is a positive time"));
                 }
@@ -71,8 +82,18 @@ fn once(name: &Ident, first: bool) -> syn::Result<()> {
     if first { Ok(()) } else { Err(syn::Error::new(name.span(), text())) }
 }
 
-/// `phi = 0.1, phi' = 2`; an angle also in degrees.
-fn start(text: &LitStr) -> syn::Result<Vec<(String, f64)>> {
+/// `10`, `"500 ms"`.
+fn read_time(given: &Expr) -> syn::Result<f64> {
+    let Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) = given else { return value::number(given) };
+    let wrong = || syn::Error::new(text.span(), "the latest end is a time: `10` or `500 ms`");
+    match value::parse_measured(&text.value(), text.span(), wrong)? {
+        (_, Some(powers)) if powers != [0, 1, 0, 0] => Err(wrong()),
+        (limit, _) => Ok(limit),
+    }
+}
+
+/// `phi = 80 deg, phi' = 2`.
+fn start(text: &LitStr) -> syn::Result<Vec<StartValue>> {
     let wrong = |what: String| syn::Error::new(text.span(), what);
     let given = text.value();
     let parts = given.split(',').filter(|part| !part.trim().is_empty());
@@ -81,18 +102,13 @@ fn start(text: &LitStr) -> syn::Result<Vec<(String, f64)>> {
         let example =
             || wrong(format!("`{}` should be a coordinate or rate with its value: `phi = 0.1`", part.trim()));
         let (name, value) = part.split_once('=').ok_or_else(example)?;
-        let (name, value) = (name.trim().to_owned(), value.trim());
+        let name = name.trim().to_owned();
         if known.contains(&name) {
             return Err(wrong(format!("`{name}` is given twice; remove one")));
         }
         known.push(name.clone());
-        let (digits, factor) = match value.strip_suffix("deg").or_else(|| value.strip_suffix('°')) {
-            Some(digits) => (digits, core::f64::consts::PI / 180.0),
-            None => (value, 1.0),
-        };
-        let expression: Expr = parse_str(digits).map_err(|_| example())?;
-        let value = factor * value::number(&expression).map_err(|_| example())?;
-        if value.is_finite() { Ok((name, value)) } else { Err(example()) }
+        let (value, powers) = value::parse_measured(value, text.span(), example)?;
+        Ok(StartValue { name, value, powers })
     });
     read.collect()
 }

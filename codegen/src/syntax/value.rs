@@ -1,4 +1,4 @@
-//! `#[value = 9.81]`, `#[value(pi / 3, unit = "rad")]` on a field: what a run takes where nothing else is said.
+//! `#[value = 9.81]`, `#[value(75, unit = "deg")]` on a field: what a run takes where nothing else is said.
 
 use proc_macro2::Span;
 use syn::parse::ParseStream;
@@ -6,23 +6,26 @@ use syn::spanned::Spanned;
 use syn::{Attribute, BinOp, Expr, ExprBinary, ExprUnary, Field, Ident, Lit, LitStr, Meta, Token, UnOp};
 
 use super::Description;
+use crate::units::{self, Unit};
 
-/// The default value of a parameter, and what it is measured in.
+/// The default value of a parameter in the coherent unit, and what it is measured in.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DefaultValue {
     /// None where the declaration gives none.
     pub value: Option<f64>,
-    /// The unit as written; empty where none is given.
+    /// The coherent unit, as written where that is one; empty where none is given.
     pub unit: String,
+    /// The parameter where its unit is written, and powers of length, time and mass.
+    pub(crate) measured: Option<(Expr, [i8; 3])>,
 }
 
-const NAME: &str = "value";
+pub(super) const NAME: &str = "value";
 const EXAMPLE: &str = "(for example `#[value = 9.81]` or `#[value(9.81, unit = \"m/s²\")]`)";
 
 /// Reads that of a field.
 pub(super) fn read(field: &Field, description: &mut Description) {
     let mut given = field.attrs.iter().filter(|attribute| attribute.path().is_ident(NAME));
-    let read = given.next().map(value).transpose();
+    let read = given.next().map(|attribute| value(attribute, field)).transpose();
     if let Some(second) = given.next() {
         description.report.over(second, "a parameter has one value");
     }
@@ -40,29 +43,45 @@ pub(super) fn misplaced(attribute: &Attribute, description: &mut Description) {
     }
 }
 
-fn value(attribute: &Attribute) -> syn::Result<DefaultValue> {
+fn value(attribute: &Attribute, field: &Field) -> syn::Result<DefaultValue> {
     match &attribute.meta {
-        Meta::NameValue(meta) => Ok(DefaultValue { value: Some(finite(&meta.value)?), unit: String::new() }),
-        Meta::List(list) => list.parse_args_with(parenthesised),
+        Meta::NameValue(meta) => {
+            Ok(DefaultValue { value: Some(finite(&meta.value)?), ..DefaultValue::default() })
+        }
+        Meta::List(list) => list.parse_args_with(|input: ParseStream| parenthesised(input, field)),
         Meta::Path(path) => Err(syn::Error::new_spanned(path, "the value is missing")),
     }
 }
 
-fn parenthesised(input: ParseStream) -> syn::Result<DefaultValue> {
-    let value = Some(finite(&input.parse()?)?);
-    let mut unit = String::new();
+fn parenthesised(input: ParseStream, field: &Field) -> syn::Result<DefaultValue> {
+    let mut found = DefaultValue { value: Some(finite(&input.parse()?)?), ..DefaultValue::default() };
     if input.parse::<Option<Token![,]>>()?.is_some() && !input.is_empty() {
         let name: Ident = input.parse()?;
         if name != "unit" {
             return Err(syn::Error::new(name.span(), "expected `unit = \"…\"`"));
         }
         input.parse::<Token![=]>()?;
-        unit = input.parse::<LitStr>()?.value();
+        found.measure(&input.parse()?, field)?;
         input.parse::<Option<Token![,]>>()?;
     }
     match input.is_empty() {
-        true => Ok(DefaultValue { value, unit }),
+        true => Ok(found),
         false => Err(input.error("expected nothing more")),
+    }
+}
+
+impl DefaultValue {
+    /// Converts the value from a unit.
+    fn measure(&mut self, text: &LitStr, field: &Field) -> syn::Result<()> {
+        let unit = Unit::parse(&text.value()).map_err(|wrong| syn::Error::new(text.span(), wrong))?;
+        self.value = self.value.map(|value| unit.convert(value));
+        self.unit = if unit.is_coherent() { text.value() } else { unit.coherent() };
+        let [length, time, mass, _] = unit.powers();
+        self.measured = field.ident.clone().map(|mut name| {
+            name.set_span(text.span());
+            (syn::parse_quote!(#name), [length, time, mass])
+        });
+        Ok(())
     }
 }
 
@@ -81,6 +100,22 @@ pub(crate) fn without_unit(literal: &Lit) -> syn::Result<()> {
     };
     let text = || format!("`{suffix}` behind a number has no meaning; write the number alone");
     if matches!(suffix, "" | "f64") { Ok(()) } else { Err(syn::Error::new(literal.span(), text())) }
+}
+
+/// The value of a text, in the coherent unit, and the powers of length, time, mass and angle of the unit behind it.
+///
+/// # Errors
+/// `wrong` where it is no number, or what is wrong with its unit.
+pub(super) fn parse_measured(
+    text: &str,
+    span: Span,
+    wrong: impl Fn() -> syn::Error,
+) -> syn::Result<(f64, Option<[i8; 4]>)> {
+    let unknown = |what: String| syn::Error::new(span, format!("`{}`: {what}", text.trim()));
+    let (digits, unit) = units::split(text).map_err(unknown)?;
+    let value = syn::parse_str(digits).and_then(|expression| number(&expression)).map_err(|_| wrong())?;
+    let value = unit.as_ref().map_or(value, |unit| unit.convert(value));
+    if value.is_finite() { Ok((value, unit.map(|unit| unit.powers()))) } else { Err(wrong()) }
 }
 
 /// The value of an expression of numbers and π.

@@ -52,7 +52,7 @@ use crate::algebra::{Angle, Series};
 use bodies::Structure;
 
 pub use crate::syntax::ImpactLaw as Law;
-pub use crate::syntax::{DefaultValue, RunDeclaration};
+pub use crate::syntax::{DefaultValue, RunDeclaration, StartValue};
 pub use constants::Definition;
 pub use constraints::{Drive, Driven, Guide, Slider, Weld};
 pub use loads::{Formula, Function, Load, LoadKind, Operator, Reading, Section, Spring, Switch, Torsion};

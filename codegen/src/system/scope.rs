@@ -172,9 +172,9 @@ impl<'a> Scope<'a> {
         }
     }
 
-    /// Values with every parameter 1, or at the first sample where every constant is a number.
+    /// The first values of the figure.
     pub fn nominal(&self) -> Numbers {
-        self.candidates().next().unwrap_or_else(|| self.ones())
+        self.of_figure().next().unwrap_or_else(|| self.ones())
     }
 
     /// Values at a few generic parameters: what agrees there is taken to agree identically.
@@ -189,12 +189,37 @@ impl<'a> Scope<'a> {
 
     /// Values with every parameter 1.
     pub fn ones(&self) -> Numbers {
-        Numbers::new(&vec![1.0; self.description.fields.len()], self.constants.definitions())
+        self.numbers(&self.all_one())
+    }
+
+    /// Values with which the figure may be drawn: those that parameters have by default, others as in
+    /// [`Self::candidates`].
+    pub fn of_figure(&self) -> impl Iterator<Item = Numbers> + '_ {
+        let defaults: Vec<Option<f64>> = self.description.values.iter().map(|known| known.value).collect();
+        // Without a free parameter all samples are one.
+        let count = if defaults.iter().all(Option::is_some) { 1 } else { TRIED + 1 };
+        let with_defaults = move |free: Vec<f64>| -> Vec<f64> {
+            free.iter().zip(&defaults).map(|(free, default)| default.unwrap_or(*free)).collect()
+        };
+        let values = (0..count).map(|k| k.checked_sub(1).map_or(self.all_one(), |k| self.generic_values(k)));
+        values.map(with_defaults).map(|values| self.numbers(&values)).filter(Numbers::are_finite)
+    }
+
+    fn generic(&self) -> impl Iterator<Item = Numbers> + '_ {
+        (0..TRIED).map(|k| self.numbers(&self.generic_values(k))).filter(Numbers::are_finite)
+    }
+
+    fn numbers(&self, parameters: &[f64]) -> Numbers {
+        Numbers::new(parameters, self.constants.definitions())
+    }
+
+    fn all_one(&self) -> Vec<f64> {
+        vec![1.0; self.description.fields.len()]
     }
 
     /// First near 1, then up to 4 and 20 times as large and as small.
-    fn generic(&self) -> impl Iterator<Item = Numbers> + '_ {
-        let parameter = |i: usize, k: usize| {
+    fn generic_values(&self, k: usize) -> Vec<f64> {
+        let parameter = |i: usize| {
             let x = (1.7 * ((i + 1) * (2 * k + 1)) as f64).sin();
             match k % 3 {
                 _ if k < 3 => 1.0 + 0.37 * x,
@@ -203,10 +228,6 @@ impl<'a> Scope<'a> {
                 _ => (3.0 * x).exp(),
             }
         };
-        let sample = move |k: usize| {
-            let parameters: Vec<f64> = (0..self.description.fields.len()).map(|i| parameter(i, k)).collect();
-            Numbers::new(&parameters, self.constants.definitions())
-        };
-        (0..TRIED).map(sample).filter(Numbers::are_finite)
+        (0..self.description.fields.len()).map(parameter).collect()
     }
 }

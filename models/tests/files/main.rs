@@ -88,20 +88,91 @@ fn of_several_models_one_is_chosen() {
     assert!(refused("run", &twice, &["--model", "SwingingBar"]).contains("rename all but one"));
 }
 
-/// Millimetres are not converted, so 50 cm must not become 0.5 of them.
 #[test]
-fn units_are_those_of_the_si_or_none() {
+fn units_are_converted_wherever_they_stand() {
     let text = std::fs::read_to_string(file("swing.rs")).expect("read");
-    let text = text.replace("#[value = 0.5]", "#[value(500, unit = \"mm\")]").replace("m/s²", "mm/s²");
+    let text = text
+        .replace("#[value = 0.5]", "#[value(500, unit = \"mm\")]")
+        .replace("9.81, unit = \"m/s²", "9810, unit = \"mm/s²");
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("millimetres.rs");
     std::fs::write(&path, text).expect("written");
-    let told = refused("run", &path, &["--set", "l=50cm"]);
-    assert!(told.contains("--set l: a unit stands for SI units, and the declaration has l in mm"), "{told}");
-    for start in ["phi=80deg", "phi=1"] {
-        let run = liftoff(&["run", path.to_str().expect("UTF-8"), "--set", "l=400", "--start", start]);
+    let events = |path: &Path, options: &[&str]| {
+        let run = liftoff(&[&["run", path.to_str().expect("UTF-8"), "--json"], options].concat());
         assert!(run.status.success(), "{run:?}");
+        let told: serde_json::Value = serde_json::from_slice(&run.stdout).expect("JSON");
+        (told["parameters"].clone(), told["events"].clone())
+    };
+    let metres = events(&file("swing.rs"), &[]);
+    assert_eq!(events(&path, &[]), metres);
+    assert_eq!(events(&path, &["--set", "l=50cm", "--set", "g=981 cm/s²"]), metres);
+    assert_eq!(events(&path, &["--start", "phi=80deg", "--start", "phi'=1 rad/s"]), metres);
+    for (command, options, wrong) in [
+        ("run", vec!["--set", "l=5 kg"], "--set l: measured in m, not in kg"),
+        ("run", vec!["--start", "phi=5 mm"], "--start phi: measured in rad, not in m"),
+        ("run", vec!["--start", "phi'=5 deg"], "--start phi': measured in rad/s, not in rad"),
+        ("run", vec!["--limit", "5 mm"], "measured in m, not in s"),
+        (
+            "sweep",
+            vec!["--vary", "l=5:6 s:3", "--observe", "first stop t"],
+            "--set l: measured in m, not in s",
+        ),
+        (
+            "sweep",
+            vec!["--bisect", "l=0.4:0.6", "--observe", "end phi = 5 mm"],
+            "`end phi`: measured in rad, not in m",
+        ),
+        (
+            "optimise",
+            vec!["--vary", "l=40 s:60 s", "--of", "end phi"],
+            "--vary l=40 s:60 s: measured in m, not in s",
+        ),
+        (
+            "fit",
+            vec!["--vary", "l", "--event", "first stop=3 m"],
+            "--event first stop=3 m: measured in s, not in m",
+        ),
+        (
+            "orbit",
+            vec!["--section", "phi' > 0", "--continue", "l=3 s"],
+            "--continue l: measured in m, not in s",
+        ),
+        ("equilibrium", vec!["--load", "g=3 s"], "--load g: measured in m/s², not in s"),
+    ] {
+        let told = refused(command, &path, &options);
+        assert!(told.contains(wrong), "{command}: {told}");
     }
-    assert!(self::told("run", "swing.rs", &["--set", "l=50cm", "--json"]).contains("\"l\": 0.5"));
+}
+
+/// A figure is drawn with the values of parameters: which numbers of a scene are literals makes no difference.
+#[test]
+fn figures_are_drawn_with_the_values_of_parameters() {
+    let leaning = "#[bar(AB, mass = 1, length = 1)] #[support(A = floor(H))] #[support(B = wall(W))] \
+                   #[figure(A = (3, 2.5), B = (3.6, 3.3))] #[coordinate(phi = angle(AB), from = horizontal)]";
+    let pinned = "#[bar(AB, mass = 1, length = 1)] #[pin(A = (H, 0.1))] #[support(B = wall(W))] \
+                  #[figure(B = (1.8, 0.7))] #[coordinate(phi = angle(AB), from = horizontal)]";
+    let corner = "#[bar(AB, mass = 1, length = 2)] #[support(K = corner(W, H), under = AB)] #[support(A = floor)] \
+                  #[figure(A = (3, 0), B = (1.4, 1.2))] #[coordinate(phi = angle(AB), from = right)]";
+    let welded = "#[bar(AB, mass = 1, length = W)] #[bar(BC, mass = 1, length = 1)] #[weld(AB, BC)] #[pin(A = (0, 0))] \
+                  #[figure(B = (W, 0), C = (W, W - H))] #[coordinate(phi = angle(AB), from = right)]";
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("figure.rs");
+    let run = |scene: String| {
+        let text = format!("#[derive(BarSystem)] #[gravity(9.81)] #[run(limit = 0.3)] {scene}");
+        std::fs::write(&path, text).expect("written");
+        let run = liftoff(&["run", path.to_str().expect("UTF-8")]);
+        assert!(run.status.success(), "{run:?}");
+        String::from_utf8(run.stdout).expect("text")
+    };
+    for (scene, w, h) in
+        [(leaning, "4.5", "2.5"), (pinned, "1.2", "1.1"), (corner, "2.2", "0.5"), (welded, "1", "2")]
+    {
+        let literal = run(format!("{} struct S {{}}", scene.replace('W', w).replace('H', h)));
+        let fields = format!("struct S {{ #[value = {w}] w: f64, #[value = {h}] h: f64 }}");
+        assert_eq!(
+            run(format!("{} {fields}", scene.replace('W', "w").replace('H', "h"))),
+            literal,
+            "{scene}"
+        );
+    }
 }
 
 #[test]

@@ -2,10 +2,10 @@
 
 use crate::errors::{expression, invalid, unknown};
 use liftoff::expression::si_unit::SiUnit;
-use liftoff::expression::{Formula, contact_of, unknown_support};
+use liftoff::expression::{contact_of, unknown_support};
 use liftoff::model::Layout;
 use liftoff::{NameError, OutputError};
-use liftoff_studio::registry::Place;
+use liftoff_studio::registry::{Place, Quantity};
 use liftoff_studio::run_spec::Values;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
@@ -61,7 +61,7 @@ pub fn measured(
 pub fn number(what: &str, value: &Bound<'_, PyAny>) -> PyResult<(f64, Option<SiUnit>)> {
     if let Ok(text) = value.cast::<PyString>() {
         let text = text.to_string();
-        let formula = Formula::parse(&text, &[]);
+        let formula = Quantity::parse(&text, &[]);
         let formula = formula.map_err(|error| invalid(format!("{what}: `{text}` is no number: {error}")))?;
         return Ok((formula.value(&[]), formula.unit()));
     }

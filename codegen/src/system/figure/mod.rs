@@ -159,8 +159,10 @@ impl Draft<'_> {
             return true;
         }
         let [drawn, length] = lengths(&samples[0]).map(|length| (length * 1e4).round() / 1e4);
+        let by_default = scope.description.values.iter().any(|known| known.value.is_some());
+        let at = if by_default { "with the values of the parameters" } else { "with parameters near 1" };
         let text = format!(
-            "the figure draws {} `{}` {drawn} long, and its length is {length} (with parameters near 1); move `{}` or `{}` in \
+            "the figure draws {} `{}` {drawn} long, and its length is {length} ({at}); move `{}` or `{}` in \
              `#[figure(…)]`",
             bar.kind(),
             bar.name,

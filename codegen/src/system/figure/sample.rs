@@ -96,7 +96,7 @@ impl Figure {
 
     /// The first samples of the parameters with which all bodies can be drawn.
     pub(super) fn drawable(scope: &Scope, structure: &Structure, positions: &[Place]) -> Vec<Sample> {
-        let samples = scope.candidates().map(|numbers| Sample::at(numbers, positions));
+        let samples = scope.of_figure().map(|numbers| Sample::at(numbers, positions));
         let sound =
             |sample: &Sample| (0..structure.bodies.len()).all(|b| sample.fault(structure, b).is_none());
         samples.filter(sound).take(SAMPLES).collect()

@@ -204,25 +204,48 @@ fn a_run_says_each_thing_once() {
     twice("limit = 1, limit = 2", "limit");
 }
 
-/// What no macro sees where a file is read: attributes of others are let alone.
+/// What the compiler would refuse where a file is read without it.
 #[test]
 fn attributes_that_the_compiler_would_refuse_are_told() {
-    let told = |attributes: &str| {
-        let item: syn::DeriveInput = syn::parse_str(&format!("{attributes} struct S;")).unwrap();
-        let errors = crate::syntax::check_attributes(&item.attrs).err();
+    let told = |attributes: &str, field: &str| {
+        let item = format!("{attributes} struct S {{ {field} m: f64 }}");
+        let errors = crate::syntax::check_attributes(&syn::parse_str(&item).unwrap()).err();
         errors.into_iter().flatten().map(|error| error.to_string()).collect::<Vec<_>>()
     };
+    let hint = |name: &str, hint: &str| format!("there is no attribute `{name}`; did you mean `{hint}`?");
     assert_eq!(
-        told("#[suport(A = floor)] #[serde(tag)] #[gravty(g)]"),
+        told("#[derive(Default)] #[suport(A = floor)] #[gravty(g)] #[rope(AB, length = s)]", "#[default(3)]"),
         [
-            "there is no attribute `suport`; did you mean `support`?",
-            "there is no attribute `gravty`; did you mean `gravity`?"
+            hint("suport", "support"),
+            hint("gravty", "gravity"),
+            hint("rope", "#[thread(AB, length = s)]"),
+            hint("default", "#[value(9.81, unit = \"m/s²\")]"),
         ]
     );
-    assert_eq!(
-        told("#[cfg_attr(test, support(A = floor))]"),
-        ["whether this holds is not known here; write the attribute without `cfg_attr`"]
+    let all = told("#[gelenk(AB)]", "");
+    assert!(
+        all[0].starts_with("there is no attribute `gelenk`; those of a bar system are `budget`, "),
+        "{all:?}"
     );
-    let fine = "/// A body.\n#[derive(Clone)] #[allow(dead_code)] #[cfg_attr(test, derive(Debug))] #[gravity(g)] #[other::bar(AB)]";
-    assert_eq!(told(fine), [""; 0]);
+    let condition = "whether this holds is not known here; write the attribute without `cfg_attr`";
+    assert_eq!(told("#[cfg_attr(test, allow(x), support(A = floor))]", ""), [condition]);
+    assert_eq!(
+        told("#[cfg_attr(test, collision(A = floor))]", ""),
+        [hint("collision", "#[support(A = floor)]")]
+    );
+    assert_eq!(told("", "#[cfg_attr(test, value = 3)]"), [condition]);
+    assert_eq!(told("#[liftoff::bar(AB)]", ""), ["an attribute of a bar system has no path; write `bar`"]);
+    // A helper attribute is that of a derive that stands there.
+    for derive in ["Serialize", "serde::Deserialize", "serde::Other"] {
+        assert_eq!(told(&format!("#[derive({derive})] #[serde(tag)]"), "#[serde(skip)]"), [""; 0]);
+        assert_eq!(
+            told(&format!("#[derive({derive})] #[rope(AB)]"), ""),
+            [hint("rope", "#[thread(AB, length = s)]")]
+        );
+    }
+    assert_eq!(told("#[cfg_attr(test, derive(Builder), builder(x))] #[builder(y)]", ""), [""; 0]);
+    assert_eq!(told("#[derive(Clone)] #[serde(tag)]", "").len(), 1);
+    let fine = "/// A body.\n#[derive(Clone)] #[allow(dead_code)] #[expect(x)] #[cfg_attr(test, derive(Debug))] \
+                #[inline] #[must_use] #[deprecated] #[repr(C)] #[non_exhaustive] #[gravity(g)] #[other::bar(AB)]";
+    assert_eq!(told(fine, "/// A mass.\n#[cfg(test)] #[value = 3] #[allow(x)]"), [""; 0]);
 }

@@ -4,7 +4,7 @@ use crate::CommandError;
 use crate::commands::sweep::options::Options;
 use crate::errors::interrupted::interrupted;
 use crate::options::run_args::EventArgs;
-use crate::options::values::quantity;
+use crate::options::values::width;
 use crate::output::json::pretty;
 use crate::output::print::print;
 use clap::Args;
@@ -43,7 +43,7 @@ pub struct Boundary {
     #[command(flatten)]
     events: EventArgs,
     /// How closely curves are followed, in parts of the ranges
-    #[arg(long, value_name = "WIDTH", value_parser = quantity, default_value_t = WIDTH, allow_negative_numbers = true)]
+    #[arg(long, value_name = "WIDTH", value_parser = width, default_value_t = WIDTH, allow_negative_numbers = true)]
     to: f64,
     /// Print JSON
     #[arg(long)]

@@ -2,13 +2,13 @@
 
 use crate::CommandError;
 use crate::options::pose_args::PoseArgs;
-use crate::options::values::{Assignment, number};
+use crate::options::values::{Assignment, assignment};
 use crate::output::analysis;
 use crate::output::print::print;
 use clap::Args;
 use liftoff::NameError;
 use liftoff_analysis::{AnalysisError, Equilibrium as Rest, LoadLimit, equilibria, load_limit};
-use liftoff_studio::registry::{Entry, Models};
+use liftoff_studio::registry::{Entry, Models, Units};
 
 #[derive(Args, Debug)]
 pub struct Equilibrium {
@@ -19,37 +19,48 @@ pub struct Equilibrium {
     pose: PoseArgs,
     /// A parameter, a load say: how far it may grow, or go to VALUE, until which contact opens or slides
     #[arg(long, value_name = "NAME[=VALUE]", value_parser = load)]
-    load: Option<(String, Option<f64>)>,
+    load: Option<Load>,
     /// Print JSON
     #[arg(long)]
     json: bool,
 }
 
-fn load(text: &str) -> Result<(String, Option<f64>), String> {
-    match text.split_once('=') {
-        Some((name, value)) => Ok((name.trim().to_owned(), Some(number(value)?))),
-        None => Ok((text.trim().to_owned(), None)),
+fn load(text: &str) -> Result<Load, String> {
+    match text.contains('=') {
+        true => assignment(text).map(|to| Load { name: to.name.clone(), to: Some(to) }),
+        false => Ok(Load { name: text.trim().to_owned(), to: None }),
     }
+}
+
+/// A parameter that grows, and how far.
+#[derive(Clone, Debug)]
+struct Load {
+    name: String,
+    to: Option<Assignment>,
 }
 
 impl Equilibrium {
     /// Prints the equilibria that are found from the start, each with its reactions, its modes of vibration, and how far a load may go.
     pub fn execute(&self, models: &Models) -> Result<(), CommandError> {
         let model = models.find(&self.model)?;
-        if let Some((name, _)) = &self.load {
+        if let Some(Load { name, to }) = &self.load {
             check_parameter(model, name)?;
+            let unit = to.as_ref().and_then(|to| to.unit);
+            let checked = Units::of(model.layout()).check(name, unit);
+            checked.map_err(|why| CommandError::Usage(format!("--load {name}: {why}")))?;
         }
         let subject = self.pose.subject(model)?;
         let found = equilibria(&subject)?;
         let layout = subject.layout();
         let limits = match &self.load {
-            Some((name, to)) => {
-                let each = found.iter().map(|rest| self.limit(model, rest, (name, *to)));
+            Some(Load { name, to }) => {
+                let to = to.as_ref().map(|to| to.value);
+                let each = found.iter().map(|rest| self.limit(model, rest, (name, to)));
                 Some(each.collect::<Result<Vec<_>, _>>()?)
             }
             None => None,
         };
-        let load = self.load.as_ref().map(|(name, _)| name.as_str());
+        let load = self.load.as_ref().map(|load| load.name.as_str());
         Ok(print(&match self.json {
             true => analysis::equilibria_json(layout, &found, limits.as_deref())?,
             false => analysis::equilibria_text(layout, &found, load.zip(limits.as_deref())),

@@ -2,7 +2,7 @@
 
 use crate::CommandError;
 use crate::options::run_args::RunArgs;
-use crate::options::values::quantity;
+use crate::options::values::measured;
 use crate::options::variables::{variables, with_values};
 use crate::output::optimum;
 use crate::output::print::print;
@@ -11,7 +11,7 @@ use liftoff::Output;
 use liftoff::model::Layout;
 use liftoff::scalar::Dual4;
 use liftoff_analysis::{Free, Optimum, Place};
-use liftoff_studio::registry::Models;
+use liftoff_studio::registry::{Entry, Models, Units};
 use liftoff_studio::sweep::Observation;
 
 #[derive(Args, Debug)]
@@ -43,8 +43,13 @@ impl Optimise {
         let (place, output) = self.read(model.layout())?;
         let spec = self.run_args.spec(model)?;
         let simulation = model.simulation(&spec)?;
-        let (names, bounds): (Vec<String>, Vec<_>) =
-            self.vary.iter().map(|text| bounded(text)).collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
+        let (names, bounds): (Vec<String>, Vec<_>) = self
+            .vary
+            .iter()
+            .map(|text| bounded(model, text))
+            .collect::<Result<Vec<_>, _>>()?
+            .into_iter()
+            .unzip();
         let varied = variables(&simulation, &spec, "--vary", &names)?;
         let simulate = |values: &[f64]| {
             model.simulation(&with_values(&spec, &varied, values)).map_err(|error| error.to_string())
@@ -82,11 +87,12 @@ impl Optimise {
 }
 
 /// `NAME` or `NAME=LOW:HIGH`.
-fn bounded(text: &str) -> Result<(String, Option<[f64; 2]>), CommandError> {
+fn bounded(model: &Entry, text: &str) -> Result<(String, Option<[f64; 2]>), CommandError> {
     let wrong = |why: &str| CommandError::Usage(format!("--vary {text}: {why}"));
     let Some((name, bounds)) = text.split_once('=') else { return Ok((text.trim().to_owned(), None)) };
     let (low, high) = bounds.split_once(':').ok_or_else(|| wrong("expected NAME=LOW:HIGH"))?;
-    let number = |text: &str| quantity(text).map_err(|why| wrong(&why));
+    let units = Units::of(model.layout());
+    let number = |text: &str| measured(&units, name, text).map_err(|why| wrong(&why));
     let [low, high] = [number(low)?, number(high)?];
     if !(low < high && (high - low).is_finite()) {
         return Err(wrong("a lower and a greater bound are expected"));

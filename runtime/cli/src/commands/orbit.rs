@@ -10,7 +10,7 @@ use liftoff::model::Layout;
 use liftoff::scalar::Dual4;
 use liftoff::{NameError, Simulation};
 use liftoff_analysis::{ReturnMap, Section};
-use liftoff_studio::registry::{Entry, Models};
+use liftoff_studio::registry::{Entry, Models, Units};
 use liftoff_studio::run_spec::RunSpec;
 
 #[derive(Args, Debug)]
@@ -57,6 +57,9 @@ impl Orbit {
             })?);
         };
         let place = parameter(layout, &to.name)?;
+        Units::of(layout)
+            .check(&to.name, to.unit)
+            .map_err(|why| CommandError::Usage(format!("--continue {}: {why}", to.name)))?;
         let branch = map.branch(&found, place, to.value)?;
         Ok(print(&match self.json {
             true => orbit::branch_json(layout, &branch)?,

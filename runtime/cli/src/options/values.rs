@@ -1,7 +1,8 @@
 //! `name=value`, `support@time`, `thread=condition` and `point=px,py@time` arguments.
 
+use liftoff::OutputError;
 use liftoff::expression::si_unit::{NEWTON, RADIAN, SECOND, SiUnit};
-use liftoff::{Formula, OutputError};
+use liftoff_studio::registry::{Quantity, QuantityError, Units};
 use liftoff_studio::run_spec::PointImpulse;
 use std::ops::RangeInclusive;
 
@@ -36,8 +37,10 @@ pub struct Release {
 pub fn release(text: &str) -> Result<Release, String> {
     let (support, at) = text.split_once('@').ok_or("expected support@time")?;
     let [support, text] = [support, at].map(|part| part.trim().to_owned());
-    match (time(at), Formula::parse(at, &[])) {
-        (at @ Err(_), Err(OutputError::Name(_))) | (at @ Ok(_), _) => Ok(Release { support, text, at }),
+    match (time(at), Quantity::parse(at, &[])) {
+        (at @ Err(_), Err(QuantityError::Formula(OutputError::Name(_)))) | (at @ Ok(_), _) => {
+            Ok(Release { support, text, at })
+        }
         (Err(error), _) => Err(error),
     }
 }
@@ -56,29 +59,35 @@ pub fn blow(text: &str) -> Result<PointImpulse, String> {
         impulse.split_once(',').map(|(x, y)| (point, x, y, at))
     };
     let (point, x, y, at) = parts().ok_or("expected point=px,py@time")?;
-    let newton_seconds = |text| measured(text, NEWTON.times(SECOND, 1));
+    let newton_seconds = |text| in_unit(text, NEWTON.times(SECOND, 1));
     let impulse = [newton_seconds(x)?, newton_seconds(y)?];
     Ok(PointImpulse { point: point.trim().to_owned(), impulse, at: time(at)? })
 }
 
 /// A time, s.
 pub fn time(text: &str) -> Result<f64, String> {
-    measured(text, SECOND)
+    in_unit(text, SECOND)
 }
 
 /// A number without a unit, or with one of an angle.
 pub fn number(text: &str) -> Result<f64, String> {
-    measured(text, RADIAN)
+    in_unit(text, RADIAN)
 }
 
-/// A number of which whatever it is measured in is known later.
-pub fn quantity(text: &str) -> Result<f64, String> {
+/// A width, in whatever it is measured.
+pub fn width(text: &str) -> Result<f64, String> {
     Ok(formula(text)?.value(&[]))
+}
+
+/// A number that is compared with an output, or taken by a parameter, coordinate or rate of this name.
+pub fn measured(units: &Units, output: &str, text: &str) -> Result<f64, String> {
+    let formula = formula(text)?;
+    units.check(output, formula.unit()).map(|()| formula.value(&[]))
 }
 
 /// A number as an expression of numbers and `pi`, with or without a unit that measures the same as this one:
 /// `75*pi/180`, `1 - 0.25`, `2.5 ms`.
-fn measured(text: &str, unit: SiUnit) -> Result<f64, String> {
+fn in_unit(text: &str, unit: SiUnit) -> Result<f64, String> {
     let formula = formula(text)?;
     match formula.unit() {
         Some(given) if !given.agrees(unit) => {
@@ -93,9 +102,9 @@ fn symbol(unit: SiUnit) -> String {
     if unit == RADIAN { "rad or nothing".into() } else { unit.symbol() }
 }
 
-fn formula(text: &str) -> Result<Formula, String> {
+fn formula(text: &str) -> Result<Quantity, String> {
     let told: String = text.chars().take(60).collect();
-    Formula::parse(text, &[]).map_err(|error| format!("`{told}` is no number: {error}"))
+    Quantity::parse(text, &[]).map_err(|error| format!("`{told}` is no number: {error}"))
 }
 
 /// A whole number within a range, `1e3` as well as `1000`.

@@ -5,17 +5,14 @@ use core::fmt;
 use super::OutputError;
 use super::parse::{Parser, check_length};
 use super::resolve::Vocabulary;
-use super::si_unit::SiUnit;
 use super::tree::Expression;
-use super::units::{self, Unit};
 
 /// A number that depends on variables, in the language of [`Output`](super::Output): numbers, `+ - * / ^`, parentheses,
-/// `sqrt sin cos tan abs`, `pi`, and the variables' names; with a unit behind it, `75deg`, it is in SI units and radians.
+/// `sqrt sin cos tan abs`, `pi`, and the variables' names.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Formula {
     text: String,
     expression: Expression,
-    unit: Option<Unit>,
 }
 
 impl Formula {
@@ -25,23 +22,15 @@ impl Formula {
     /// It is no expression, or names something else.
     pub fn parse(text: &str, variables: &[&str]) -> Result<Self, OutputError> {
         check_length(text)?;
-        let (number, unit) = units::split(text).map_err(OutputError::Unit)?;
-        let mut parser = Parser::new(number, Vocabulary::Variables(variables))?;
+        let mut parser = Parser::new(text, Vocabulary::Variables(variables))?;
         let expression = parser.sum()?;
         parser.end()?;
-        Ok(Self { text: text.trim().to_owned(), expression, unit })
+        Ok(Self { text: text.trim().to_owned(), expression })
     }
 
     /// Its value where the variables have these, in their order; NaN where there are too few.
     pub fn value(&self, variables: &[f64]) -> f64 {
-        self.expression
-            .constant(variables)
-            .map_or(f64::NAN, |value| value * self.unit.map_or(1.0, |unit| unit.factor))
-    }
-
-    /// The coherent unit of its value, if one stands behind it.
-    pub fn unit(&self) -> Option<SiUnit> {
-        self.unit.map(|unit| unit.coherent)
+        self.expression.constant(variables).unwrap_or(f64::NAN)
     }
 
     /// Whether it depends on the variable of this index.
@@ -66,7 +55,6 @@ mod tests {
         let value = |text: &str| Formula::parse(text, &["lambda", "x"]).map(|f| f.value(&[0.25, 2.0]));
         assert_eq!(value("1 - lambda"), Ok(0.75));
         assert_eq!(value("75*pi/180"), Ok(75.0 * PI / 180.0));
-        assert_eq!(value("10*lambda mm"), Ok(2.5 * 1e-3));
         assert_eq!(value("-x^2 * sqrt(2)/2"), Ok(-(4.0 * 2f64.sqrt()) / 2.0));
     }
 
@@ -75,7 +63,6 @@ mod tests {
         let error = |text: &str| Formula::parse(text, &["lambda"]).expect_err("no variable").to_string();
         assert_eq!(error("1 - lamda"), "no name `lamda`; did you mean `lambda`?");
         assert_eq!(error("lambda'"), "no name `lambda'`; did you mean `lambda`?");
-        assert_eq!(error("3 mmm"), "no unit `mmm`; did you mean `mm`?");
         assert_eq!(error("N(A)"), "no function `N`; known: sqrt, sin, cos, tan, abs");
     }
 

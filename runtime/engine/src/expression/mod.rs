@@ -16,7 +16,6 @@ mod significant;
 mod tests;
 mod token;
 mod tree;
-mod units;
 
 pub use condition::Condition;
 pub(crate) use condition::Relation;
@@ -157,9 +156,6 @@ pub enum OutputError {
         /// The condition.
         condition: String,
     },
-    /// An unknown unit.
-    #[error("{0}")]
-    Unit(String),
     /// More text than any expression has.
     #[error("an expression of {characters} characters: {LONGEST} are the most")]
     Length {

@@ -102,7 +102,7 @@ fn defaults(system: &System) -> Defaults {
     Defaults {
         values: list(values.iter().map(|known| known.value)),
         units: list(values.iter().map(|known| text(&known.unit))),
-        start: list(run.start.iter().map(|(name, value)| (text(name), *value))),
+        start: list(run.start.iter().map(|start| (text(&start.name), start.value))),
         until: list(run.until.iter().map(|condition| text(condition))),
         limit: run.limit,
     }

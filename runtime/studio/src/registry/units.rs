@@ -26,6 +26,22 @@ impl Units {
         si_unit(output, self.layout, &self.parameters)
     }
 
+    /// Refuses a unit that measures something else than an output, where that is known.
+    ///
+    /// # Errors
+    /// What each is measured in.
+    pub fn check(&self, output: &str, given: Option<SiUnit>) -> Result<(), String> {
+        let Some((given, expected)) = given.zip(self.si(output)) else { return Ok(()) };
+        let symbol = |unit: SiUnit| match unit.symbol() {
+            symbol if symbol.is_empty() => "nothing".to_owned(),
+            symbol => symbol,
+        };
+        match given.agrees(expected) {
+            true => Ok(()),
+            false => Err(format!("measured in {}, not in {}", symbol(expected), symbol(given))),
+        }
+    }
+
     /// The same with `1` for a number.
     pub fn symbol(&self, output: &str) -> Option<String> {
         self.unit(output).map(|unit| if unit.is_empty() { "1".to_owned() } else { unit })

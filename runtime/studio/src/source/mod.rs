@@ -12,7 +12,7 @@ use liftoff_interpreter::Interpreted;
 use proc_macro2::{LexError, TokenStream};
 use quote::ToTokens;
 use std::sync::Arc;
-use syn::{Attribute, File, Item, Meta, Path, Stmt, Token, punctuated::Punctuated};
+use syn::{Attribute, DeriveInput, File, Item, Meta, Path, Stmt, Token, punctuated::Punctuated};
 
 /// A mistake, and where it is: bytes of the file.
 #[derive(Debug)]
@@ -61,9 +61,9 @@ fn each<T>(source: &str, make: impl Fn(TokenStream) -> syn::Result<T>) -> Result
     let file = read(source)?;
     let (mut found, mut wrong) = (Vec::new(), Vec::new());
     for item in file.items.into_iter().flat_map(declared) {
-        let stray = liftoff_codegen::check_attributes(attributes(&item));
-        wrong.extend(stray.err().into_iter().flat_map(mistakes));
-        match make(item.into_token_stream()) {
+        let unknown = liftoff_codegen::check_attributes(&item);
+        wrong.extend(unknown.err().into_iter().flat_map(mistakes));
+        match make(without_derives(item).into_token_stream()) {
             Ok(made) => found.push(made),
             Err(errors) => wrong.extend(mistakes(errors)),
         }
@@ -104,31 +104,18 @@ fn at_end(mistake: Mistake, end: usize) -> Mistake {
     Mistake { at, ..mistake }
 }
 
-/// Items that derive `BarSystem`, at any depth, as the macro sees them: without `derive`.
-fn declared(item: Item) -> Vec<Item> {
+/// Items that derive `BarSystem`, at any depth.
+fn declared(item: Item) -> Vec<DeriveInput> {
     let inside = |items: Vec<Item>| items.into_iter().flat_map(declared).collect();
+    let own =
+        |item: DeriveInput| Some(item).filter(|item| item.attrs.iter().any(derives)).into_iter().collect();
     match item {
         Item::Mod(module) => inside(module.content.map_or_else(Vec::new, |(_, items)| items)),
         Item::Fn(function) => inside(function.block.stmts.into_iter().filter_map(item_of).collect()),
-        Item::Struct(mut item) => {
-            takes_derive(&mut item.attrs).then_some(Item::Struct(item)).into_iter().collect()
-        }
-        Item::Enum(mut item) => {
-            takes_derive(&mut item.attrs).then_some(Item::Enum(item)).into_iter().collect()
-        }
-        Item::Union(mut item) => {
-            takes_derive(&mut item.attrs).then_some(Item::Union(item)).into_iter().collect()
-        }
+        Item::Struct(item) => own(item.into()),
+        Item::Enum(item) => own(item.into()),
+        Item::Union(item) => own(item.into()),
         _ => Vec::new(),
-    }
-}
-
-fn attributes(item: &Item) -> &[Attribute] {
-    match item {
-        Item::Struct(item) => &item.attrs,
-        Item::Enum(item) => &item.attrs,
-        Item::Union(item) => &item.attrs,
-        _ => &[],
     }
 }
 
@@ -136,11 +123,10 @@ fn item_of(statement: Stmt) -> Option<Item> {
     if let Stmt::Item(item) = statement { Some(item) } else { None }
 }
 
-/// Whether `BarSystem` is derived; `derive` is gone then.
-fn takes_derive(attributes: &mut Vec<Attribute>) -> bool {
-    let derived = attributes.iter().any(derives);
-    attributes.retain(|attribute| !attribute.path().is_ident("derive"));
-    derived
+/// The item as the macro sees it.
+fn without_derives(mut item: DeriveInput) -> DeriveInput {
+    item.attrs.retain(|attribute| !attribute.path().is_ident("derive"));
+    item
 }
 
 fn derives(attribute: &Attribute) -> bool {
@@ -172,10 +158,24 @@ mod tests {
             told_of("#[suport(A = floor)]"),
             ["there is no attribute `suport`; did you mean `support`?"]
         );
-        assert_eq!(told_of("#[inline] #[serde(x)] #[doc = \"x\"] #[clap(y)] #[liftoff::document]"), [""; 0]);
+        assert_eq!(told_of("#[inline] #[doc = \"x\"] #[liftoff::document] #[rustfmt::skip]"), [""; 0]);
+        assert_eq!(told_of("#[derive(Serialize)] #[serde(x)] #[derive(clap::Args)] #[clap(y)]"), [""; 0]);
+        let hint = ["there is no attribute `collision`; did you mean `#[support(A = floor)]`?"];
+        assert_eq!(told_of("#[collision(A = floor)]"), hint);
         let condition = ["whether this holds is not known here; write the attribute without `cfg_attr`"];
         assert_eq!(told_of("#[cfg_attr(feature = \"a\", support(A = floor))]"), condition);
         assert_eq!(told_of("#[cfg_attr(docsrs, allow(x))]"), [""; 0]);
+    }
+
+    #[test]
+    fn unknown_attributes_are_told_at_their_place() {
+        let source = ROD.replace("#[pin(", "#[revolute(").replace("l: f64", "#[valeu(2)] l: f64");
+        let all = told(&source);
+        assert!(all.contains(&(
+            "there is no attribute `revolute`; did you mean `#[pin(O = (0, 0))]`?".into(),
+            "revolute"
+        )));
+        assert!(all.contains(&("there is no attribute `valeu`; did you mean `value`?".into(), "valeu")));
     }
 
     #[test]

@@ -18,7 +18,7 @@ use std::time::Instant;
 
 /// A sweep with every name resolved.
 pub(super) struct Plan<'a> {
-    model: &'a Entry,
+    pub(super) model: &'a Entry,
     spec: &'a RunSpec,
     settings: Vec<Setting>,
     /// Varied names in conditions.

@@ -1,7 +1,7 @@
 //! What is varied: `lambda=0:1:201`, `k=1e-3:1:50:log`, `e=0:1`, `m=1,2,4`.
 
 use super::{MOST_MEMBERS, SweepError};
-use liftoff::expression::Formula;
+use crate::registry::Quantity;
 use liftoff::expression::si_unit::SiUnit;
 
 const MANY: usize = MOST_MEMBERS + 1;
@@ -137,9 +137,9 @@ impl Range {
 }
 
 fn number(text: &str, units: &mut Vec<SiUnit>) -> Result<f64, String> {
-    let formula = Formula::parse(text, &[]).map_err(|error| error.to_string())?;
-    units.extend(formula.unit());
-    let value = formula.value(&[]);
+    let quantity = Quantity::parse(text, &[]).map_err(|error| error.to_string())?;
+    units.extend(quantity.unit());
+    let value = quantity.value(&[]);
     if value.is_finite() { Ok(value) } else { Err(format!("{} is no finite number", text.trim())) }
 }
 

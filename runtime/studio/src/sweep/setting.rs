@@ -1,10 +1,9 @@
 //! What of a member depends on the varied names.
 
 use super::SweepError;
-use crate::registry::Place;
+use crate::registry::{Place, Quantity};
 use crate::run_spec::{RunSpec, Values};
 use liftoff::NameError;
-use liftoff::expression::Formula;
 use liftoff::model::Layout;
 
 /// `name=formula` as it was given.
@@ -30,7 +29,7 @@ impl Assignment {
                 NameError::new(target.kind(), name, target.names(layout).iter().map(String::as_str)).into()
             );
         }
-        let formula = Formula::parse(formula, varied)
+        let formula = Quantity::parse(formula, varied)
             .map_err(|error| SweepError::syntax(&format!("{name}={formula}"), error))?;
         target.check_unit(layout, name, formula.unit()).map_err(SweepError::Invalid)?;
         Ok(Setting { target: *target, name: name.clone(), formula })
@@ -66,7 +65,7 @@ impl Place {
 pub(super) struct Setting {
     target: Place,
     name: String,
-    formula: Formula,
+    formula: Quantity,
 }
 
 impl Setting {

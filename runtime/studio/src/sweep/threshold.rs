@@ -3,7 +3,8 @@
 use super::cell::{Cell, Outcome};
 use super::plan::Plan;
 use super::{Range, Spread, SweepError, Varied};
-use liftoff::expression::Formula;
+use crate::registry::{Quantity, Units};
+use liftoff::expression::si_unit::SiUnit;
 
 /// Values of the coarse grid where no count is given.
 const COARSE: usize = 33;
@@ -30,19 +31,19 @@ pub(super) enum Criterion {
     #[default]
     Category,
     /// On which side of a value it is.
-    Side(f64),
+    Side(f64, Option<SiUnit>),
 }
 
 impl Criterion {
     /// An observation, and the value after its `=`.
     pub(super) fn split(text: &str) -> Result<(&str, Self), SweepError> {
         let Some((observation, value)) = text.split_once('=') else { return Ok((text, Self::Category)) };
-        let formula = Formula::parse(value, &[]).map_err(SweepError::output(text))?;
-        Ok((observation, Self::Side(formula.value(&[]))))
+        let quantity = Quantity::parse(value, &[]).map_err(|error| SweepError::syntax(text, error))?;
+        Ok((observation, Self::Side(quantity.value(&[]), quantity.unit())))
     }
 
     pub(super) fn value(self) -> Option<f64> {
-        if let Self::Side(value) = self { Some(value) } else { None }
+        if let Self::Side(value, _) = self { Some(value) } else { None }
     }
 
     /// Whether what is observed has it, and is one thing.
@@ -57,17 +58,22 @@ impl Criterion {
                     "`{text}` is a number: say which it is to reach, `{text} = 0`"
                 )))
             }
-            (true, Self::Side(_)) => {
+            (true, Self::Side(..)) => {
                 Err(SweepError::Invalid(format!("`{}` is no number", observation.text())))
             }
-            _ => Ok(()),
+            (false, Self::Side(_, unit)) => {
+                let output = observation.output().map(ToString::to_string).unwrap_or_default();
+                let wrong = |wrong| SweepError::Invalid(format!("`{}`: {wrong}", observation.text()));
+                Units::of(plan.model.layout()).check(&output, unit).map_err(wrong)
+            }
+            (true, Self::Category) => Ok(()),
         }
     }
 
     pub(super) fn label(self, outcome: &Outcome) -> String {
         match (outcome, self) {
             (Err(_), _) => "failed".into(),
-            (Ok(cells), Self::Side(value)) => match cells.first().and_then(Cell::number) {
+            (Ok(cells), Self::Side(value, _)) => match cells.first().and_then(Cell::number) {
                 Some(number) if number < value => format!("< {value}"),
                 Some(number) if number > value => format!("> {value}"),
                 Some(_) => format!("= {value}"),

@@ -2,10 +2,11 @@
 
 use super::table::Table;
 use crate::CommandError;
-use crate::options::values::quantity;
+use crate::options::values::measured;
 use liftoff::Output;
 use liftoff::model::Layout;
 use liftoff_analysis::{Datum, Place};
+use liftoff_studio::registry::Units;
 use liftoff_studio::sweep::Observation;
 use std::path::Path;
 
@@ -40,8 +41,9 @@ impl Measured {
         of: &[String],
         deviations: &[String],
     ) -> Result<(), CommandError> {
+        let units = Units::of(layout);
         let deviations: Vec<(String, f64)> =
-            deviations.iter().map(|text| deviation(text)).collect::<Result<_, _>>()?;
+            deviations.iter().map(|text| deviation(&units, text)).collect::<Result<_, _>>()?;
         let names = || deviations.iter().map(|(name, _)| name);
         if let Some((_, name)) =
             names().enumerate().find(|(k, name)| names().take(*k).any(|known| known == *name))
@@ -80,7 +82,15 @@ impl Measured {
         let (what, value) = text.rsplit_once('=').ok_or_else(|| wrong("expected WHAT=VALUE"))?;
         let parts = DEVIATIONS.iter().find_map(|sign| value.split_once(sign));
         let (value, known) = parts.map_or((value, None), |(value, known)| (value, Some(known)));
-        let number = |text: &str| quantity(text).map_err(|why| wrong(&why));
+        let observation = Observation::parse(what, layout).map_err(|error| wrong(&error.to_string()))?;
+        let Some((which, filter, output)) = observation.event() else {
+            return Err(wrong(
+                "expected an event, `first open`, `2nd impact A`, `last stick`, or an output behind it",
+            ));
+        };
+        let kind = output.map_or("t".to_owned(), ToString::to_string);
+        let units = Units::of(layout);
+        let number = |text: &str| measured(&units, &kind, text).map_err(|why| wrong(&why));
         let (value, known) = (number(value)?, known.map(number).transpose()?);
         if !value.is_finite() {
             return Err(wrong("the value is not finite"));
@@ -88,16 +98,9 @@ impl Measured {
         if known.is_some_and(|known| !is_deviation(known)) {
             return Err(wrong("a standard deviation is a number > 0"));
         }
-        let observation = Observation::parse(what, layout).map_err(|error| wrong(&error.to_string()))?;
-        let Some((which, filter, output)) = observation.event() else {
-            return Err(wrong(
-                "expected an event, `first open`, `2nd impact A`, `last stick`, or an output behind it",
-            ));
-        };
         if output.is_none() && value < 0.0 {
             return Err(wrong("it is before the start at t = 0"));
         }
-        let kind = output.map_or("t".to_owned(), ToString::to_string);
         self.add(Place::Event(which, filter), output.cloned(), (value, known), &kind);
         Ok(())
     }
@@ -125,10 +128,10 @@ impl Measured {
 }
 
 /// `COLUMN=VALUE` of a standard deviation.
-fn deviation(text: &str) -> Result<(String, f64), CommandError> {
+fn deviation(units: &Units, text: &str) -> Result<(String, f64), CommandError> {
     let wrong = |why: &str| CommandError::Usage(format!("--sd {text}: {why}"));
     let (name, value) = text.rsplit_once('=').ok_or_else(|| wrong("expected COLUMN=VALUE"))?;
-    let value = quantity(value).map_err(|why| wrong(&why))?;
+    let value = measured(units, name, value).map_err(|why| wrong(&why))?;
     let value = Some(value).filter(|value| is_deviation(*value));
     Ok((name.trim().to_owned(), value.ok_or_else(|| wrong("a standard deviation is a number > 0"))?))
 }

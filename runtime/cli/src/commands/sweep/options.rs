@@ -3,7 +3,7 @@
 use crate::CommandError;
 use crate::options::columnar_files::ColumnarFiles;
 use crate::options::run_args::{EventArgs, given, likely_degrees};
-use crate::options::values::{assignment, quantity, whole};
+use crate::options::values::{assignment, whole, width};
 use crate::output::file::{is_output, probe, probe_picture};
 use clap::Args;
 use liftoff_studio::registry::Entry;
@@ -44,7 +44,7 @@ pub struct Options {
     #[arg(long, value_name = "NAME=LOW:HIGH[:COUNT]", conflicts_with_all = ["vary", "random", "sobol", "csv", "parquet", "arrow", "npz", "svg", "journal"])]
     pub bisect: Option<String>,
     /// How narrow to make the intervals of changes [default: 1e-10]
-    #[arg(long, value_name = "WIDTH", requires = "bisect", value_parser = quantity, allow_negative_numbers = true)]
+    #[arg(long, value_name = "WIDTH", requires = "bisect", value_parser = width, allow_negative_numbers = true)]
     pub to: Option<f64>,
     #[command(flatten)]
     pub events: EventArgs,
