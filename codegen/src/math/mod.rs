@@ -111,7 +111,7 @@ impl Math {
         }
     }
 
-    /// A product, the sign of its first factor in front; of none it is 1. A first factor 1 is left out.
+    /// A product, the sign of its first factor in front; of none it is 1. A first factor 1 is left out, sums are put in brackets.
     pub fn product(factors: impl IntoIterator<Item = Self>) -> Self {
         let mut all = Vec::new();
         let mut negative = false;
@@ -130,7 +130,7 @@ impl Math {
         let product = match all.len() {
             0 => Self::ONE,
             1 => all.remove(0),
-            _ => Self::Product(all),
+            _ => Self::Product(all.into_iter().map(Self::factor).collect()),
         };
         product.signed(negative)
     }
@@ -139,7 +139,20 @@ impl Math {
         if let Self::Product(factors) = self { factors } else { vec![self] }
     }
 
-    /// One over the other, the sign in front; a sum above is put in brackets.
+    /// What may stand beside other factors: sums and what has a sign in brackets.
+    fn factor(self) -> Self {
+        if matches!(self, Self::Sum(_) | Self::Minus(_)) { self.group() } else { self }
+    }
+
+    /// What may stand below a stroke: one factor.
+    fn divisor(self) -> Self {
+        match self {
+            Self::Product(_) | Self::Fraction { .. } | Self::Multiple(..) => self.group(),
+            other => other.factor(),
+        }
+    }
+
+    /// One over the other, the sign in front; a sum above, and all but one factor below, is put in brackets.
     pub fn over(self, below: Self) -> Self {
         self.divided(below, false)
     }
@@ -152,8 +165,7 @@ impl Math {
     fn divided(self, below: Self, wide: bool) -> Self {
         match self {
             Self::Minus(above) => above.divided(below, wide).minus(),
-            above @ Self::Sum(_) => above.group().divided(below, wide),
-            above => Self::Fraction { parts: Box::new([above, below]), wide },
+            above => Self::Fraction { parts: Box::new([above.factor(), below.divisor()]), wide },
         }
     }
 
@@ -161,9 +173,10 @@ impl Math {
     pub fn power(self, exponent: i32) -> Self {
         match self {
             base if exponent == 1 => base,
-            base @ (Self::Symbol(..) | Self::Group(_) | Self::Root(_) | Self::Number { .. }) => {
-                Self::Power(Box::new(base), exponent)
-            }
+            base @ (Self::Symbol(..)
+            | Self::Group(_)
+            | Self::Root(_)
+            | Self::Number { denominator: 1, .. }) => Self::Power(Box::new(base), exponent),
             base => Self::Power(Box::new(base.group()), exponent),
         }
     }

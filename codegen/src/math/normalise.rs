@@ -65,7 +65,8 @@ fn joined(mut factors: Vec<Math>) -> Vec<Math> {
         && parts[0] == Math::ONE
     {
         let below = Math::product([Math::integer(*denominator), parts[1].clone()]);
-        let joined = Math::integer(*numerator).over(below);
+        let parts = Box::new([Math::integer(*numerator), below]);
+        let joined = Math::Fraction { parts, wide: false };
         factors.splice(..2, [joined]);
     }
     factors

@@ -106,7 +106,7 @@ impl ParameterNames {
             definition if definition.is_pi() => Math::symbol("pi"),
             Definition::Sqrt(a) => Math::Root(Box::new(written(a))),
             Definition::Ratio(a, b) if b.as_constant() == Some(Rational::ONE) => written(a).group(),
-            Definition::Ratio(a, b) => written(a).group().over(written(b).group()),
+            Definition::Ratio(a, b) => written(a).over(written(b)),
         }
     }
 }

@@ -28,6 +28,7 @@ pub(super) fn resolve(
         let restitution = restitution(scope, name, &declared.contact_law);
         let path = path(scope, structure, declared);
         if let (Some(length), Some(path)) = (length, path) {
+            refuse_discs(scope, structure, declared, &path);
             let given = figure.filter(|figure| !path.iter().any(|&point| figure.assumed[point]));
             let drawn = given.and_then(|figure| drawn(scope, figure, &path));
             if let Some((drawn, length)) = drawn.zip(scope.literal(&length)) {
@@ -64,6 +65,19 @@ fn path(scope: &mut Scope, structure: &Structure, declared: &Thread) -> Option<V
     };
     scope.report.at(declared.name.span(), text);
     None
+}
+
+/// A thread passes its inner points as smooth eyes; about a disc it would take another way.
+fn refuse_discs(scope: &mut Scope, structure: &Structure, declared: &Thread, path: &[usize]) {
+    let inner = declared.path.iter().zip(path).take(path.len() - 1).skip(1);
+    for (point, _) in inner.filter(|(_, at)| structure.disc(**at).is_some()) {
+        let text = format!(
+            "thread `{}` passes `{point}`, which has a disc; a thread does not wrap round discs: \
+             lead it through a second point there, without a disc",
+            declared.name
+        );
+        scope.report.at(point.span(), text);
+    }
 }
 
 /// What is said of a thread or spring whose ends keep their distance.

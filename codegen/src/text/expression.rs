@@ -21,26 +21,15 @@ impl Writer<'_> {
 fn joined(operator: Operator, a: Math, b: Math) -> Math {
     match operator {
         Operator::Add => Math::sum([a, if matches!(b, Math::Sum(_)) { b.group() } else { b }]),
-        Operator::Subtract => match b {
-            Math::Minus(b) if !is_signed(&b) => Math::sum([a, *b]),
-            b => Math::sum([a, if is_signed(&b) { b.group() } else { b }.minus()]),
-        },
-        Operator::Multiply => Math::product([closed(a), bracketed(b)]),
-        Operator::Divide => closed(a).over(factor(b)),
+        Operator::Subtract => Math::sum([a, b.minus()]),
+        Operator::Multiply => Math::product([closed(a), b]),
+        Operator::Divide => closed(a).over(b),
     }
-}
-
-fn is_signed(math: &Math) -> bool {
-    matches!(math, Math::Sum(_) | Math::Minus(_))
-}
-
-fn bracketed(math: Math) -> Math {
-    if is_signed(&math) { math.group() } else { math }
 }
 
 /// What another factor or a bar may follow: `(sin t) m`, since `sin t m` could be the sine of `t m`.
 fn closed(math: Math) -> Math {
-    if is_open(&math) { math.group() } else { bracketed(math) }
+    if is_open(&math) { math.group() } else { math }
 }
 
 /// Whether it ends with the bare argument of a function.
@@ -52,14 +41,6 @@ fn is_open(math: &Math) -> bool {
     }
 }
 
-/// One factor: products are put in brackets too.
-fn factor(math: Math) -> Math {
-    match math {
-        Math::Product(_) | Math::Fraction { .. } => math.group(),
-        other => bracketed(other),
-    }
-}
-
 fn applied(function: Function, x: Math) -> Math {
     let of = |function, x: Math| {
         let single = matches!(&x, Math::Symbol(name, 0) if name.is_letter());
@@ -67,11 +48,11 @@ fn applied(function: Function, x: Math) -> Math {
         Math::Apply { function, power: 1, argument }
     };
     match function {
-        Function::Negate => bracketed(x).minus(),
+        Function::Negate => x.minus(),
         Function::Sqrt => Math::Root(Box::new(x)),
         Function::Sin => of("sin", x),
         Function::Cos => of("cos", x),
         Function::Tan => of("tan", x),
-        Function::Power(n) => factor(x).power(n),
+        Function::Power(n) => x.power(n),
     }
 }

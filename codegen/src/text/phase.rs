@@ -97,7 +97,6 @@ pub(super) fn times(math: Math, factor: Math) -> Math {
             let [above, below] = *parts;
             Math::Fraction { parts: Box::new([times(above, factor), below]), wide }
         }
-        sum @ Math::Sum(_) => Math::product([sum.group(), factor]),
         other => Math::product([other, factor]),
     }
 }

@@ -63,7 +63,7 @@ impl Sums<'_> {
         let written = |monomial| Series::monomial(Rational::ONE, monomial).math(self.names);
         let (units, others, below) = (written(units), written(others), written(below));
         let number = Series::constant(number).math(self.names);
-        let sum = factor.map_or(Math::ONE, |factor| bracketed(factor.math(self.names)));
+        let sum = factor.map_or(Math::ONE, |factor| factor.math(self.names));
         let parts = match factor.is_some_and(|factor| self.weighs(factor)) && !self.has_mass(&monomial) {
             true => [number, sum, units, others],
             false => [number, units, sum, others],
@@ -71,13 +71,9 @@ impl Sums<'_> {
         let mut parts: Vec<Math> = parts.into_iter().filter(|part| *part != Math::ONE).collect();
         match rest {
             Math::ONE if !parts.is_empty() => {}
-            sum @ Math::Sum(_) if !parts.is_empty() => parts.push(sum.group()),
             other => parts.push(other),
         }
-        match parts.as_slice() {
-            [Math::Group(sum)] if below == Math::ONE => (**sum).clone(),
-            _ => divided(parts, below),
-        }
+        divided(parts, below)
     }
 
     fn terms(&self, collected: &Collected) -> Math {
@@ -118,18 +114,12 @@ fn divided(mut above: Vec<Math>, below: Math) -> Math {
     if below == Math::ONE {
         return Math::product(above);
     }
-    let below = if matches!(below, Math::Product(_)) { below.group() } else { below };
     let is_number = |math: &Math| match math {
         Math::Minus(inner) => matches!(**inner, Math::Number { .. }),
         other => matches!(other, Math::Number { .. }),
     };
     let number = above.first().is_some_and(is_number).then(|| above.remove(0));
     Math::product(number.into_iter().chain([Math::product(above).over(below)]))
-}
-
-/// A sum in brackets.
-fn bracketed(math: Math) -> Math {
-    if matches!(math, Math::Sum(_)) { math.group() } else { math }
 }
 
 fn leads_negative(series: &Series) -> bool {

@@ -27,7 +27,6 @@ impl Written<'_> {
         let below = self.factors(form.number.denom(), &form.below);
         let quotient = match below {
             Math::Number { numerator: 1, denominator: 1 } => above,
-            product @ Math::Product(_) => above.all_over(product.group()),
             below => above.all_over(below),
         };
         quotient.signed(form.number.is_negative())
@@ -166,7 +165,6 @@ impl Written<'_> {
         let above = self.sum(above);
         match self.sum(below) {
             Math::Number { numerator: 1, denominator: 1 } => above,
-            sum @ Math::Sum(_) => above.over(sum.group()),
             below => above.over(below),
         }
     }

@@ -106,7 +106,7 @@ pub use contact::{ContactError, impulse};
 #[cfg(feature = "std")]
 pub use error::{ModelError, NameError, RunCause, RunError, ScheduleError, StartError, SupportError};
 #[cfg(feature = "std")]
-pub use event::{Event, EventKind, ImpactOrder, Note, Reaction};
+pub use event::{Event, EventKind, ImpactOrder, Note, PreImpact, Reaction};
 #[cfg(feature = "std")]
 pub use expression::contact_set;
 #[cfg(feature = "std")]
@@ -162,7 +162,9 @@ pub use simulation::{Budget, Exhausted, Simulation};
 #[cfg(feature = "std")]
 pub use trajectory::observe::{Observer, Step};
 #[cfg(feature = "std")]
-pub use trajectory::{AppliedImpulse, Extremum, LogEntry, LoggedDecision, Segment, Statistics, Trajectory};
+pub use trajectory::{
+    AppliedImpulse, Extremum, Instant, LogEntry, LoggedDecision, Segment, Statistics, Trajectory,
+};
 
 /// What a program needs to declare, run and read a simulation.
 pub mod prelude {

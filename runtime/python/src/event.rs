@@ -1,6 +1,6 @@
 //! What happened in a motion.
 
-use liftoff::model::Layout;
+use liftoff::model::{Energy, Layout};
 use liftoff::{NameError, Reaction};
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
@@ -28,6 +28,8 @@ pub struct Event {
     #[pyo3(get)]
     text: String,
     state: Vec<(String, f64)>,
+    before: Vec<(String, f64)>,
+    energy: Vec<(String, f64)>,
     reactions: Vec<(String, f64)>,
     friction: Vec<(String, f64)>,
     impulses: Vec<(String, f64)>,
@@ -42,6 +44,11 @@ impl Event {
             note: event.note.as_ref().map(ToString::to_string),
             text: event.to_string(),
             state: layout.names_of_state().zip(event.state.iter().copied()).collect(),
+            before: event.before.as_ref().map_or_else(Vec::new, |before| {
+                let state = layout.names_of_state().zip(before.state.iter().copied());
+                state.chain(energy(before.energy)).collect()
+            }),
+            energy: energy(event.energy).to_vec(),
             reactions: by_label(&event.reactions, |reaction| Some(reaction.value)),
             friction: by_label(&event.reactions, |reaction| reaction.friction),
             impulses: by_label(&event.impulses, |impulse| Some(impulse.value)),
@@ -54,16 +61,29 @@ impl Event {
     /// Made of what `__reduce__` tells.
     #[new]
     #[pyo3(signature = (t, words, *values))]
-    fn new(t: f64, words: Words, values: [Vec<(String, f64)>; 4]) -> Self {
+    fn new(t: f64, words: Words, values: [Vec<(String, f64)>; 6]) -> Self {
         let (kind, names, note, text) = words;
-        let [state, reactions, friction, impulses] = values;
-        Self { t, kind, names, note, text, state, reactions, friction, impulses }
+        let [state, before, energy, reactions, friction, impulses] = values;
+        Self { t, kind, names, note, text, state, before, energy, reactions, friction, impulses }
     }
 
     /// Coordinates and rates after the event, by their names.
     #[getter]
     fn state<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         self.state.clone().into_py_dict(py)
+    }
+
+    /// Coordinates, rates and the energies `T`, `V` and `E` just before an impact or an impulse; None for events at which no velocity
+    /// jumps.
+    #[getter]
+    fn before<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
+        (!self.before.is_empty()).then(|| self.before.clone().into_py_dict(py)).transpose()
+    }
+
+    /// The energies `T`, `V` and `E` after the event.
+    #[getter]
+    fn energy<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        self.energy.clone().into_py_dict(py)
     }
 
     /// Reactions after the event, by support; positive where they push.
@@ -105,16 +125,22 @@ impl Event {
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Parts)> {
-        let Self { t, kind, names, note, text, state, reactions, friction, impulses } = self.clone();
+        let Self { t, kind, names, note, text, state, before, energy, reactions, friction, impulses } =
+            self.clone();
         let words = (kind, names, note, text);
         let event = py.get_type::<Self>().into_any();
-        Ok((event, (t, words, state, reactions, friction, impulses)))
+        Ok((event, (t, words, state, before, energy, reactions, friction, impulses)))
     }
 }
 
 type Words = (String, Vec<String>, Option<String>, String);
 type Numbers = Vec<(String, f64)>;
-type Parts = (f64, Words, Numbers, Numbers, Numbers, Numbers);
+type Parts = (f64, Words, Numbers, Numbers, Numbers, Numbers, Numbers, Numbers);
+
+fn energy(Energy { kinetic, potential }: Energy<f64>) -> [(String, f64); 3] {
+    [("T", kinetic), ("V", potential), ("E", kinetic + potential)]
+        .map(|(name, value)| (name.to_owned(), value))
+}
 
 fn by_label(all: &[Reaction], of: fn(&Reaction) -> Option<f64>) -> Numbers {
     all.iter().filter_map(|reaction| Some((reaction.label.to_owned(), of(reaction)?))).collect()

@@ -6,7 +6,7 @@ use crate::model::Model;
 use crate::pictures;
 use crate::request::Request;
 use crate::values::numbers;
-use liftoff::{Output, Trajectory as Motion};
+use liftoff::{Instant, Output, Trajectory as Motion};
 use numpy::ndarray::Array2;
 use numpy::{
     IntoPyArray, PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods,
@@ -18,7 +18,8 @@ use pyo3::types::{PyDict, PyList, PySlice, PyTuple};
 /// A motion from its start to the event that ended it.
 ///
 /// `trajectory["phi"]` and `trajectory["N(A)"]` are arrays over the times `trajectory.t`, the ends of the steps of the
-/// integration; `trajectory.output("N(A)", t)` has the values at any times. At an event they are those after it.
+/// integration; `trajectory.output("N(A)", t)` has the values at any times. At an event they are those after it. Times of impacts
+/// and impulses stand twice in `trajectory.t`, and so do the rows of the arrays: before, then after.
 #[pyclass(frozen, mapping, module = "liftoff")]
 pub struct Trajectory {
     model: Py<Model>,
@@ -76,10 +77,13 @@ impl Trajectory {
         Ok(self.events.get_or_try_init(py, events)?.bind(py).clone())
     }
 
-    /// The ends of the integration's steps, in order of time.
+    /// The ends of the integration's steps, in order of time; times at which velocities jump twice, before and after.
     #[getter]
     fn t<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let made = || fixed(self.motion.times().into_pyarray(py)).map(Bound::unbind);
+        let made = || {
+            let times: Vec<f64> = self.motion.instants().iter().map(|instant| instant.t).collect();
+            fixed(times.into_pyarray(py)).map(Bound::unbind)
+        };
         Ok(self.t.get_or_try_init(py, made)?.bind(py).clone())
     }
 
@@ -87,7 +91,7 @@ impl Trajectory {
     #[getter]
     fn state<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let made = || {
-            let states = py.detach(|| states(&self.motion, &self.motion.times()))?;
+            let states = py.detach(|| states(&self.motion, &self.motion.instants()))?;
             fixed(states.into_pyarray(py)).map(Bound::unbind)
         };
         Ok(self.state.get_or_try_init(py, made)?.bind(py).clone())
@@ -133,14 +137,14 @@ impl Trajectory {
         t: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let output = self.expression(output)?;
-        let value = |t: &f64| self.motion.value(&output, *t);
         let Some(t) = t else {
-            let values: Vec<f64> = py.detach(|| self.motion.times().iter().map(value).collect());
+            let value = |instant: &Instant| self.motion.value_at(&output, *instant);
+            let values: Vec<f64> = py.detach(|| self.motion.instants().iter().map(value).collect());
             return Ok(values.into_pyarray(py).into_any());
         };
         let times = self.times(t)?;
         let owned = times.as_array().to_owned();
-        let values = py.detach(|| owned.mapv(|t| value(&t)));
+        let values = py.detach(|| owned.mapv(|t| self.motion.value(&output, t)));
         match values.ndim() {
             0 => Ok(values.sum().into_pyobject(py)?.into_any()),
             _ => Ok(values.into_pyarray(py).into_any()),
@@ -150,7 +154,7 @@ impl Trajectory {
     /// The full state at times: the shape of `t`, then a column for each of `names`.
     fn at<'py>(&self, py: Python<'py>, t: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         let times = self.times(t)?;
-        let flat: Vec<f64> = times.as_array().iter().copied().collect();
+        let flat: Vec<Instant> = times.as_array().iter().map(|&t| Instant { t, is_before: false }).collect();
         let states = py.detach(|| states(&self.motion, &flat))?;
         let shape: Vec<usize> = times.shape().iter().copied().chain([states.ncols()]).collect();
         states.into_pyarray(py).call_method1("reshape", (shape,))
@@ -224,11 +228,12 @@ impl Trajectory {
     }
 }
 
-/// The states at times, row by row.
-fn states(motion: &Motion, times: &[f64]) -> PyResult<Array2<f64>> {
+/// The states at instants, row by row.
+fn states(motion: &Motion, instants: &[Instant]) -> PyResult<Array2<f64>> {
     let columns = 2 * motion.layout().coordinates.len();
-    let rows: Vec<f64> = times.iter().flat_map(|t| motion.state(*t).into_iter().take(columns)).collect();
-    Array2::from_shape_vec((times.len(), columns), rows).map_err(invalid)
+    let row = |instant: &Instant| motion.state_at(*instant).into_iter().take(columns);
+    let rows: Vec<f64> = instants.iter().flat_map(row).collect();
+    Array2::from_shape_vec((instants.len(), columns), rows).map_err(invalid)
 }
 
 /// The same array, which cannot be written to.

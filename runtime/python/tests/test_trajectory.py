@@ -47,6 +47,23 @@ def test_arrays_are_not_copied_and_cannot_be_written(run):
             array[0] = 1
 
 
+def test_both_sides_of_an_impact():
+    ball = liftoff.Model(
+        """#[derive(BarSystem)] #[gravity(g)] #[particle(P, mass = m)] #[support(P = floor, restitution = e)]
+        #[figure(P = (0, 1))] #[coordinate(x = x(P))] #[coordinate(y = y(P))]
+        struct Ball { #[value(1)] m: f64, #[value(0.5)] e: f64, #[value(2)] g: f64 }"""
+    )
+    run = ball.simulate({"x": 0, "y": 1}, limit=1.5)
+    impact = run.events[1]
+    [before, after] = np.flatnonzero(run.t == impact.t)
+    assert run["y'"][[before, after]] == pytest.approx([-2, 1])
+    assert run.state[before, 3] == run["y'"][before] and len(run.state) == len(run.t)
+    assert run["y'"].min() == pytest.approx(-2) and impact.before["y'"] == pytest.approx(-2)
+    assert impact.before["T"] == pytest.approx(2) and impact.energy["T"] == pytest.approx(0.5)
+    assert (impact.t, pytest.approx(-2), True) in run.extrema("y'")
+    assert run.events[0].before is None
+
+
 def test_outputs_are_read_at_any_times(run):
     end = run.events[-1].t
     times = np.linspace(0, end, 12).reshape(3, 4)

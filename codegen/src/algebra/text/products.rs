@@ -15,16 +15,9 @@ pub(super) fn term(c: Rational, term: &Term, names: &dyn Names) -> Math {
     let plain = waves.is_none()
         && !above.iter().any(|factor| matches!(factor, Math::Apply { .. } | Math::Product(_)));
     if plain && !above.is_empty() && !below.is_empty() {
-        return numbered(c, vec![Math::product(above).over(denominator(below))]);
+        return numbered(c, vec![Math::product(above).over(Math::product(below))]);
     }
     numbered(c, monomial(&term.monomial, names).into_iter().chain(waves).collect())
-}
-
-/// What stands below a stroke, in brackets where it has several factors.
-pub(super) fn denominator(factors: Vec<Math>) -> Math {
-    let several = factors.len() > 1;
-    let product = Math::product(factors);
-    if several { product.group() } else { product }
 }
 
 /// c in front of factors, left out where it is 1.
@@ -70,8 +63,7 @@ fn fraction(parameters: &[(Symbol, i16)], names: &dyn Names) -> Vec<Math> {
     let (above, below) = (written(1), written(-1));
     match below.len() {
         0 => above,
-        1 => vec![Math::product(above).over(Math::product(below)).group()],
-        _ => vec![Math::product(above).over(Math::product(below).group()).group()],
+        _ => vec![Math::product(above).over(Math::product(below)).group()],
     }
 }
 
@@ -86,7 +78,7 @@ pub(super) fn wave(wave: &Wave, k: u32, names: &dyn Names) -> Math {
 }
 
 fn is_letter(symbol: &Math) -> bool {
-    !matches!(symbol, Math::Symbol(name, _) if !name.is_letter())
+    matches!(symbol, Math::Symbol(name, _) if name.is_letter())
 }
 
 fn combination(arguments: &[(Symbol, i16)], names: &dyn Names) -> Math {
@@ -94,6 +86,7 @@ fn combination(arguments: &[(Symbol, i16)], names: &dyn Names) -> Math {
 }
 
 fn multiple(k: i16, symbol: Math) -> Math {
+    let symbol = if matches!(symbol, Math::Symbol(..)) { symbol } else { symbol.group() };
     let multiple = match k.unsigned_abs() {
         1 => symbol,
         n => Math::Multiple(Box::new(Math::integer(n.into())), Box::new(symbol)),

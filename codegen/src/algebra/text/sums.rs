@@ -3,7 +3,7 @@
 
 use super::super::{Powers, Quotient, Rational, Series, Symbol, Term};
 use super::names::Names;
-use super::products::{denominator, monomial, numbered, term, wave};
+use super::products::{monomial, numbered, term, wave};
 use super::shorter::PRODUCT;
 use crate::math::Math;
 use std::cmp::Reverse;
@@ -38,7 +38,7 @@ impl Series {
         factors.push(sum.group());
         match below.is_empty() {
             true => numbered(number, factors),
-            false => numbered(number, vec![Math::product(factors).over(denominator(below))]),
+            false => numbered(number, vec![Math::product(factors).over(Math::product(below))]),
         }
     }
 
@@ -79,8 +79,7 @@ impl Quotient {
         let below: Vec<Math> = factors.into_iter().map(|(f, k)| f.factor(*k, names)).collect();
         match below.len() {
             0 => above,
-            1 => above.all_over(Math::product(below)),
-            _ => above.all_over(Math::product(below).group()),
+            _ => above.all_over(Math::product(below)),
         }
     }
 

@@ -36,6 +36,13 @@ fn discs_touch_with_their_rims() {
     assert_eq!(circle(3), (point(&system, "O"), None, "9 l − a".into(), true));
 }
 
+/// A thread that is tied to the centre of a disc takes the way of its points.
+#[test]
+fn threads_may_end_at_discs() {
+    let system = scene("#[disc(P, radius = l)] #[thread(rope = P -> O -> C, length = 20 * l)]");
+    assert!(matches!(&system.supports[0].contact, OneSided::Thread { path, .. } if path.len() == 3));
+}
+
 #[test]
 fn mistakes_are_told() {
     let cases = [
@@ -50,6 +57,11 @@ fn mistakes_are_told() {
              `#[disc(P, radius = r)] #[support(P = bar(BC))]`",
         ),
         ("#[disc(A, radius = 0)]", "the radius of `A` is 0; it must be positive"),
+        (
+            "#[disc(O, radius = a)] #[thread(rope = P -> O -> C, length = 20 * l)]",
+            "thread `rope` passes `O`, which has a disc; a thread does not wrap round discs: \
+             lead it through a second point there, without a disc",
+        ),
         (
             "#[disc(A, radius = a)] #[disc(A, radius = l)]",
             "`A` has two discs; remove one, or name a second point there",

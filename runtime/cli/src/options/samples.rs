@@ -1,7 +1,7 @@
 //! Outputs at events and at other times, taken while a run goes on, so that the motion need not be kept.
 
 use crate::options::clock::Clock;
-use liftoff::{Observer, Output, Step, Trajectory};
+use liftoff::{Instant, Observer, Output, Step, Trajectory};
 use std::collections::VecDeque;
 
 /// Outputs at one time.
@@ -12,6 +12,8 @@ pub struct Row {
     pub is_requested: bool,
     /// Whether something happens then.
     pub is_event: bool,
+    /// Whether it is the side before an event at which velocities jump; the row behind it has the side after.
+    pub is_before: bool,
     /// Its place among the multiples of the clock.
     place: u64,
 }
@@ -22,6 +24,8 @@ pub struct Samples<'a> {
     clock: Clock,
     /// Times of events that are still to be shown.
     events: VecDeque<f64>,
+    /// Times at which velocities jump; the last one alone unless all rows are taken at the end.
+    jumps: Vec<f64>,
     rows: Vec<Row>,
     /// Whether an output depends on what the motion was before, so that all are taken at its end.
     waits: bool,
@@ -32,22 +36,36 @@ pub struct Samples<'a> {
 impl Samples<'_> {
     pub fn new(outputs: Vec<Output>, clock: Clock) -> Self {
         let waits = outputs.iter().any(Output::reads_history);
-        Self { outputs, clock, events: VecDeque::new(), rows: Vec::new(), waits, sink: None }
+        Self {
+            outputs,
+            clock,
+            events: VecDeque::new(),
+            jumps: Vec::new(),
+            rows: Vec::new(),
+            waits,
+            sink: None,
+        }
     }
 
     /// Gives the rows to a function instead of keeping them; the clock must not be one that grows.
     pub fn into_sink(self, sink: &mut dyn FnMut(&Row)) -> Samples<'_> {
-        let Self { outputs, clock, events, rows, waits, .. } = self;
-        Samples { outputs, clock, events, rows, waits, sink: Some(sink) }
+        let Self { outputs, clock, events, jumps, rows, waits, .. } = self;
+        Samples { outputs, clock, events, jumps, rows, waits, sink: Some(sink) }
     }
 
     /// All rows of a run that has ended.
     pub fn finish(mut self, record: &Trajectory) -> Vec<Row> {
         let end = record.end_time();
         self.thin(end);
+        let jumps = if self.waits { std::mem::take(&mut self.jumps) } else { Vec::new() };
         while let Some(t) = self.next().filter(|t| *t <= end) {
-            let values = self.outputs.iter().map(|output| record.value(output, t)).collect();
-            self.take(t, values);
+            let values = |is_before| {
+                let instant = Instant { t, is_before };
+                self.outputs.iter().map(|output| record.value_at(output, instant)).collect()
+            };
+            let (before, after) = (jumps.contains(&t).then(|| values(true)), values(false));
+            before.into_iter().for_each(|values| self.take_before(t, values));
+            self.take(t, after);
         }
         self.rows
     }
@@ -65,7 +83,16 @@ impl Samples<'_> {
         if is_requested {
             self.clock.pass(t);
         }
-        let row = Row { t, values, is_requested, is_event, place };
+        self.add(Row { t, values, is_requested, is_event, is_before: false, place });
+    }
+
+    /// The row before an event, asked for where the one after it is.
+    fn take_before(&mut self, t: f64, values: Vec<f64>) {
+        let (is_requested, place) = (self.clock.next() == Some(t), self.clock.place());
+        self.add(Row { t, values, is_requested, is_event: true, is_before: true, place });
+    }
+
+    fn add(&mut self, row: Row) {
         match &mut self.sink {
             Some(sink) => sink(&row),
             None => self.rows.push(row),
@@ -94,6 +121,19 @@ impl Observer for Samples<'_> {
         if self.events.back() != Some(&t) {
             self.events.push_back(t);
         }
+    }
+
+    fn jump(&mut self, before: &dyn Step) {
+        let [_, t] = before.times();
+        if self.jumps.last() == Some(&t) {
+            return;
+        }
+        if !self.waits {
+            self.jumps.clear();
+            let values = before.values(&self.outputs, t);
+            self.take_before(t, values);
+        }
+        self.jumps.push(t);
     }
 
     /// At the end of a step the next one, behind an event perhaps, has the values.
@@ -128,6 +168,10 @@ impl Observer for Observers<'_> {
 
     fn event(&mut self, t: f64) {
         self.samples.iter_mut().for_each(|samples| samples.event(t));
+    }
+
+    fn jump(&mut self, before: &dyn Step) {
+        self.samples.iter_mut().for_each(|samples| samples.jump(before));
     }
 
     fn step(&mut self, step: &dyn Step) {

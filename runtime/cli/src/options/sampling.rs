@@ -99,7 +99,7 @@ impl Sampling {
         let event = |event: &liftoff::Event| {
             let values = match self.output.is_empty() {
                 true => record.unrounded(&event.state),
-                false => values_at(&samples, event.t),
+                false => values_at(&samples, event.t, false),
             };
             (event.t, head(&event.to_string()).to_owned(), values)
         };
@@ -137,10 +137,11 @@ impl Sampling {
     }
 }
 
-/// The values of the row at a time, if there is one.
-pub fn values_at(rows: &[Row], t: f64) -> Vec<f64> {
-    let place = rows.partition_point(|row| row.t < t);
-    rows.get(place).filter(|row| row.t == t).map_or_else(Vec::new, |row| row.values.clone())
+/// The values of the row at a time, before a jump or after it, if there is one.
+pub fn values_at(rows: &[Row], t: f64, is_before: bool) -> Vec<f64> {
+    let rows = &rows[rows.partition_point(|row| row.t < t)..];
+    let row = rows.iter().take_while(|row| row.t == t).find(|row| row.is_before == is_before);
+    row.map_or_else(Vec::new, |row| row.values.clone())
 }
 
 /// Puts zero in place of what is rounding beside the largest value of its column.

@@ -6,7 +6,7 @@ use crate::options::sampling::{Sampling, values_at};
 use crate::output::notes::decisions;
 use liftoff::Trajectory;
 use liftoff::expression::unrounded;
-use liftoff::model::Layout;
+use liftoff::model::{Energy, Layout};
 use liftoff::{Event, Reaction};
 use liftoff_studio::run_spec::RunSpec;
 use serde::Serialize;
@@ -33,6 +33,7 @@ struct EventJson {
     kind: String,
     supports: Vec<&'static str>,
     state: Map<String, Value>,
+    energy: Map<String, Value>,
     reactions: Map<String, Value>,
     #[serde(skip_serializing_if = "Map::is_empty")]
     friction: Map<String, Value>,
@@ -43,13 +44,27 @@ struct EventJson {
     #[serde(skip_serializing_if = "Map::is_empty")]
     outputs: Map<String, Value>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    before: Option<BeforeJson>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     note: Option<String>,
+}
+
+/// What an impact or an impulse found.
+#[derive(Serialize)]
+struct BeforeJson {
+    state: Map<String, Value>,
+    energy: Map<String, Value>,
+    #[serde(skip_serializing_if = "Map::is_empty")]
+    outputs: Map<String, Value>,
 }
 
 /// The motion at a time that was asked for.
 #[derive(Serialize)]
 struct Sample {
     t: f64,
+    /// Whether it is the side before an impact or an impulse; the sample behind it has the side after.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    before: bool,
     state: Map<String, Value>,
     #[serde(skip_serializing_if = "Map::is_empty")]
     outputs: Map<String, Value>,
@@ -75,11 +90,15 @@ pub fn text(
     };
     let sample = |row: &Row| Sample {
         t: row.t,
+        before: row.is_before,
         state: state(record, row.values.get(..size).unwrap_or_default()),
         outputs: outputs(&row.values),
     };
     let largest = [largest(record, |event| &event.reactions), largest(record, |event| &event.impulses)];
-    let event = |event| event_json(event, record, outputs(&values_at(rows, event.t)), largest);
+    let event = |event: &Event| {
+        let [outputs, before] = [false, true].map(|is_before| outputs(&values_at(rows, event.t, is_before)));
+        event_json(event, record, [outputs, before], largest)
+    };
     let run = Run {
         model,
         parameters: spec.parameters.iter().map(|(name, value)| (name.clone(), Value::from(*value))).collect(),
@@ -101,19 +120,26 @@ pub fn pretty(value: &impl Serialize) -> Result<String, CommandError> {
 fn event_json(
     event: &Event,
     record: &Trajectory,
-    outputs: Map<String, Value>,
+    [outputs, outputs_before]: [Map<String, Value>; 2],
     largest: [f64; 2],
 ) -> EventJson {
+    let before = event.before.as_ref().map(|before| BeforeJson {
+        state: state(record, &before.state),
+        energy: energy(record, before.energy),
+        outputs: outputs_before,
+    });
     EventJson {
         t: event.t,
         kind: event.kind.to_string(),
         supports: event.supports.clone(),
         state: state(record, &event.state),
+        energy: energy(record, event.energy),
         reactions: by_support(&event.reactions, normal, largest[0]),
         friction: by_support(&event.reactions, friction, largest[0]),
         impulses: by_support(&event.impulses, normal, largest[1]),
         friction_impulses: by_support(&event.impulses, friction, largest[1]),
         outputs,
+        before,
         note: event.note.as_ref().map(ToString::to_string),
     }
 }
@@ -135,6 +161,13 @@ fn by_support(all: &[Reaction], of: fn(&Reaction) -> Option<f64>, largest: f64) 
 fn largest<'a>(record: &'a Trajectory, of: fn(&'a Event) -> &'a [Reaction]) -> f64 {
     let values = record.events().iter().flat_map(of).map(|r| r.value.abs());
     values.filter(|value| value.is_finite()).fold(0.0, f64::max)
+}
+
+/// T, V and their sum.
+fn energy(record: &Trajectory, Energy { kinetic, potential }: Energy<f64>) -> Map<String, Value> {
+    let unit = record.scales().force() * record.scales().length;
+    let all = [("T", kinetic), ("V", potential), ("E", kinetic + potential)];
+    all.into_iter().map(|(name, value)| (name.to_owned(), Value::from(unrounded(value, unit)))).collect()
 }
 
 /// Coordinates by name, then rates with a prime.

@@ -14,7 +14,7 @@ pub use occurrence::Occurrence;
 use core::fmt;
 
 use crate::expression::{significant, unrounded};
-use crate::model::{ContactSet, Coordinate, Layout};
+use crate::model::{ContactSet, Coordinate, Energy, Layout};
 
 /// Significant digits of a number in an event's line.
 const DIGITS: usize = 4;
@@ -30,6 +30,10 @@ pub struct Event {
     pub supports: Vec<&'static str>,
     /// The full state after it: coordinates, then rates.
     pub state: Vec<f64>,
+    /// Kinetic and potential energy after it, J.
+    pub energy: Energy<f64>,
+    /// What an impact or an impulse found; none of events at which no velocity jumps.
+    pub before: Option<PreImpact>,
     /// Reactions after the event.
     pub reactions: Vec<Reaction>,
     /// Impulses of the contacts that are named here, of all contacts where an impulse was applied; empty for events
@@ -90,6 +94,15 @@ impl Event {
             _ => false,
         }
     }
+}
+
+/// The motion just before an impact or an impulse.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PreImpact {
+    /// The full state: coordinates, then rates.
+    pub state: Vec<f64>,
+    /// Kinetic and potential energy, J.
+    pub energy: Energy<f64>,
 }
 
 /// A coordinate, a rate or the time by its name: `event["phi'"]`; [`Event::get`] does not panic.

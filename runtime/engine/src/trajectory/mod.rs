@@ -1,6 +1,7 @@
 //! A motion as computed: phases with dense output, and events.
 
 mod dissipation;
+mod extrema;
 mod log;
 pub(crate) mod observe;
 
@@ -22,6 +23,7 @@ use crate::system::Model;
 
 pub use crate::event::root_isolation::ExtremumKind;
 use dissipation::Dissipation;
+use extrema::Way;
 pub use log::{LogEntry, LoggedDecision};
 
 /// A motion from its start to the event that ended it. Of a run that was only observed it has the events and what it ends with,
@@ -97,6 +99,15 @@ pub struct Segment {
     pub t0: f64,
     /// Its end.
     pub t1: f64,
+}
+
+/// A time at which a motion is looked at.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Instant {
+    /// When.
+    pub t: f64,
+    /// Whether it is the side before an impact or an impulse, at which velocities jump.
+    pub is_before: bool,
 }
 
 /// A turning point of an output.
@@ -205,12 +216,58 @@ impl Trajectory {
         times
     }
 
-    /// The turning points of an output, in order of time; those that stand out by less than the error bound do not count.
+    /// The times of [`times`](Self::times); those at which velocities jump twice, before the jump and after it.
+    pub fn instants(&self) -> Vec<Instant> {
+        let mut jumps =
+            self.events.iter().filter(|event| event.before.is_some()).map(|event| event.t).peekable();
+        let start = self.start_time();
+        let mut instants = Vec::new();
+        for t in self.times() {
+            while jumps.next_if(|jump| *jump < t).is_some() {}
+            let is_jump = t > start && jumps.peek() == Some(&t);
+            instants.extend(is_jump.then_some(Instant { t, is_before: true }));
+            instants.push(Instant { t, is_before: false });
+        }
+        instants
+    }
+
+    /// The full state at an instant.
+    pub fn state_at(&self, instant: Instant) -> Vec<f64> {
+        match self.phase_before(instant) {
+            Some(k) => {
+                let point = self.phases[k].read(&self.context, instant.t);
+                self.context.layout().public_state(point.state()).to_vec()
+            }
+            None => self.state(instant.t),
+        }
+    }
+
+    /// An output at an instant.
+    pub fn value_at(&self, output: &Output, instant: Instant) -> f64 {
+        match self.phase_before(instant) {
+            Some(k) => {
+                let point = self.phases[k].read(&self.context, instant.t);
+                output.evaluate(&self.context, &self.with_history(output, k, point))
+            }
+            None => self.value(output, instant.t),
+        }
+    }
+
+    /// The phase that ends at an instant before a jump; none of other instants.
+    fn phase_before(&self, Instant { t, is_before }: Instant) -> Option<usize> {
+        let before = self.phases.partition_point(|phase| phase.t0 < t).checked_sub(1);
+        before.filter(|_| is_before)
+    }
+
+    /// The turning points of an output, in order of time, those at events among them: where a velocity jumps, its values before
+    /// and after. Those that stand out by less than the error bound do not count.
     pub fn extrema(&self, output: &Output) -> Vec<Extremum> {
         let largest = self.times().iter().fold(0.0, |most: f64, &t| most.max(self.value(output, t).abs()));
         let delta = (10.0 * self.tolerance).max(64.0 * f64::EPSILON) * largest;
-        let mut found = Vec::new();
+        let mut ways: Vec<Way> = Vec::new();
         for (k, phase) in self.phases.iter().enumerate() {
+            let ends = [phase.t0, phase.t1].map(|t| (t, self.value_in(output, k, t)));
+            let mut turns = Vec::new();
             let times: Vec<f64> = phase.times().collect();
             for span in times.windows(2) {
                 let [t0, t1] = [span[0], span[1]];
@@ -219,11 +276,12 @@ impl Trajectory {
                 // An output that is not finite somewhere in a step, tan φ say, has its turning points elsewhere.
                 let _ = root_isolation::extrema(value, delta, |extremum| {
                     let minimum = extremum.kind == ExtremumKind::Minimum;
-                    found.push(Extremum { t: at(extremum.theta), value: extremum.value, minimum });
+                    turns.push(Extremum { t: at(extremum.theta), value: extremum.value, minimum });
                 });
             }
+            ways.push(Way { ends, turns });
         }
-        found
+        extrema::along(ways, delta)
     }
 
     /// The least and the greatest value of an output over the run, at turning points and at the ends of steps, before and

@@ -24,6 +24,12 @@ pub trait Observer {
         let _ = t;
     }
 
+    /// Velocities jump at the end of this step, which has been shown: its end is the motion before the event. It is told after
+    /// [`event`](Self::event), for each of several impacts at one time with the motion before the first.
+    fn jump(&mut self, before: &dyn Step) {
+        let _ = before;
+    }
+
     /// A step, or the part of one before an event.
     fn step(&mut self, step: &dyn Step);
 

@@ -39,6 +39,10 @@ class Event:
     @property
     def state(self) -> dict[str, float]: ...
     @property
+    def before(self) -> Optional[dict[str, float]]: ...
+    @property
+    def energy(self) -> dict[str, float]: ...
+    @property
     def reactions(self) -> dict[str, float]: ...
     @property
     def friction(self) -> dict[str, float]: ...
@@ -120,7 +124,8 @@ class Trajectory:
     """A motion from its start to the event that ended it.
 
     `trajectory["phi"]` and `trajectory["N(A)"]` are arrays over the times `trajectory.t`, the ends of the steps of the
-    integration; `trajectory.output("N(A)", t)` has the values at any times. At an event they are those after it.
+    integration; `trajectory.output("N(A)", t)` has the values at any times. At an event they are those after it. Times of impacts
+    and impulses stand twice in `trajectory.t`, and so do the rows of the arrays: before, then after.
     """
 
     @property

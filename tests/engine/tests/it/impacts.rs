@@ -2,7 +2,7 @@
 
 use core::f64::consts::FRAC_PI_3;
 use liftoff::prelude::*;
-use liftoff::{Note, RunCause, ScheduleError, StartError};
+use liftoff::{Instant, Note, Observer, RunCause, ScheduleError, StartError, Step};
 use liftoff_fixtures::BouncingBar;
 use liftoff_fixtures::Ladder;
 use liftoff_fixtures::RodOnSupports;
@@ -34,6 +34,56 @@ fn a_bar_end_strikes_the_floor() {
             assert!((lost - 0.5 * v * a.value).abs() < 1e-11, "{lost}");
         }
     }
+}
+
+/// What is shown of the jumps of a run.
+#[derive(Default)]
+struct Jumps(Vec<(f64, Vec<f64>)>);
+
+impl Observer for Jumps {
+    fn jump(&mut self, before: &dyn Step) {
+        let [_, t] = before.times();
+        self.0.push((t, before.state(t)));
+    }
+
+    fn step(&mut self, _: &dyn Step) {}
+}
+
+/// The end of a level-falling bar strikes with v: events, arrays, observers and turning points have the motion before too.
+#[test]
+fn both_sides_of_an_impact_are_kept() {
+    let (fall, theta) = (0.25, 0.4f64);
+    let v = (2.0f64 * fall).sqrt();
+    let pose = Pose::at("theta", theta).with("x", 2.0).with("y", fall + 0.5 * theta.sin());
+    let ladder = Simulation::new(&Ladder { m: 1.0, l: 1.0, g: 1.0 }).unwrap();
+    let simulation = ladder.start(pose).unwrap().until("theta = 0.1").unwrap();
+    let run = simulation.run().unwrap();
+    let impact = &run.events()[1];
+    let before = impact.before.as_ref().expect("an impact");
+    assert!((before.state[5] + v).abs() < 1e-12 && before.state[3].abs() < 1e-12, "{before:?}");
+    assert!((before.energy.kinetic - 0.5 * v * v).abs() < 1e-12, "{before:?}");
+    let lost = -impact.energy.gained_since(&before.energy);
+    assert!((lost - 0.5 * v * impact.impulses[0].value).abs() < 1e-12, "{impact:?}");
+    assert!(run.events().iter().all(|event| event.before.is_some() == (event.kind == EventKind::Impact)));
+
+    let instants = run.instants();
+    assert_eq!(instants.len(), run.times().len() + 1);
+    let place = instants.iter().position(|instant| instant.is_before).expect("a jump");
+    assert!(
+        instants[place].t == impact.t && instants[place + 1] == Instant { t: impact.t, is_before: false }
+    );
+    let rate = run.output("y'").unwrap();
+    assert!((run.value_at(&rate, instants[place]) + v).abs() < 1e-12);
+    assert_eq!(run.value_at(&rate, instants[place + 1]), run.value(&rate, impact.t));
+    assert!((run.state_at(instants[place])[5] + v).abs() < 1e-12);
+    let least =
+        run.extrema(&rate).into_iter().find(|extremum| extremum.t == impact.t).expect("a turning point");
+    assert!(least.minimum && (least.value + v).abs() < 1e-12, "{least:?}");
+
+    let mut jumps = Jumps::default();
+    simulation.observe(&mut jumps).unwrap();
+    let [(t, state)] = &jumps.0[..] else { panic!("{:?}", jumps.0) };
+    assert!(*t == impact.t && (state[5] + v).abs() < 1e-12, "{state:?}");
 }
 
 /// Flat, both ends at once: J = m v/2 each without spin, and the order of the impacts would matter: cos θ = ½ for a

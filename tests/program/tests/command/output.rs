@@ -77,6 +77,57 @@ fn a_table_has_the_outputs_and_times_asked_for() {
     assert!((times[3] - 0.3).abs() < 1e-15);
 }
 
+/// A ball that falls by 1 under g = 2 arrives with 2 at t = 1, and leaves with 1.
+const BALL: &str = "/// A ball.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[particle(P, mass = m)]
+#[support(P = floor, restitution = e)]
+#[figure(P = (0, 1))]
+#[coordinate(x = x(P))]
+#[coordinate(y = y(P))]
+#[run(start = \"x = 0, y = 1\", limit = 1.5)]
+struct Ball { #[value(1)] m: f64, #[value(0.5)] e: f64, #[value(2)] g: f64 }";
+
+/// Files and JSON have two rows at an impact, before it and after it.
+#[test]
+fn both_sides_of_an_impact_are_written() {
+    let [model, file] = ["ball.rs", "ball.csv"].map(place);
+    std::fs::write(&model, BALL).expect("a file");
+    let [path, table] = [&model, &file].map(|path| path.to_str().expect("UTF-8"));
+    for asked in [&["run", path, "--csv", table][..], &["run", path, "--every", "0.5", "--csv", table]] {
+        // D is known only at the end of the run: other rows, the same two.
+        for more in [&[][..], &["--output", "D"]] {
+            told(&[asked, more].concat());
+            let written = std::fs::read_to_string(&file).expect("a table");
+            let rows: Vec<Vec<f64>> = written
+                .lines()
+                .skip(1)
+                .map(|line| line.split(',').map(|cell| cell.parse().expect("a number")).collect())
+                .collect();
+            let at = rows.iter().position(|row| (row[0] - 1.0).abs() < 1e-12).expect("the impact");
+            let (before, after) = (&rows[at], &rows[at + 1]);
+            assert_eq!(before[0], after[0], "{written}");
+            assert!((before[4] + 2.0).abs() < 1e-9 && (after[4] - 1.0).abs() < 1e-9, "{written}");
+            assert!(rows[at + 2][0] > after[0], "{written}");
+        }
+    }
+    let run = json(&["run", path, "--json", "--output", "y'", "--at", "0.5", "--at", "1.2"]);
+    let impact = &run["events"][1];
+    let number = |value: &serde_json::Value| value.as_f64().expect("a number");
+    assert!((number(&impact["state"]["y'"]) - 1.0).abs() < 1e-9, "{impact}");
+    assert!((number(&impact["before"]["state"]["y'"]) + 2.0).abs() < 1e-9, "{impact}");
+    assert!((number(&impact["before"]["outputs"]["y'"]) + 2.0).abs() < 1e-9, "{impact}");
+    let [energy, left] = [&impact["before"]["energy"]["T"], &impact["energy"]["T"]].map(number);
+    assert!((energy - 2.0).abs() < 1e-9 && (left - 0.5).abs() < 1e-9, "{impact}");
+    assert!(
+        run["events"][0].get("before").is_none() && run["samples"].as_array().is_some_and(|s| s.len() == 2)
+    );
+    for file in [model, file] {
+        std::fs::remove_file(file).expect("removed");
+    }
+}
+
 /// States are taken as the run goes on; the table is the same where an audit keeps the motion.
 #[test]
 fn a_table_is_the_same_whether_the_motion_is_kept() {

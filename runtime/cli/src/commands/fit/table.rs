@@ -47,12 +47,17 @@ impl Table {
         let time = head.iter().position(|name| name == "t");
         let time = time.ok_or_else(|| usage(without_time(&head)))?;
         let columns = columns(layout, &head, of).map_err(|why| usage(format!(": {why}")))?;
-        let mut rows: Vec<Row> = Vec::new();
+        let (mut rows, mut jumped): (Vec<Row>, Option<f64>) = (Vec::new(), None);
         for record in reader.records() {
             let record = record.map_err(unreadable)?;
             let line = record.position().map_or(0, csv::Position::line);
             let row = row(&record, (head.len(), line, time), &columns);
             let row = row.map_err(|why| usage(format!(", line {line}: {why}")))?;
+            // The side before an impact, as `run --csv` has it: a series has the side after.
+            let jumps = rows.pop_if(|before| before.t == row.t).is_some();
+            if jumps && std::mem::replace(&mut jumped, Some(row.t)) == Some(row.t) {
+                return Err(usage(format!(", line {line}: t = {} is there three times", row.t)));
+            }
             if let Some(before) = rows.last().filter(|before| row.t <= before.t) {
                 return Err(usage(format!(
                     ", line {line}: t = {} does not come after t = {}",

@@ -122,11 +122,10 @@ impl<'a> Signals<'a> {
         tolerance: f64,
         is_shortest: bool,
     ) -> Option<Unseen> {
-        let mut find = |k: usize| match self.is_lost[k] {
+(0..self.list.len()).find_map(|k| match self.is_lost[k] {
             true => None,
             false => self.find_unseen_of(k, step, (tolerance, is_shortest)),
-        };
-        (0..self.list.len()).find_map(&mut find)
+        })
     }
 
     fn find_unseen_of(

@@ -6,7 +6,7 @@ use liftoff_fixtures::Particle;
 
 use super::layout;
 use crate::event::{Event, EventFilter, EventKind, FrictionState, Note, Occurrence, Reaction};
-use crate::model::{Coordinate, Layout};
+use crate::model::{Coordinate, Energy, Layout};
 use crate::system::Model;
 
 const COORDINATES: [Coordinate; 2] =
@@ -20,6 +20,8 @@ fn event(kind: EventKind, supports: &[&'static str]) -> Event {
         supports: supports.to_vec(),
         state: vec![FRAC_PI_2, -0.25, 3.0, 7.0],
         reactions: vec![reaction("A", 1.5), reaction("B, C", -2.5)],
+        energy: Energy { kinetic: 0.0, potential: 0.0 },
+        before: None,
         impulses: Vec::new(),
         note: None,
         coordinates: &COORDINATES,

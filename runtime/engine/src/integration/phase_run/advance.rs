@@ -267,7 +267,7 @@ impl<'a> PhaseRun<'a> {
     /// Takes note of the work of the last step, and shows it to the observer.
     pub(super) fn show(&mut self, recording: &Recording) {
         self.add_work(recording);
-        self.observer.step(&LastStep { context: self.context, recording });
+        self.observer.step(&LastStep { context: self.context, recorded: recording.recorded() });
     }
 
     fn add_work(&mut self, recording: &Recording) {
@@ -356,9 +356,9 @@ impl<'a> PhaseRun<'a> {
         recording.end_at(if end < 1.0 { at(end) } else { t1 });
         let known = touches.len();
         touches.extend(touched.into_iter().map(|(theta, guard)| {
-            let (state, reactions, gaps) = recording.shown_at(self.context, at(theta));
+            let (state, energy, reactions, gaps) = recording.shown_at(self.context, at(theta));
             let undecided = self.detector.is_undecided(guard, &reactions, &gaps);
-            Touch { t: at(theta), guard, undecided, state, reactions }
+            Touch { t: at(theta), guard, undecided, state, energy, reactions }
         }));
         for touch in &touches[known..] {
             if !matches!(touch.guard, Guard::Foot { .. } | Guard::Condition(_)) {
@@ -371,7 +371,7 @@ impl<'a> PhaseRun<'a> {
         } else if !powers.is_some_and(|powers| self.work.add_sampled(self.context, powers, h)) {
             self.add_work(recording);
         }
-        self.observer.step(&LastStep { context: self.context, recording });
+        self.observer.step(&LastStep { context: self.context, recorded: recording.recorded() });
         Ok(first.map(|(_, guards)| guards))
     }
 

@@ -5,7 +5,7 @@ mod paradox;
 mod record;
 mod singular;
 
-pub(crate) use record::RecordedPhase;
+pub(crate) use record::{LastStep, RecordedPhase};
 
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -17,7 +17,7 @@ use crate::integrate::{Counts, DenseOutput, InitialValueProblem, StepError};
 use crate::integration::method::{Method, Problem, StartedStepper, Switches, cut};
 use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
 use crate::integration::singular::{ROUNDED, SingularityMonitor};
-use crate::model::{ContactSet, Form};
+use crate::model::{ContactSet, Energy, Form};
 use crate::scales::Scales;
 use crate::simulation::{Allowance, Exhausted};
 use crate::system::Phase;
@@ -75,6 +75,7 @@ pub(crate) struct Touch {
     pub(crate) undecided: bool,
     /// Coordinates, then rates.
     pub(crate) state: Vec<f64>,
+    pub(crate) energy: Energy<f64>,
     pub(crate) reactions: Vec<f64>,
 }
 

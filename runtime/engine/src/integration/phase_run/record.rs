@@ -9,7 +9,7 @@ use crate::integrate::DenseOutput;
 use crate::integration::chart;
 use crate::integration::method::Choice;
 use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
-use crate::model::{ContactSet, Form};
+use crate::model::{ContactSet, Energy, Form};
 use crate::system::Phase;
 use crate::trajectory::Segment;
 use crate::trajectory::observe::Step;
@@ -76,6 +76,11 @@ impl RecordedPhase {
     /// Ends of the steps, the start included.
     pub(crate) fn times(&self) -> impl Iterator<Item = f64> {
         self.steps.iter().map(|step| step.t0).chain([self.t1])
+    }
+
+    /// Start of the last step, and the end.
+    fn last_times(&self) -> [f64; 2] {
+        [self.steps.last().map_or(self.t0, |step| step.t0), self.t1]
     }
 
     /// The motion at a time, or at the nearer end.
@@ -190,7 +195,7 @@ impl Recording {
 
     /// Start of the last step, and the end.
     pub(super) fn last_times(&self) -> [f64; 2] {
-        [self.last().map_or(self.t0(), |step| step.t0), self.t1()]
+        self.recorded.last_times()
     }
 
     pub(super) fn last(&self) -> Option<&DenseOutput> {
@@ -221,12 +226,17 @@ impl Recording {
         }
     }
 
-    /// The public state, reactions and gaps at a time that is kept.
-    pub(super) fn shown_at(&self, context: &RunContext, t: f64) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
+    /// The public state, energy, reactions and gaps at a time that is kept.
+    pub(super) fn shown_at(
+        &self,
+        context: &RunContext,
+        t: f64,
+    ) -> (Vec<f64>, Energy<f64>, Vec<f64>, Vec<f64>) {
         let at = self.recorded.at(t);
         let mut gaps = vec![0.0; context.layout().contacts.len()];
         context.system().gaps(at.state(), &mut gaps);
-        (context.layout().public_state(at.state()).to_vec(), at.reactions().to_vec(), gaps)
+        let state = context.layout().public_state(at.state()).to_vec();
+        (state, at.energy(), at.reactions().to_vec(), gaps)
     }
 
     /// Adds the work of the last step, up to its end.
@@ -238,33 +248,37 @@ impl Recording {
         self.recorded.reduced(t, y);
     }
 
+    pub(super) fn recorded(&self) -> &RecordedPhase {
+        &self.recorded
+    }
+
     pub(super) fn into_recorded(self) -> RecordedPhase {
         self.recorded
     }
 }
 
-/// The last step of a recording, up to its end.
-pub(super) struct LastStep<'a> {
-    pub(super) context: &'a RunContext,
-    pub(super) recording: &'a Recording,
+/// The last step of a phase, up to its end.
+pub(crate) struct LastStep<'a> {
+    pub(crate) context: &'a RunContext,
+    pub(crate) recorded: &'a RecordedPhase,
 }
 
 impl Step for LastStep<'_> {
     fn times(&self) -> [f64; 2] {
-        self.recording.last_times()
+        self.recorded.last_times()
     }
 
     fn phase(&self) -> Segment {
-        self.recording.recorded.segment()
+        self.recorded.segment()
     }
 
     fn state(&self, t: f64) -> Vec<f64> {
-        let point = self.recording.recorded.read(self.context, t);
+        let point = self.recorded.read(self.context, t);
         self.context.layout().public_state(point.state()).to_vec()
     }
 
     fn values(&self, outputs: &[Output], t: f64) -> Vec<f64> {
-        let point = self.recording.recorded.read(self.context, t);
+        let point = self.recorded.read(self.context, t);
         outputs.iter().map(|output| output.evaluate(self.context, &point)).collect()
     }
 }

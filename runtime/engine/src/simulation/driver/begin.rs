@@ -14,7 +14,7 @@ use crate::integration::phase_point::reactions_of;
 use crate::model::ContactSet;
 use crate::simulation::Simulation;
 use crate::system::Phase;
-use crate::trajectory::LoggedDecision;
+use crate::trajectory::{LogEntry, LoggedDecision};
 
 impl Driver<'_> {
     /// The phase of the start, after the impact of what its rates drive into a support, or without collision where they obey no law of
@@ -145,11 +145,14 @@ impl Driver<'_> {
     }
 
     /// Refuses a start in equilibrium unless something is planned: nothing would ever set it in motion. What an impact without
-    /// collision has brought to rest did move.
+    /// collision has brought to rest did move, and where friction allows another motion too, rest is one that was taken.
     pub(super) fn refuse_equilibrium(&self) -> Result<(), RunCause> {
         let rests = |phase: &Arc<dyn Phase>| is_equilibrium(&self.setup.context, &**phase, &self.state);
+        let is_one_of_several =
+            |entry: &LogEntry| matches!(entry.decision, LoggedDecision::SeveralMotions { .. });
         let moves = !self.trajectory.events.is_empty()
             || !self.setup.plan.is_empty()
+            || self.trajectory.log.iter().any(is_one_of_several)
             || !self.setup.context.switches.is_empty();
         if !moves && self.phase.as_ref().is_some_and(rests) {
             return Err(StartError::Equilibrium.into());

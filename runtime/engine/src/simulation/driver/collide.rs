@@ -13,7 +13,7 @@ use crate::integration::phase_point::Numbers;
 use crate::model::{ContactSet, Layout, SlipState};
 use crate::scales::without_rounding;
 use crate::system::Equations;
-use crate::trajectory::LoggedDecision;
+use crate::trajectory::{LogEntry, LoggedDecision};
 
 /// What an impact does, what it may gain, J, and the contacts of which the order of simultaneous impacts matters.
 struct Impact {
@@ -28,12 +28,12 @@ impl Driver<'_> {
         if self.meets_smoothly(closing) {
             return self.meet(closing);
         }
-        let (before, energy) = (self.closed, self.setup.context.system().energy(&self.state));
+        let (before, found) = (self.closed, self.pre_impact());
         self.take_hold(closing);
         let equations = self.setup.context.system().equations(&self.state);
         let present = self.present(closing, &equations);
         let Impact { outcome, allowed, order } = self.strike(present, &equations)?;
-        self.refuse_gain(&energy, allowed)?;
+        self.refuse_gain(&found.energy, allowed)?;
         let acting = outcome.acting.iter().fold(closing, |set, &i| set.with(i));
         // Those that were closed before pass an impulse on; of open ones within their bounds those that have one are struck.
         let struck = acting.difference(before.difference(closing));
@@ -43,7 +43,8 @@ impl Driver<'_> {
         for (kind, set) in [(EventKind::Impact, supports), (EventKind::Taut, threads)] {
             if !set.is_empty() {
                 let shown = acting.union(self.both_ways_struck(&outcome));
-                self.record_impact(kind, set, shown, &outcome.impulses, note.clone());
+                let parts = (Some(found.clone()), &outcome.impulses);
+                self.record_impact(kind, set, shown, parts, note.clone());
             }
         }
         self.record_rebounds(before, &outcome);
@@ -69,21 +70,23 @@ impl Driver<'_> {
         if self.layout().has_hinges() { None } else { struck.outcome() }
     }
 
-    /// A note on an event of several struck contacts; where one acts through others at rest, once in the log.
+    /// A note on an event of several struck contacts, and once for the same contacts in the log.
     fn tell_order(&mut self, order: Option<ImpactOrder>, on_event: bool) -> Option<Note> {
-        if on_event {
-            return order.map(Note::ImpactOrder);
+        let order = order?;
+        let contacts = |order: &ImpactOrder| order.pairs.iter().map(|(pair, _)| *pair).collect::<Vec<_>>();
+        let is_same = |entry: &LogEntry| match &entry.decision {
+            LoggedDecision::ImpactOrder(known) => contacts(known) == contacts(&order),
+            _ => false,
+        };
+        if !self.trajectory.log.iter().any(is_same) {
+            self.log(LoggedDecision::ImpactOrder(order.clone()));
         }
-        let decision = LoggedDecision::ImpactOrder(order?);
-        if self.trajectory.log.iter().all(|entry| entry.decision != decision) {
-            self.log(decision);
-        }
-        None
+        on_event.then_some(Note::ImpactOrder(order))
     }
 
     /// An impulse from outside.
     pub(super) fn apply_impulse(&mut self, applied: DVector<f64>, note: Note) -> Result<(), RunCause> {
-        let before = self.closed;
+        let (before, found) = (self.closed, self.pre_impact());
         let equations = self.setup.context.system().equations(&self.state);
         let present = self.present(ContactSet::EMPTY, &equations);
         let collision = collision(&equations, (&self.known_rates(), applied), self.rows(present));
@@ -92,7 +95,8 @@ impl Driver<'_> {
         self.tell_order(order, false);
         let acting = outcome.acting.iter().copied().collect();
         let all = ContactSet::ALL;
-        self.record_impact(EventKind::Impulse, acting, all, &outcome.impulses, Some(note));
+        let parts = (Some(found), &outcome.impulses);
+        self.record_impact(EventKind::Impulse, acting, all, parts, Some(note));
         self.record_rebounds(before, &outcome);
         self.follow_flights(present, &outcome)
     }

@@ -49,7 +49,7 @@ impl Driver<'_> {
     pub(super) fn meet(&mut self, drives: ContactSet) -> Result<(), RunCause> {
         let before = self.join(drives)?;
         let none = DVector::zeros(self.layout().rows());
-        self.record_impact(EventKind::Impact, drives, drives, &none, None);
+        self.record_impact(EventKind::Impact, drives, drives, (None, &none), None);
         self.record_changes(before);
         Ok(())
     }

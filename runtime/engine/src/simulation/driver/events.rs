@@ -8,11 +8,11 @@ use super::switch::Role;
 use super::{Driver, Next};
 use crate::error::RunCause;
 use crate::event::detection::Guard;
-use crate::event::{Event, EventKind, Note, reactions, supports};
+use crate::event::{Event, EventKind, Note, PreImpact, reactions, supports};
 use crate::expression::Condition;
-use crate::integration::phase_run::{RecordedPhase, Touch};
-use crate::model::{ContactSet, Slip};
-use crate::trajectory::{LogEntry, LoggedDecision};
+use crate::integration::phase_run::{LastStep, RecordedPhase, Touch};
+use crate::model::{ContactSet, Energy, Slip};
+use crate::trajectory::{LogEntry, LoggedDecision, Trajectory};
 
 impl Driver<'_> {
     pub(super) fn reach_horizon(&mut self) -> Result<Next, RunCause> {
@@ -180,14 +180,18 @@ impl Driver<'_> {
         kind: EventKind,
         set: ContactSet,
         shown: ContactSet,
-        impulses: &DVector<f64>,
+        (before, impulses): (Option<PreImpact>, &DVector<f64>),
         note: Option<Note>,
     ) {
         self.record(kind, set, note);
+        if before.is_some() {
+            self.show_jump();
+        }
         let layout = self.layout();
         if let Some(event) = self.trajectory.events.last_mut() {
             event.impulses = reactions(layout, impulses.as_slice());
             event.impulses.retain(|impulse| shown.contains(impulse.contact));
+            event.before = before;
         }
     }
 
@@ -197,6 +201,24 @@ impl Driver<'_> {
         self.trajectory.events.push(event);
     }
 
+    /// What an impact finds.
+    pub(super) fn pre_impact(&self) -> PreImpact {
+        PreImpact { state: self.public_state().to_vec(), energy: self.energy_now() }
+    }
+
+    fn energy_now(&self) -> Energy<f64> {
+        self.setup.context.system().energy(&self.state)
+    }
+
+    /// Shows the observer the end of the motion before the velocities jump.
+    fn show_jump(&mut self) {
+        let Trajectory { phases, last_phase, .. } = &self.trajectory;
+        let before = phases.last().or(last_phase.as_ref()).filter(|phase| phase.t0 < self.t);
+        if let Some(recorded) = before {
+            self.observer.jump(&LastStep { context: &self.setup.context, recorded });
+        }
+    }
+
     /// An event now, without impulses.
     pub(super) fn event(&self, kind: EventKind, set: ContactSet, note: Option<Note>) -> Event {
         Event {
@@ -204,6 +226,8 @@ impl Driver<'_> {
             kind,
             supports: supports(self.layout(), set),
             state: self.public_state().to_vec(),
+            energy: self.energy_now(),
+            before: None,
             reactions: reactions(self.layout(), &self.reactions),
             impulses: Vec::new(),
             note,
@@ -213,7 +237,7 @@ impl Driver<'_> {
     }
 
     pub(super) fn record_touch(&mut self, touch: Touch) {
-        let Touch { t, guard, undecided, state, reactions: bearing } = touch;
+        let Touch { t, guard, undecided, state, energy, reactions: bearing } = touch;
         let (contact, note) = match guard {
             Guard::Reaction(i) | Guard::Side(i, _) => (i, undecided.then_some(Note::Undecided)),
             Guard::Gap(i) => (i, Some(if undecided { Note::GapUndecided } else { Note::GapTouches })),
@@ -222,8 +246,13 @@ impl Driver<'_> {
             Guard::Parting(_) | Guard::Foot { .. } | Guard::Grip | Guard::Condition(_) => return,
         };
         let (kind, set) = (EventKind::Touch, ContactSet::EMPTY.with(contact));
-        let event =
-            Event { t, state, reactions: reactions(self.layout(), &bearing), ..self.event(kind, set, note) };
+        let event = Event {
+            t,
+            state,
+            energy,
+            reactions: reactions(self.layout(), &bearing),
+            ..self.event(kind, set, note)
+        };
         self.trajectory.events.push(event);
     }
 

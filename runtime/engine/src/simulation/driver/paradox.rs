@@ -50,7 +50,7 @@ impl Driver<'_> {
         if !rubs || jams || gives_up || !matches!(source, ContactError::Jammed { .. }) {
             return Err(self.contact_error(source));
         }
-        let (before, energy) = (self.touching, self.setup.context.system().energy(&self.state));
+        let (before, found) = (self.touching, self.pre_impact());
         let mut collision = self.collision(before, &self.setup.context.system().equations(&self.state));
         for row in &mut collision.rows {
             if let Row::Friction { of, mu, .. } = row
@@ -64,11 +64,11 @@ impl Driver<'_> {
         };
         let touching = before.iter().filter(|i| outcome.opening[*i] == 0.0).collect();
         self.proceed(&outcome.rates, touching)?;
-        self.refuse_gain(&energy, allowed_gain(collision.drift.as_slice(), &outcome))?;
+        self.refuse_gain(&found.energy, allowed_gain(collision.drift.as_slice(), &outcome))?;
         let acting: ContactSet = outcome.acting.iter().copied().collect();
         let acting = acting.union(self.both_ways_struck(&outcome));
         let note = Some(Note::WithoutCollision);
-        self.record_impact(EventKind::Impact, acting, acting, &outcome.impulses, note);
+        self.record_impact(EventKind::Impact, acting, acting, (Some(found), &outcome.impulses), note);
         Ok(())
     }
 }
