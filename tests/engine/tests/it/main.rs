@@ -50,6 +50,7 @@ mod switched_loads;
 mod switches;
 mod threads;
 mod timed_springs;
+mod uncoupled;
 mod units;
 mod until_event;
 mod until_rest;
