@@ -9,6 +9,9 @@ use crate::integration::phase_point::RunContext;
 use crate::model::{ContactKind, ContactSet, Layout};
 use crate::system::Equations;
 
+/// Roundoff of a foot's distance from the end of its bar, in natural lengths.
+const ROUNDED: f64 = 16.0 * f64::EPSILON;
+
 /// A model with its nominal figure.
 pub(super) struct AssemblyProblem<'a> {
     pub(super) context: &'a RunContext,
@@ -164,11 +167,11 @@ impl<'a> AssemblyProblem<'a> {
             let Some(foot) = self.layout().contacts[i].foot else { continue };
             let ends = [("first", feet[2 * foot]), ("last", feet[2 * foot + 1])];
             let margin = ends[0].1.min(ends[1].1);
-            if let Some((end, _)) = ends.iter().find(|(_, x)| x.abs() <= CLOSED * self.context.scales.length)
-            {
+            let [digits, rounding] = [CLOSED, ROUNDED].map(|part| part * self.context.scales.length);
+            if let Some((end, _)) = ends.iter().find(|(_, x)| (-digits..=rounding).contains(x)) {
                 return Err(StartError::AtEnd { support: self.contact(i), end });
             }
-            if margin < -CLOSED * self.context.scales.length {
+            if margin < -digits {
                 return Err(StartError::OffBar { support: self.contact(i), distance: -margin });
             }
         }

@@ -77,6 +77,19 @@ impl Collision {
         if let Some(acting) = self.without_open_rows() {
             return acting.searched_within(most_trials);
         }
+        match self.solve_groups(most_trials)? {
+            Some(outcome) => Ok(outcome),
+            None => self.search_at_once(most_trials),
+        }
+    }
+
+    /// The outcome of contacts that are all coupled.
+    pub(super) fn solve_alone(&self, most_trials: usize) -> Result<Outcome, CollisionError> {
+        self.of_single()
+            .map_or_else(|| self.without_open_rows().as_ref().unwrap_or(self).search_at_once(most_trials), Ok)
+    }
+
+    fn search_at_once(&self, most_trials: usize) -> Result<Outcome, CollisionError> {
         let stages = Stages::new(self, Trials::up_to(most_trials));
         if self.has_friction() {
             return stages.with_friction();
@@ -280,6 +293,7 @@ impl<'a> Stages<'a> {
             method: Method::AtOnce,
             gained: 0.0,
             solutions: 1,
+            groups: Vec::new(),
         }
     }
 

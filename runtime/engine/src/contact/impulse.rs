@@ -79,11 +79,11 @@ pub struct Outcome {
     pub opening: DVector<f64>,
     /// The contacts with P > 0.
     pub acting: Vec<usize>,
-    /// The law that was applied to all contacts.
+    /// The law that was applied to all contacts; of several groups that of the first.
     pub law: Law,
-    /// u and P after the compression alone, under Poisson's law.
+    /// u and P after the compression alone, under Poisson's law; of several groups in their own outcomes.
     pub compression: Option<(DVector<f64>, DVector<f64>)>,
-    /// The factor on every restitution, less than 1 where rough contacts would have gained energy.
+    /// The factor on every restitution, less than 1 where rough contacts would have gained energy; of several groups the least.
     pub factor: f64,
     /// Whether P is the only one; u⁺ is the only one where no contact is rough and `solutions` is 1.
     pub unique: bool,
@@ -94,6 +94,25 @@ pub struct Outcome {
     pub gained: f64,
     /// How many outcomes the law allows, of contacts with friction; the stage with the most counts.
     pub solutions: usize,
+    /// The outcomes of groups of contacts that the mass matrix does not couple, where there are several.
+    pub groups: Vec<Group>,
+}
+
+/// Contacts that the mass matrix couples, struck apart from all others.
+#[derive(Debug, Clone)]
+pub struct Group {
+    /// Their rows.
+    pub contacts: Vec<usize>,
+    /// What the collision does where all other contacts are open.
+    pub outcome: Outcome,
+}
+
+impl Outcome {
+    /// The factor on the restitution of a contact.
+    pub(crate) fn factor_of(&self, contact: usize) -> f64 {
+        let group = self.groups.iter().find(|group| group.contacts.contains(&contact));
+        group.map_or(self.factor, |group| group.outcome.factor)
+    }
 }
 
 /// Why a collision has no outcome.

@@ -6,6 +6,7 @@ use nalgebra::DVector;
 
 use super::equilibrated_kkt::EquilibratedKkt;
 use super::impulse::{Collision, Row};
+use super::least_constraint::LeastConstraint;
 
 /// A cosine below this is zero but for rounding.
 const ROUNDING: f64 = 1e-12;
@@ -23,13 +24,12 @@ impl Collision {
         if contacts.len() < 2 {
             return Vec::new();
         }
-        let rest = DVector::zeros(self.rows.len());
-        let still = DVector::zeros(self.rates.len());
-        let problem = EquilibratedKkt::new(&self.mass, &self.jacobian, (&still, &rest), (&still, &rest));
-        let Ok(least) = problem.least_constraint() else { return Vec::new() };
-        let two_sided = |i: &usize| matches!(self.rows[*i], Row::TwoSided);
-        let fixed: Vec<usize> = (0..self.rows.len()).filter(two_sided).collect();
-        let directions = least.free_directions(&fixed, contacts);
+        let Some(least) = self.at_rest() else { return Vec::new() };
+        let fixed = self.two_sided();
+        let mut directions = least.free_directions(&fixed, contacts);
+        let movable = directions.iter().map(|(row, _)| *row);
+        let independent = least.independent(&fixed.iter().copied().chain(movable).collect::<Vec<_>>());
+        directions.retain(|(row, _)| independent.contains(row));
         let mut pairs = Vec::new();
         for (k, (a, one)) in directions.iter().enumerate() {
             for (b, other) in &directions[k + 1..] {
@@ -40,5 +40,28 @@ impl Collision {
             }
         }
         pairs
+    }
+
+    /// Whether the mass matrix couples two of the directions that [`free_directions`](LeastConstraint::free_directions) gives.
+    pub(super) fn are_coupled(one: &DVector<f64>, other: &DVector<f64>) -> bool {
+        one.dot(other).abs() > ROUNDING
+    }
+
+    /// Rows that hold both ways whatever the contacts do.
+    pub(super) fn two_sided(&self) -> Vec<usize> {
+        let holds = |row: &Row| match *row {
+            Row::TwoSided => true,
+            Row::Tangent { of } => self.rows[of] == Row::TwoSided,
+            _ => false,
+        };
+        (0..self.rows.len()).filter(|&i| holds(&self.rows[i])).collect()
+    }
+
+    /// The problem without rates and impulses; `None` where it is not finite.
+    pub(super) fn at_rest(&self) -> Option<LeastConstraint> {
+        let rest = DVector::zeros(self.rows.len());
+        let still = DVector::zeros(self.rates.len());
+        let problem = EquilibratedKkt::new(&self.mass, &self.jacobian, (&still, &rest), (&still, &rest));
+        problem.least_constraint().ok()
     }
 }

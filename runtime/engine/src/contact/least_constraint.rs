@@ -93,18 +93,15 @@ impl LeastConstraint {
         active.rows
     }
 
-    /// Unit normals of independent ones of some rows, without what two-sided rows take of them.
+    /// Unit normals of some rows that can move, without what two-sided rows take of them.
     pub(super) fn free_directions(&self, fixed: &[usize], rows: &[usize]) -> Vec<(usize, DVector<f64>)> {
         let mut held = ActiveRows::default();
         for &row in fixed {
             held.push(row, &self.normals[row]);
         }
-        let free = |row: usize| held.split(&self.normals[row]);
-        let movable: Vec<usize> = rows.iter().copied().filter(|&row| !free(row).depends()).collect();
-        let all: Vec<usize> = fixed.iter().chain(&movable).copied().collect();
-        let independent = self.independent(&all);
-        let kept = movable.into_iter().filter(|row| independent.contains(row));
-        kept.map(|row| (row, free(row).independent.normalize())).collect()
+        let splits = rows.iter().map(|&row| (row, held.split(&self.normals[row])));
+        let movable = splits.filter(|(_, split)| !split.depends());
+        movable.map(|(row, split)| (row, split.independent.normalize())).collect()
     }
 
     /// Two-sided rows closed; those that depend on others hold with them or contradict them, which the equations tell.

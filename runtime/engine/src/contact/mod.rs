@@ -8,6 +8,7 @@ mod degenerate;
 mod equations;
 mod equilibrated_kkt;
 pub(crate) mod friction;
+mod groups;
 pub(crate) mod hinges;
 mod impact;
 pub mod impulse;

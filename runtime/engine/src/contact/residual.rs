@@ -20,8 +20,13 @@ struct Stage<'a> {
 
 impl Collision {
     /// The largest violation of the equations of motion and of the contact conditions in any stage: in units of √energy,
-    /// that is divided by unit inertias and unit rows, relative to the largest rate there is.
+    /// that is divided by unit inertias and unit rows, relative to the largest rate there is. Of several groups that of the worst.
     pub fn residual(&self, outcome: &Outcome) -> f64 {
+        if !outcome.groups.is_empty() {
+            let groups = outcome.groups.iter();
+            let residuals = groups.map(|it| self.with_contacts(&it.contacts).residual(&it.outcome));
+            return residuals.fold(0.0, f64::max);
+        }
         let zero = DVector::zeros(self.rates.len());
         let none = DVector::zeros(self.rows.len());
         let problem = EquilibratedKkt::new(&self.mass, &self.jacobian, (&zero, &none), (&zero, &none));

@@ -99,7 +99,7 @@ impl fmt::Display for LoggedDecision {
                 "a guard turns too often to be followed: it is taken for noise"
             }
             Self::LoadUnresolved => "a load varies so fast here that no step is proved to have seen all of it",
-            Self::ConditionUndecided => "undecided: a condition may be met here, beside a pole or within its rounding",
+            Self::ConditionUndecided => "undecided: a condition may be met here, beside a pole or within its error bound",
             Self::Method(Choice { method, why }) => return write!(f, "{method} goes on: {why}"),
             Self::SingularPosition => "a loop passes a singular position: the motion is continued along its branch",
             Self::SeveralMotions { motions, taken, why } => {

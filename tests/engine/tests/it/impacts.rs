@@ -188,6 +188,17 @@ fn a_corner_at_the_end_of_its_bar() {
     assert_eq!((&support[..], end), ("P, Q", "first"));
 }
 
+/// One that its bar reaches over by more than roundoff bears, however long the bar is: here by 1e5 spacings of doubles.
+#[test]
+fn a_corner_near_the_end_of_its_bar() {
+    let pair = |phi: f64| {
+        let pair = liftoff_fixtures::FallingPair { m: 1.0, l: 1.0, g: 1.0 };
+        Simulation::new(&pair).unwrap().start(Pose::at("phi", phi)).is_ok()
+    };
+    let end = core::f64::consts::FRAC_PI_3;
+    assert!(pair(end - 1e-11) && !pair(end + 1e-11));
+}
+
 /// An error in mid run keeps the impacts before it.
 #[test]
 fn errors_keep_the_trajectory() {

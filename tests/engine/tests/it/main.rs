@@ -51,6 +51,7 @@ mod switched_loads;
 mod switches;
 mod threads;
 mod timed_springs;
+mod uncoupled;
 mod units;
 mod unseen;
 mod until_event;

@@ -1,5 +1,6 @@
 //! Runs that end with an event.
 
+use liftoff::LoggedDecision;
 use liftoff::prelude::*;
 use liftoff_fixtures::Particle;
 
@@ -31,4 +32,28 @@ fn of_several_events_each_must_have_happened() {
 fn a_support_that_is_none_is_told() {
     let Err(error) = ball().until_event(EventKind::Impact, "Q") else { panic!("there is no Q") };
     assert_eq!(error.to_string(), "no support `Q`; known: P");
+}
+
+/// A mass on a spring.
+#[derive(BarSystem)]
+#[liftoff(dimensionless)]
+#[particle(P, mass = 1)]
+#[slider(P = horizontal(0))]
+#[ground(O = (0, 0))]
+#[spring(OP, stiffness = 1)]
+#[figure(P = (1, 0))]
+#[coordinate(x = x(P))]
+struct Oscillator;
+
+/// Its place is cos t: it comes near to a condition within the error bound, and does not meet it. That is told.
+#[test]
+fn a_condition_that_is_only_nearly_met_is_undecided() {
+    for method in liftoff::method::MethodId::ALL {
+        let run = Simulation::new(&Oscillator).unwrap().start(Pose::at("x", 1.0)).unwrap().method(method);
+        let run = run.until("x = -1.000000000001").unwrap().limit(8.0).run().unwrap();
+        assert_eq!(run.end_time(), 8.0, "{method:?}");
+        let log = run.log().iter();
+        let undecided = log.filter(|entry| entry.decision == LoggedDecision::ConditionUndecided).count();
+        assert_eq!(undecided, 1, "{method:?}");
+    }
 }

@@ -61,6 +61,7 @@ impl Case {
             method: self.method,
             gained: 0.0,
             solutions: 1,
+            groups: Vec::new(),
         })
     }
 

@@ -66,6 +66,7 @@ impl<M: Fn(usize, usize) -> f64, J: Fn(usize, usize) -> f64> Struck<'_, M, J> {
             unique: true,
             method: if friction.is_some() { Method::Path } else { Method::AtOnce },
             solutions: 1,
+            groups: Vec::new(),
         })
     }
 

@@ -4,7 +4,7 @@ use super::advance::Advance;
 use super::guard_source::{EXACT, GuardSource};
 use super::pieces::{Bounded, Followed, Pieces, SHORTEST};
 use super::{EventDetector, StepView, Watch};
-use crate::event::root_isolation::{self, Accuracy, Crossing, GuardError, NODES, Smooth, Start};
+use crate::event::root_isolation::{Accuracy, Crossing, GuardError, NODES, Root, Smooth, Start};
 use crate::expression::{Condition, Enclosure, Interval, Relation, Sides, Variable};
 use core::cell::Cell;
 
@@ -32,6 +32,9 @@ const FINEST: f64 = 1e-10;
 const ROUNDED: f64 = 1e-6;
 const SOON: f64 = 1e-3;
 
+/// Roundoff of a touch, in differences of the sides over the step.
+const TOUCHED: f64 = 16.0 * f64::EPSILON;
+
 /// What a condition reads, over a step.
 type Leaves = Vec<(Variable, Smooth)>;
 
@@ -58,9 +61,10 @@ impl EventDetector<'_> {
         if start == Start::Free && watch.is_state && watch.sign.is_none() && self.holds_from_zero(step, k) {
             return Ok(Some(0.0));
         }
+        let counts = |root: Root| self.counts(k, step, root);
         if let Some(sides) = exact {
             watch.zero.set(of_series(&sides));
-            return of_difference(condition, sides.difference(), start, of_series(&sides));
+            return of_difference(condition, sides.difference(), (start, of_series(&sides)), &counts);
         }
         let (spent, most) = (Cell::new(0), watch.patience.get());
         let found = self.by_values((watch, k), step, start, &|| {
@@ -77,6 +81,20 @@ impl EventDetector<'_> {
         watch.patience.set((most / 2).max(LEAST_PATIENCE));
         self.undecided.set(self.undecided.get().or(Some(theta)));
         Ok(None)
+    }
+
+    /// Whether an equality is met at a root: where the sides only come near each other, they are equal but for rounding. Within the
+    /// error bound it is undecided.
+    fn counts(&self, k: usize, step: &StepView<'_>, root: Root) -> bool {
+        let difference =
+            |theta: f64| step.difference(theta, &self.conditions[k], &mut self.values.borrow_mut()).0;
+        let size = || [0.0, 0.5, 1.0].map(|theta| difference(theta).abs()).into_iter().fold(0.0, f64::max);
+        let rounding = || self.rounding(k, step, &[root.theta]).max(TOUCHED * size());
+        let is_met = root.value == 0.0 || root.value.abs() <= rounding();
+        if !is_met {
+            self.undecided.set(self.undecided.get().or(Some(root.theta)));
+        }
+        is_met
     }
 
     /// Whether a condition holds from the start of a phase on, which begins with its sides equal but for rounding: an event at the same
@@ -119,9 +137,9 @@ impl EventDetector<'_> {
         let leaves = if watch.is_noisy { None } else { self.leaves(&condition.reads(), step)? };
         let Some(leaves) = leaves else {
             let accuracy = Accuracy { delta: bound, is_noisy: watch.is_noisy };
-            return of_values(condition, &value, (start, accuracy));
+            return of_values(condition, &value, (start, accuracy), &|root| self.counts(k, step, root));
         };
-        self.of_pieces((condition, watch.is_state), (step, &leaves), (&value, spend), (start, bound))
+        self.of_pieces((k, watch.is_state), (step, &leaves), (&value, spend), (start, bound))
     }
 
     /// What a condition reads: polynomials of the step where it has them, others fitted more closely than to their error, so
@@ -147,11 +165,12 @@ impl EventDetector<'_> {
     /// pole counts.
     fn of_pieces(
         &self,
-        (condition, is_state): (&Condition, bool),
+        (k, is_state): (usize, bool),
         (step, leaves): (&StepView<'_>, &Leaves),
         (value, spend): (&dyn Fn(f64) -> f64, &dyn Fn() -> bool),
         (start, bound): (Start, f64),
     ) -> Result<Option<f64>, GuardError> {
+        let condition = &self.conditions[k];
         let enclosure = |piece: [f64; 2]| {
             if !spend() {
                 return None;
@@ -188,7 +207,8 @@ impl EventDetector<'_> {
             // What is not resolved in so short a piece is a pole or a jump.
             let jumps = !is_monotone && to - from <= shortest;
             let accuracy = Accuracy { delta: bound, is_noisy: jumps || is_monotone };
-            let found = match of_values(condition, &within, (begins, accuracy)) {
+            let counts = |root: Root| self.counts(k, step, root.map_theta(at));
+            let found = match of_values(condition, &within, (begins, accuracy), &counts) {
                 Err(_) if jumps && [0.0, 1.0].map(within).iter().all(|end| end.is_finite()) => None,
                 found => found.map_err(|error| error.at(at))?,
             };
@@ -207,7 +227,9 @@ impl EventDetector<'_> {
         };
         match (Pieces { enclosure: &enclosure, value, bound, shortest }).follow(&mut look)? {
             Followed::Event(event) => Ok(event),
-            Followed::Unbounded => of_values(condition, value, (start, bound.into())),
+            Followed::Unbounded => {
+                of_values(condition, value, (start, bound.into()), &|root| self.counts(k, step, root))
+            }
         }
     }
 }
@@ -217,15 +239,16 @@ fn of_values(
     condition: &Condition,
     value: &dyn Fn(f64) -> f64,
     (start, accuracy): (Start, Accuracy),
+    counts: &dyn Fn(Root) -> bool,
 ) -> Result<Option<f64>, GuardError> {
     let Accuracy { delta, is_noisy } = accuracy;
     let negated = |theta: f64| -value(theta);
-    let falling: &dyn Fn(f64) -> f64 = match condition.relation() {
-        Relation::Equal => return root_isolation::first_root(value, start, accuracy),
-        Relation::Less => value,
-        Relation::Greater => &negated,
-    };
-    falls(&GuardSource::Values { value: falling, size: 0.0, is_noisy }, start, delta)
+    let source = |value| GuardSource::Values { value, size: 0.0, is_noisy };
+    match condition.relation() {
+        Relation::Equal => vanishes(&source(value), start, delta, counts),
+        Relation::Less => falls(&source(value), start, delta),
+        Relation::Greater => falls(&source(&negated), start, delta),
+    }
 }
 
 /// Whether a condition that compares was false up to a step, before its sides came so near that they may be equal.
@@ -310,17 +333,35 @@ fn after(condition: &Condition, before: Start, (side, value): (Option<bool>, f64
 fn of_difference(
     condition: &Condition,
     difference: &[f64],
-    start: Start,
-    bound: f64,
+    (start, bound): (Start, f64),
+    counts: &dyn Fn(Root) -> bool,
 ) -> Result<Option<f64>, GuardError> {
     match condition.relation() {
-        Relation::Equal => root_isolation::first_root_series(difference, start, bound),
+        Relation::Equal => vanishes(&GuardSource::Series(difference), start, bound, counts),
         Relation::Less => falls(&GuardSource::Series(difference), start, bound),
         Relation::Greater => {
             let negated: Vec<f64> = difference.iter().map(|c| -c).collect();
             falls(&GuardSource::Series(&negated), start, bound)
         }
     }
+}
+
+/// The first root of a difference that counts.
+fn vanishes(
+    difference: &GuardSource<'_>,
+    start: Start,
+    bound: f64,
+    counts: &dyn Fn(Root) -> bool,
+) -> Result<Option<f64>, GuardError> {
+    let (mut from, mut begins, mut advance) = (0.0, start, Advance::BEGUN);
+    while from < 1.0 {
+        let Some(root) = difference.find_root(from, begins, (0.0, bound))? else { return Ok(None) };
+        if counts(root) {
+            return Ok(Some(root.theta));
+        }
+        (from, begins) = (advance.behind(root.theta, from), Start::Root);
+    }
+    Ok(None)
 }
 
 /// Where a difference first falls through zero: from a known root, or from above, to which it may have to rise first. What only

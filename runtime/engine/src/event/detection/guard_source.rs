@@ -1,6 +1,6 @@
 //! One guard over a step: its own series where the method has it to well within the error bound, else its values.
 
-use crate::event::root_isolation::{self, Accuracy, Crossing, GuardError, Start};
+use crate::event::root_isolation::{self, Accuracy, Crossing, GuardError, Root, Start};
 
 /// A series whose tail is at most this part of the error bound counts as exact.
 pub(super) const EXACT: f64 = 0.1;
@@ -66,22 +66,32 @@ impl GuardSource<'_> {
         &self,
         from: f64,
         start: Start,
-        (shift, bound): (f64, f64),
+        shifted: (f64, f64),
     ) -> Result<Option<f64>, GuardError> {
+        Ok(self.find_root(from, start, shifted)?.map(|root| root.theta))
+    }
+
+    /// The same with the value of an extremum that counts as a zero.
+    pub(super) fn find_root(
+        &self,
+        from: f64,
+        start: Start,
+        (shift, bound): (f64, f64),
+    ) -> Result<Option<Root>, GuardError> {
         let at = |s: f64| from + (1.0 - from) * s;
         let root = match self {
             Self::Series(c) => {
                 let mut c = root_isolation::rest(c, from);
                 c[0] += shift;
-                root_isolation::first_root_series(&c, start, bound)?
+                root_isolation::find_root_series(&c, start, bound)?
             }
             Self::Values { value, is_noisy, .. } => {
                 let accuracy = Accuracy { delta: bound, is_noisy: *is_noisy };
-                root_isolation::first_root(|s| value(at(s)) + shift, start, accuracy)
+                root_isolation::find_root(&mut |s| value(at(s)) + shift, start, accuracy)
                     .map_err(|error| error.at(at))?
             }
         };
-        Ok(root.map(at))
+        Ok(root.map(|root| root.map_theta(at)))
     }
 }
 

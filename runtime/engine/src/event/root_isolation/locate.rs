@@ -24,14 +24,38 @@ pub fn first_root(
     start: Start,
     accuracy: impl Into<Accuracy>,
 ) -> Result<Option<f64>, GuardError> {
-    search(&mut g, start, accuracy.into())
+    Ok(find_root(&mut g, start, accuracy.into())?.map(|root| root.theta))
 }
 
-fn search(
+/// A root, or an extremum so near zero that it may be one.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Root {
+    /// Where.
+    pub theta: f64,
+    /// The value of an extremum; zero where the sign changes.
+    pub value: f64,
+}
+
+impl Root {
+    fn crossing(theta: f64) -> Self {
+        Self { theta, value: 0.0 }
+    }
+
+    /// The same in the step that it is found in a piece of.
+    pub fn map_theta(self, at: impl Fn(f64) -> f64) -> Self {
+        Self { theta: at(self.theta), ..self }
+    }
+}
+
+/// [`first_root`] with the value of an extremum that counts as one.
+///
+/// # Errors
+/// If `g` is infinite or not a number somewhere, or turns too often to be followed.
+pub fn find_root(
     g: &mut dyn FnMut(f64) -> f64,
     start: Start,
     accuracy: Accuracy,
-) -> Result<Option<f64>, GuardError> {
+) -> Result<Option<Root>, GuardError> {
     let delta = accuracy.delta;
     let (mut from, mut start, mut least) = (0.0, start, BEHIND);
     while from < 1.0 {
@@ -42,13 +66,14 @@ fn search(
         Division { accuracy, dull }.visit(&mut rest, &mut |node| search.follow(node))?;
         match search.found() {
             None => return Ok(None),
-            Some(Found::At(s)) => return Ok(Some(at(s))),
+            Some(Found::At(s)) => return Ok(Some(Root::crossing(at(s)))),
+            Some(Found::Tangent { theta, value }) => return Ok(Some(Root { theta: at(theta), value })),
             Some(Found::Between { ends: [a, b], smooth }) => {
                 let across = root(&mut rest, a, b);
                 let s = across[0].theta;
                 let rounding = 64.0 * f64::EPSILON * a.value.abs().max(b.value.abs());
                 if smooth || is_continuous(&mut rest, across, delta.max(rounding)) {
-                    return Ok(Some(at(s)));
+                    return Ok(Some(Root::crossing(at(s))));
                 }
                 (from, start) = (at(s) + least, Start::Free);
                 least *= 2.0;
@@ -76,6 +101,14 @@ fn is_continuous(g: &mut dyn FnMut(f64) -> f64, ends: [Point; 2], rounding: f64)
 /// # Errors
 /// If a coefficient is infinite or not a number.
 pub fn first_root_series(c: &[f64], start: Start, delta: f64) -> Result<Option<f64>, GuardError> {
+    Ok(find_root_series(c, start, delta)?.map(|root| root.theta))
+}
+
+/// [`first_root_series`] with the value of an extremum that counts as one.
+///
+/// # Errors
+/// If a coefficient is infinite or not a number.
+pub fn find_root_series(c: &[f64], start: Start, delta: f64) -> Result<Option<Root>, GuardError> {
     let series = Series::new(c, start);
     let level = series.level(delta);
     let stays = |[low, high]: [f64; 2]| match start {
@@ -88,8 +121,11 @@ pub fn first_root_series(c: &[f64], start: Start, delta: f64) -> Result<Option<f
     let mut search = Search::of_series(start, delta);
     series.visit(&mut |node| search.follow(node))?;
     Ok(search.found().map(|found| match found {
-        Found::At(theta) => theta,
-        Found::Between { ends: [a, b], .. } => root(&mut |theta| series.at(theta), a, b)[0].theta,
+        Found::At(theta) => Root::crossing(theta),
+        Found::Tangent { theta, value } => Root { theta, value },
+        Found::Between { ends: [a, b], .. } => {
+            Root::crossing(root(&mut |theta| series.at(theta), a, b)[0].theta)
+        }
     }))
 }
 

@@ -8,6 +8,11 @@ use super::partition::Node;
 #[derive(Clone, Copy)]
 pub(super) enum Found {
     At(f64),
+    /// An extremum within δ of zero, with its value.
+    Tangent {
+        theta: f64,
+        value: f64,
+    },
     /// A change of sign.
     Between {
         ends: [Point; 2],
@@ -85,6 +90,6 @@ impl Search {
     fn tangent(&self, extremum: Option<Extremum>) -> Option<Found> {
         let Extremum { theta, value, kind } = extremum?;
         let towards_zero = self.side? == (kind == ExtremumKind::Minimum);
-        (towards_zero && value.abs() <= self.delta).then_some(Found::At(theta))
+        (towards_zero && value.abs() <= self.delta).then_some(Found::Tangent { theta, value })
     }
 }

@@ -350,7 +350,7 @@ impl<'a> PhaseRun<'a> {
             return Err(StepError::Unresolved { t: at(end) });
         }
         let work = self.known_work(&view, dense, end);
-        if let Some(theta) = self.detector.undecided() {
+        if let Some(theta) = self.detector.undecided().filter(|theta| *theta <= end) {
             self.note_once(at(theta), LoggedDecision::ConditionUndecided);
         }
         recording.end_at(if end < 1.0 { at(end) } else { t1 });

@@ -94,6 +94,7 @@ impl Stages<'_> {
             method,
             gained,
             solutions,
+            groups: Vec::new(),
         };
         Outcome { gained: self.work(&outcome).0, ..outcome }
     }

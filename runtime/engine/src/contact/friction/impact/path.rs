@@ -298,6 +298,7 @@ impl Stages<'_> {
             method: Method::Path,
             gained: 0.0,
             solutions: 1,
+            groups: Vec::new(),
         };
         Ok(Outcome { gained: self.work(&outcome).0, ..outcome })
     }

@@ -158,8 +158,8 @@ fn the_first_place_where_it_becomes_true() {
         let difference = series.map(|c| sign * c);
         let value = |theta: f64| difference.iter().rev().fold(0.0, |sum, c| sum * theta + c);
         for (condition, expected) in [(&equal, a), (&less, falls), (&greater, rises)] {
-            let by_series = of_difference(condition, &difference, Start::Free, 1e-12).unwrap();
-            let by_values = of_values(condition, &value, (Start::Free, 1e-12.into())).unwrap();
+            let by_series = of_difference(condition, &difference, (Start::Free, 1e-12), &|_| true).unwrap();
+            let by_values = of_values(condition, &value, (Start::Free, 1e-12.into()), &|_| true).unwrap();
             for found in [by_series, by_values] {
                 assert!(found.is_some_and(|at| (at - expected).abs() < 1e-14), "{sign} {expected} {found:?}");
             }
@@ -168,11 +168,11 @@ fn the_first_place_where_it_becomes_true() {
     // From a known root the first side that it leaves to.
     for (sign, holds) in [(-1.0, &less), (1.0, &greater)] {
         let difference = [0.0, sign];
-        assert_eq!(of_difference(holds, &difference, Start::Root, 1e-12), Ok(Some(0.0)));
-        assert_eq!(of_difference(holds, &difference, Start::Free, 1e-12), Ok(None));
-        assert_eq!(of_difference(&equal, &difference, Start::Root, 1e-12), Ok(None));
+        assert_eq!(of_difference(holds, &difference, (Start::Root, 1e-12), &|_| true), Ok(Some(0.0)));
+        assert_eq!(of_difference(holds, &difference, (Start::Free, 1e-12), &|_| true), Ok(None));
+        assert_eq!(of_difference(&equal, &difference, (Start::Root, 1e-12), &|_| true), Ok(None));
         let value = |theta: f64| sign * theta;
-        assert_eq!(of_values(holds, &value, (Start::Root, 1e-12.into())), Ok(Some(0.0)));
-        assert_eq!(of_values(holds, &value, (Start::Free, 1e-12.into())), Ok(None));
+        assert_eq!(of_values(holds, &value, (Start::Root, 1e-12.into()), &|_| true), Ok(Some(0.0)));
+        assert_eq!(of_values(holds, &value, (Start::Free, 1e-12.into()), &|_| true), Ok(None));
     }
 }

@@ -130,7 +130,7 @@ fn turns_within_the_noise_are_passed_over() {
         history.follow(of(1.0, 0.05 + depth));
         let expected = if is_seen { TOUCH(0.75, 0.05) } else { Crossing::Clear };
         assert_eq!(history.verdict(&mut |_| f64::NAN), expected, "{noise} {depth}");
-        let found = matches!(search.found(), Some(Found::At(0.25)));
+        let found = matches!(search.found(), Some(Found::Tangent { theta: 0.25, value: 0.1 }));
         assert_eq!(found, is_seen, "{noise} {depth}");
     }
 }

@@ -8,7 +8,7 @@ use super::histories::{DELTA, node};
 fn found(mut search: Search, nodes: &[Node]) -> Option<[f64; 2]> {
     nodes.iter().for_each(|node| search.follow(*node));
     match search.found()? {
-        Found::At(theta) => Some([theta; 2]),
+        Found::At(theta) | Found::Tangent { theta, .. } => Some([theta; 2]),
         Found::Between { ends: [a, b], smooth } => {
             assert!(smooth);
             Some([a.theta, b.theta])

@@ -101,7 +101,7 @@ impl Driver<'_> {
             if speed <= 0.0 || self.closed.contains(contact) {
                 continue;
             }
-            match self.fate(contact, speed, outcome.factor) {
+            match self.fate(contact, speed, outcome.factor_of(contact)) {
                 BounceOutcome::Flies => {}
                 BounceOutcome::Settles(settling) => settles.push(settling),
                 BounceOutcome::Lost => return Err(self.accumulation(&[contact])),

@@ -84,17 +84,36 @@ fn change(it: &Collision, outcome: &Outcome) -> f64 {
     kinetic(&outcome.rates) - kinetic(&it.rates)
 }
 
+/// How far the groups of an outcome differ from what each does alone, relative to the rates.
+fn apart_from_each_other(it: &Collision, outcome: &Outcome) -> f64 {
+    let mut rates = it.rates.clone();
+    for group in &outcome.groups {
+        let alone = |(row, part): (usize, &Row)| match part {
+            Row::Contact { .. } if !group.contacts.contains(&row) => Row::Open,
+            part => *part,
+        };
+        let rows = it.rows.iter().enumerate().map(alone).collect();
+        rates += Collision { rows, ..it.clone() }.solve().unwrap().rates - &it.rates;
+    }
+    (rates - &outcome.rates).amax() / outcome.rates.amax()
+}
+
 /// Several contacts at once: the conditions to 1e-10, Poisson's law never gains, Newton's tells what it gains.
 #[test]
 fn contacts_at_once_satisfy_the_law() {
     let mut random = Random(0x2545_F491_4F6C_DD1D);
     let (mut worst, mut most) = (0.0f64, f64::NEG_INFINITY);
-    let (mut gains, mut several, mut wedged) = (0, 0, 0);
+    let (mut gains, mut several, mut wedged, mut apart) = (0, 0, 0, 0);
     for k in 0..cases(1_000) {
         let law = [Law::Newton, Law::Poisson][k % 2];
         let e = random.between(0.0, 1.0);
         let it = collision(&mut random, 2 + k % 3, (e, law));
         let outcome = it.solve().unwrap();
+        if !outcome.groups.is_empty() {
+            apart += 1;
+            worst = worst.max(it.residual(&outcome)).max(apart_from_each_other(&it, &outcome));
+            continue;
+        }
         assert_eq!(outcome.method, Method::AtOnce);
         assert!(outcome.law == law || law == Law::Newton);
         wedged += usize::from(outcome.law != law);
@@ -109,8 +128,8 @@ fn contacts_at_once_satisfy_the_law() {
         }
     }
     println!("residual {worst:e}, Newton gains {gains}, Poisson at most {most:e}");
-    println!("several outcomes {several}, wedged {wedged}");
-    assert!(worst <= 1e-10 && most <= 1e-12 && gains > 0, "{worst:e} {most:e} {gains}");
+    println!("several outcomes {several}, wedged {wedged}, apart {apart}");
+    assert!(worst <= 1e-10 && most <= 1e-12 && gains > 0 && apart > 0, "{worst:e} {most:e} {gains} {apart}");
 }
 
 /// The same in other units of mass, length and velocity.
@@ -236,6 +255,9 @@ fn guides_rub_where_contacts_strike() {
         let outcome = it.solve().unwrap_or_else(|error| panic!("{k}: {error}"));
         let size = it.rates.amax() + outcome.impulses.amax();
         worst = worst.max(it.residual(&outcome));
+        if !outcome.groups.is_empty() {
+            continue;
+        }
         let violation = match &outcome.compression {
             None => guided(&it, &outcome.rates, &outcome.impulses),
             Some((rates, impulses)) => {
