@@ -170,7 +170,7 @@ impl Subject for Expressions {
         let mut fate = Fate::new();
         fate.push(match Formula::parse(text, &["lambda", "x"]) {
             Ok(formula) => {
-                let _ = (formula.value(&[0.25, 2.0]), formula.value(&[]), formula.unit());
+                let _ = (formula.value(&[0.25, 2.0]), formula.value(&[]));
                 "formula"
             }
             Err(error) => told("no formula", text, &error.to_string())?,

@@ -122,7 +122,7 @@ impl<'a> Signals<'a> {
         tolerance: f64,
         is_shortest: bool,
     ) -> Option<Unseen> {
-(0..self.list.len()).find_map(|k| match self.is_lost[k] {
+        (0..self.list.len()).find_map(|k| match self.is_lost[k] {
             true => None,
             false => self.find_unseen_of(k, step, (tolerance, is_shortest)),
         })
