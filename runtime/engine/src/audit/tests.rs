@@ -144,7 +144,7 @@ fn another_gravity_is_an_energy_that_changes() {
 fn work_follows_from_the_values_at_the_nodes_of_guards() {
     let model = Model::from(&Particle { m: 1.0, g: 1.0, e: 0.5 });
     let scales = scales_of(&model).unwrap();
-    let context = RunContext { model, scales, switches: Vec::new() };
+    let context = RunContext { model, scales, switches: Vec::new(), signals: Vec::new() };
     let mut work = Work::default();
     assert!(work.add_sampled(&context, &NODES.map(|theta| -(0.5 * theta).exp()), 3.0));
     let expected = -6.0 * (0.5_f64.exp() - 1.0);

@@ -56,7 +56,7 @@ fn what_is_improved_is_what_all_modes_have() {
         let chain = Chain { m: 1.0, l: 1.0, mu, r, p, q, g: 9.81 };
         let model = Model::of(&chain);
         let scales = scales_of(&model).unwrap();
-        let context = RunContext { model, scales, switches: Vec::new() };
+        let context = RunContext { model, scales, switches: Vec::new(), signals: Vec::new() };
         let spread = between(0.0, 0.4);
         let mut state = [0.0; 10];
         state[..5].iter_mut().for_each(|angle| *angle = between(-spread, spread));
@@ -125,7 +125,7 @@ fn all_senses_are_told_apart() {
 fn at(state: [f64; 10]) -> (RunContext, Numbers) {
     let model = Model::of(&Chain { m: 1.0, l: 1.0, mu: 0.3, r: 0.05, p: 3.0, q: 2.0, g: 9.81 });
     let scales = scales_of(&model).unwrap();
-    (RunContext { model, scales, switches: Vec::new() }, Numbers::from_slice(&state))
+    (RunContext { model, scales, switches: Vec::new(), signals: Vec::new() }, Numbers::from_slice(&state))
 }
 
 /// With accelerations a + (b − a) τ/Δt the rates gain (a + b) Δt/2, the coordinates u Δt + (2 a + b) Δt²/6.
@@ -220,7 +220,7 @@ pub(super) struct Resting {
 fn each_choice_has_its_laws() {
     let model = Model::of(&Resting { m: 2.0, l: 0.5, mu: 0.3, r: 0.02, g: 9.81 });
     let scales = scales_of(&model).unwrap();
-    let context = RunContext { model, scales, switches: Vec::new() };
+    let context = RunContext { model, scales, switches: Vec::new(), signals: Vec::new() };
     let place = Place::new(&context, Numbers::from_slice(&[0.0; 2]));
     let layout = context.layout();
     let support = (0..2).find(|&contact| !layout.contacts[contact].is_hinge()).unwrap();

@@ -9,7 +9,7 @@ use crate::system::Model;
 
 fn context(model: Model) -> RunContext {
     let scales = scales_of(&model).unwrap();
-    RunContext { model, scales, switches: Vec::new() }
+    RunContext { model, scales, switches: Vec::new(), signals: Vec::new() }
 }
 
 fn decided(model: Model, state: &[f64], touching: u64, unloaded: u64) -> Option<ContactSolution> {

@@ -52,7 +52,7 @@ fn a_single_contact_is_decided_alike() {
         let rod = Pulled { m: 1.0, l: 1.0, g: 9.81 * unit, p, q, alpha, far: -9.0, mu, mu_s };
         let model = Model::from(&rod);
         let scales = scales_of(&model).unwrap();
-        let context = RunContext { model, scales, switches: Vec::new() };
+        let context = RunContext { model, scales, switches: Vec::new(), signals: Vec::new() };
         let senses = [KnownSlip::Forward, KnownSlip::Backward, KnownSlip::Rest, KnownSlip::Rest];
         let known = senses[random.below(4)];
         let speed = match known {
@@ -99,7 +99,7 @@ fn a_single_contact_is_decided_alike() {
 fn on_the_floor(rod: &Pulled) -> RunContext {
     let model = Model::of(rod);
     let scales = scales_of(&model).unwrap();
-    RunContext { model, scales, switches: Vec::new() }
+    RunContext { model, scales, switches: Vec::new(), signals: Vec::new() }
 }
 
 const LYING: Pulled =

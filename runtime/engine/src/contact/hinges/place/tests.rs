@@ -13,7 +13,7 @@ use crate::system::Model;
 fn context((m, l, g): (f64, f64, f64)) -> RunContext {
     let model = Model::of(&Resting { m, l, mu: 0.3, r: 0.02 * l, g });
     let scales = scales_of(&model).unwrap();
-    RunContext { model, scales, switches: Vec::new() }
+    RunContext { model, scales, switches: Vec::new(), signals: Vec::new() }
 }
 
 /// A law holds down to −1e-9 of its unit, and is open within ±1e-9 of it; one whose reaction was located holds and is open anyhow.

@@ -238,7 +238,11 @@ impl Scene {
         let mut model = Model::of(&Particle { m: 1.0, g: 1.0, e: 0.0 });
         let scales = scales_of(&model).expect("natural scales");
         model.system = given.clone();
-        Self { context: RunContext { model, scales, switches: Vec::new() }, phase: given, asked }
+        Self {
+            context: RunContext { model, scales, switches: Vec::new(), signals: Vec::new() },
+            phase: given,
+            asked,
+        }
     }
 
     /// Of guards that are evaluated one by one, with some contacts closed.
