@@ -146,11 +146,7 @@ fn other_numbers_give_the_same() {
         let (layout, values) = (entry.layout(), entry.default_run().parameters);
         let (model, own) = (entry.model(&values).unwrap(), interpreted.model(&parameters(layout, &values)));
         let state = state(&model, layout, &mut noise(7));
-        let varying = |(i, x): (usize, &f64)| {
-            TimeSeries::new(core::array::from_fn(|k| {
-                [*x, 0.1 * i as f64, 0.3, -0.2].get(k).copied().unwrap_or(0.0)
-            }))
-        };
+        let varying = |(i, x): (usize, &f64)| TimeSeries::new([*x, 0.1 * i as f64, 0.3, -0.2]);
         let along: Vec<TimeSeries> = state.iter().enumerate().map(varying).collect();
         for k in 0..4 {
             let of = |equations: Equations<TimeSeries>| {

@@ -5,8 +5,8 @@ use super::lifted::{Lifted, array};
 use crate::model::BarSystem;
 use crate::scalar::Jet;
 
-/// Coefficients kept: orders 0 to 8, so that reactions are known to their eighth derivative.
-pub const TIME_ORDERS: usize = 9;
+/// Coefficients kept: orders 0 to 3, so that reactions are known to their third derivative.
+pub const TIME_ORDERS: usize = 4;
 
 /// A Taylor series in time.
 pub type TimeSeries = Jet<f64, TIME_ORDERS>;

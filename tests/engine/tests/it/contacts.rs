@@ -190,33 +190,3 @@ fn fast_points_meet_what_is_near() {
         }
     }
 }
-
-/// A mass at a wall, pulled off by a load that is 0 at first.
-macro_rules! pulled_off_as {
-    ($($name:ident $power:tt)*) => {
-        $(
-            #[derive(BarSystem)]
-            #[liftoff(dimensionless)]
-            #[particle(P, mass = 1)]
-            #[slider(P = horizontal(0))]
-            #[support(a = wall(0), under = P, facing = right)]
-            #[force(f = (t.powi($power), 0), at = P)]
-            #[figure(P = (0, 0))]
-            struct $name;
-        )*
-
-        /// The first derivative of the load that does not vanish decides.
-        #[test]
-        fn a_load_that_begins_slowly_opens_a_contact_at_once() {
-            $(
-                let run = Simulation::new(&$name).unwrap().tolerance(1e-6).limit(1.0).run().unwrap();
-                assert!(run.segments()[0].closed.is_empty(), "{:?}", run.events());
-                let x = run.final_state()[0];
-                let expected = 1.0 / f64::from(($power + 1) * ($power + 2));
-                assert!((x - expected).abs() < 1e-5, "{x} {expected}");
-            )*
-        }
-    };
-}
-
-pulled_off_as! { First 1 Second 2 Third 3 Fourth 4 Fifth 5 Sixth 6 Seventh 7 Eighth 8 }
