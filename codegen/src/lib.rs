@@ -36,6 +36,7 @@ pub mod kinematics;
 pub mod limits;
 pub mod math;
 pub mod motion;
+mod nearest;
 pub mod numbers;
 pub mod phases;
 pub mod program;

@@ -3,7 +3,7 @@
 
 use core::f64::consts::PI;
 
-use crate::syntax::nearest;
+use crate::nearest::nearest;
 
 /// Greatest power of a unit.
 const GREATEST: i8 = 9;
@@ -190,6 +190,18 @@ fn find(name: &str) -> Option<(&'static Named, i32)> {
     })
 }
 
+/// Other spellings.
+const SPELT: [(&str, &str); 8] = [
+    ("sec", "s"),
+    ("second", "s"),
+    ("seconds", "s"),
+    ("meter", "m"),
+    ("metre", "m"),
+    ("degree", "deg"),
+    ("degrees", "deg"),
+    ("radians", "rad"),
+];
+
 fn describe_unknown(name: &str) -> String {
     let bare: Vec<String> =
         PREFIXED.iter().chain(&PLAIN[1..]).map(|(known, ..)| (*known).to_owned()).collect();
@@ -197,7 +209,8 @@ fn describe_unknown(name: &str) -> String {
         .iter()
         .flat_map(|(prefix, _)| PREFIXED.iter().map(move |(known, ..)| format!("{prefix}{known}")));
     let all: Vec<String> = bare.iter().cloned().chain(prefixed).collect();
-    match nearest(name, &all.iter().map(String::as_str).collect::<Vec<_>>()) {
+    let near = nearest(name, &all.iter().map(String::as_str).collect::<Vec<_>>());
+    match SPELT.iter().find(|(other, _)| *other == name).map(|(_, unit)| *unit).or(near) {
         Some(near) => format!("no unit `{name}`; did you mean `{near}`?"),
         None => format!("no unit `{name}`; known: {}, with prefixes n, u, m, c, d, k, M, G", bare.join(", ")),
     }

@@ -20,7 +20,6 @@ mod hinge;
 mod item;
 mod mass;
 mod mirror;
-mod nearest;
 mod options;
 mod particle;
 mod point;
@@ -78,7 +77,7 @@ pub use torsion::TorsionDeclaration;
 pub use value::DefaultValue;
 pub use weld::WeldDeclaration;
 
-pub(crate) use nearest::{nearest, unknown};
+pub(crate) use crate::nearest::{nearest, unknown};
 pub(crate) use report::Report;
 pub(crate) use value::without_unit;
 

@@ -7,7 +7,7 @@ use syn::{BinOp, Expr, ExprCall, ExprMethodCall, Ident, UnOp};
 use super::bodies::Structure;
 use super::expression::whole;
 use super::scope::Scope;
-use super::{Declared, Formula, Function, Operator, Reading};
+use super::{Declared, Formula, Function, Operator, Reading, Signal};
 use crate::algebra::work;
 use crate::limits;
 use crate::syntax::{plain, unknown};
@@ -45,21 +45,21 @@ impl Readable<'_> {
     /// The formula of an expression, or its mistakes are kept.
     pub fn formula(&self, scope: &mut Scope, expr: &Expr) -> Option<Formula> {
         let formula = Reader { scope, readable: self, reads: Reads::Motion }.read(expr)?;
-        scope.note_signal(expr, &formula, false);
+        scope.note(Signal::new(&scope.description.constants, expr, &formula, false));
         Some(formula)
     }
 
     /// The formula of an expression of time and parameters, or its mistakes are kept; `why` it contains no motion.
     pub fn of_time(&self, scope: &mut Scope, expr: &Expr, why: &'static str) -> Option<Formula> {
         let formula = Reader { scope, readable: self, reads: Reads::Time(why) }.read(expr)?;
-        scope.note_signal(expr, &formula, false);
+        scope.note(Signal::new(&scope.description.constants, expr, &formula, false));
         Some(formula)
     }
 
     /// The same of a prescribed motion.
     pub fn prescribed(&self, scope: &mut Scope, expr: &Expr, why: &'static str) -> Option<Formula> {
         let formula = Reader { scope, readable: self, reads: Reads::Time(why) }.read(expr)?;
-        scope.note_signal(expr, &formula, true);
+        scope.note(Signal::new(&scope.description.constants, expr, &formula, true));
         Some(formula)
     }
 

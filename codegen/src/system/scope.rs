@@ -80,6 +80,12 @@ impl<'a> Scope<'a> {
         name == "pi" || named(&self.description.fields) || self.named.contains_key(&plain(name))
     }
 
+    /// Notes a signal, once.
+    pub fn note(&mut self, signal: Option<Signal>) {
+        let known = |signal: &Signal| self.signals.contains(signal);
+        self.signals.extend(signal.filter(|signal| !known(signal)));
+    }
+
     /// The names of parameters and constants.
     pub fn names(&self) -> Vec<String> {
         let fields = self.description.fields.iter().map(plain);

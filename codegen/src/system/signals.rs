@@ -1,9 +1,8 @@
 //! Signals: expressions of time and motion that loads and drives follow, as the runtime reads them. A step of an integration
 //! is accepted only over a signal that it has seen.
 
-use syn::{BinOp, Expr, Lit, UnOp};
+use syn::{BinOp, Expr, Ident, Lit, UnOp};
 
-use super::scope::Scope;
 use super::{Formula, Function, Operator};
 use crate::syntax::plain;
 
@@ -19,14 +18,16 @@ pub struct Signal {
     pub drives: bool,
 }
 
-impl Scope<'_> {
-    /// Notes an expression that is no polynomial.
-    pub(super) fn note_signal(&mut self, expr: &Expr, formula: &Formula, drives: bool) {
-        let Some(expression) = degree(formula).is_none().then(|| text(self, expr)).flatten() else { return };
-        let signal = Signal { expression, drives };
-        if !self.signals.contains(&signal) {
-            self.signals.push(signal);
-        }
+impl Signal {
+    /// The signal of an expression, with the constants that it may name; none of a polynomial.
+    pub(super) fn new(
+        constants: &[(Ident, Expr)],
+        expr: &Expr,
+        formula: &Formula,
+        drives: bool,
+    ) -> Option<Self> {
+        let expression = degree(formula).is_none().then(|| text(constants, expr)).flatten()?;
+        Some(Self { expression, drives })
     }
 }
 
@@ -46,8 +47,8 @@ fn degree(formula: &Formula) -> Option<i32> {
 }
 
 /// An expression as conditions have it.
-fn text(scope: &Scope, expr: &Expr) -> Option<String> {
-    let inner = |expr: &Expr| text(scope, expr);
+fn text(constants: &[(Ident, Expr)], expr: &Expr) -> Option<String> {
+    let inner = |expr: &Expr| text(constants, expr);
     match expr {
         Expr::Lit(literal) => match &literal.lit {
             Lit::Int(number) => Some(number.base10_digits().to_owned()),
@@ -72,7 +73,6 @@ fn text(scope: &Scope, expr: &Expr) -> Option<String> {
         }
         Expr::Path(path) => {
             let name = path.path.get_ident()?;
-            let constants = &scope.description.constants;
             let constant = constants.iter().find(|(constant, _)| constant == name);
             constant.map_or_else(|| Some(plain(name)), |(_, value)| inner(value))
         }

@@ -204,7 +204,10 @@ fn declarations_are_read_at_two_places_only() {
     for floor in ["studio", "cli"] {
         for file in sources(&runtime().join(floor).join("src")) {
             let reads = READ.iter().any(|place| file.starts_with(runtime().join(place)));
-            let named = code(&file).iter().any(|line| line.contains("liftoff_codegen"));
+            // Its table of units is no declaration.
+            let reads_code =
+                |line: &String| line.contains("liftoff_codegen") && !line.contains("liftoff_codegen::units");
+            let named = code(&file).iter().any(reads_code);
             assert!(reads || !named, "{}", file.display());
         }
     }

@@ -55,27 +55,40 @@ pub(crate) fn is_equilibrium(context: &RunContext, phase: &dyn Phase, state: &[f
             Form::Closed => 0.0,
         })
         .collect();
+    // By how much coordinate j is moved in the arithmetic of doubles, and the change of the accelerations.
     let change = |j: usize, by: f64| {
         let mut moved = reduced.clone();
         moved[j] += by;
         let there = derivative(&moved);
-        DVector::from_iterator(info.rates, rates.clone().map(|k| there[k] - now[k]))
+        let change = DVector::from_iterator(info.rates, rates.clone().map(|k| there[k] - now[k]));
+        (moved[j] - reduced[j], change)
     };
-    let roundings: Vec<DVector<f64>> =
-        (0..info.coordinates).map(|j| change(j, ROUNDINGS * reduced[j])).collect();
-    let beyond_error = |k: usize| now[k].signum() * (now[k].abs() - solve_error[k]).max(0.0);
-    let left = DVector::from_iterator(info.rates, rates.clone().map(beyond_error));
+    let slopes: Vec<DVector<f64>> = (0..info.coordinates)
+        .map(|j| {
+            let (step, change) = change(j, STEP * context.scales.entry(layout, phase.kept()[j]));
+            change / step
+        })
+        .collect();
+    let mut noise = DVector::zeros(info.rates);
+    let mut most = DVector::zeros(info.rates);
+    for (j, slope) in slopes.iter().enumerate() {
+        let (step, change) = change(j, ROUNDINGS * reduced[j]);
+        noise += (&change - slope * step).abs();
+        most += change.abs();
+    }
+    let beyond_error = |k: usize| {
+        let error = solve_error[info.coordinates + k] + noise[k];
+        let a = now[info.coordinates + k];
+        a.signum() * (a.abs() - error).max(0.0)
+    };
+    let left = DVector::from_fn(info.rates, |k, _| beyond_error(k));
     if left.iter().all(|a| *a == 0.0) {
         return true;
     }
-    let may_vanish = |k: usize| left[k].abs() <= roundings.iter().map(|change| change[k].abs()).sum();
-    if !(0..info.rates).all(may_vanish) {
+    if (0..info.rates).any(|k| left[k].abs() > most[k]) {
         return false;
     }
-    let columns = (0..info.coordinates).map(|j| {
-        let step = STEP * context.scales.entry(layout, phase.kept()[j]);
-        change(j, step) * (ROUNDINGS * reduced[j].abs() / step)
-    });
+    let columns = slopes.into_iter().zip(&reduced).map(|(slope, q)| slope * (ROUNDINGS * q.abs()));
     let columns = DMatrix::from_columns(&columns.collect::<Vec<_>>());
     let rank = RANK * columns.amax();
     columns.pseudo_inverse(rank).is_ok_and(|inverse| (inverse * left).amax() <= 1.0)

@@ -5,8 +5,8 @@
 //! |f − p| ≤ r/10 + δ  between the nodes of its interpolant p,   f ∈ [low − R, high + R] everywhere
 //! ```
 //!
-//! with r = high − low the range of its values there, δ what the tolerance leaves of the largest f, and R the larger of r and
-//! a sixteenth of that f. The second is proved by interval bounds over pieces of the step.
+//! with r = high − low the range of its values there, δ what the tolerance leaves of the largest f and of the natural force, and
+//! R the largest of r, δ and a sixteenth of that f. The second is proved by interval bounds over pieces of the step.
 
 use super::step::Values;
 use super::{StepView, Variable};
@@ -75,6 +75,8 @@ impl Signal {
 pub(crate) enum Unseen {
     /// A shorter step may see the signal.
     Step,
+    /// No step sees it: it is not followed any farther.
+    Lost,
     /// A drive is not smooth at this time.
     Drive {
         /// s
@@ -168,11 +170,13 @@ impl<'a> Signals<'a> {
             .iter()
             .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], f| [low.min(*f), high.max(*f)]);
         self.largest[k] = self.largest[k].max(low.abs().max(high.abs()));
-        let (range, delta) = (high - low, tolerance * self.largest[k]);
+        let scales = &step.context.scales;
+        let natural = if *drives { scales.length } else { scales.force() };
+        let (range, delta) = (high - low, tolerance * self.largest[k].max(natural));
         let is_polynomial = BETWEEN
             .iter()
             .all(|&theta| (value(theta) - interpolate(&seen, theta)).abs() <= SHARE * range + delta);
-        let margin = range.max(LEAST * self.largest[k]);
+        let margin = range.max(LEAST * self.largest[k]).max(delta);
         let allowed = Interval { low: low - margin, high: high + margin };
         let is_bounded = |piece: [f64; 2]| {
             let Some(Enclosure { value: natural, slope }) = bound(piece) else { return true };
@@ -195,7 +199,7 @@ impl<'a> Signals<'a> {
         }
         let Some(theta) = open.filter(|_| *drives) else {
             self.is_lost[k] = true;
-            return None;
+            return Some(Unseen::Lost);
         };
         let t = step.dense.t0 + theta * step.dense.h;
         let what = self.list[k].find_break(step.context, t)?;

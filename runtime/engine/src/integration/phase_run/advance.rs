@@ -89,9 +89,7 @@ impl<'a> PhaseRun<'a> {
                 self.note_energy(stepper.state());
             }
             let before = recording.t1();
-            if let Err(error) = self.step(recording, stepper) {
-                return self.break_near(error).ok_or(error);
-            }
+            self.step(recording, stepper)?;
             match self.check_signals(recording, stepper) {
                 Signalled::Seen => {}
                 Signalled::Shorter => continue,
@@ -129,7 +127,7 @@ impl<'a> PhaseRun<'a> {
     }
 
     /// The break of a drive for which a step has failed.
-    fn break_near(&self, error: StepError) -> Option<Termination> {
+    pub(super) fn break_near(&self, error: StepError) -> Option<Termination> {
         let StepError::NotFinite { t } = error else { return None };
         let (t, expression, what) = self.signals.0.find_break_near(self.context, t)?;
         Some(Termination::Drive { t, expression, what })
@@ -147,9 +145,12 @@ impl<'a> PhaseRun<'a> {
                 if core::mem::take(unseen) > 0 {
                     stepper.set_end(self.horizon);
                 }
-                if is_shortest {
-                    self.note_once(t, LoggedDecision::LoadUnresolved);
-                }
+                Signalled::Seen
+            }
+            Some(Unseen::Lost) => {
+                *unseen = 0;
+                stepper.set_end(self.horizon);
+                self.note_once(t, LoggedDecision::LoadUnresolved);
                 Signalled::Seen
             }
             Some(Unseen::Drive { t, expression, what }) => {

@@ -181,7 +181,8 @@ impl PhaseRun<'_> {
         let failed = |error: StepError| {
             let mut last: Numbers = smallvec![0.0; phase.info().entries];
             recording.reduced(recording.t1(), &mut last);
-            if self.is_at_border(&last) { Termination::Paradox } else { Termination::Failed(error) }
+            let otherwise = || self.break_near(error).unwrap_or(Termination::Failed(error));
+            if self.is_at_border(&last) { Termination::Paradox } else { otherwise() }
         };
         (end.unwrap_or_else(failed), stepper.counts())
     }
