@@ -26,6 +26,10 @@ impl Signal {
         formula: &Formula,
         drives: bool,
     ) -> Option<Self> {
+        // Kinks of loads are cut out of steps.
+        if !drives && has_root(formula) {
+            return None;
+        }
         let expression = degree(formula).is_none().then(|| text(constants, expr)).flatten()?;
         Some(Self { expression, drives })
     }
@@ -44,6 +48,15 @@ fn degree(formula: &Formula) -> Option<i32> {
         Formula::Join(Operator::Divide, a, b) => degree(a).filter(|_| b.as_series().is_some())?,
     };
     (degree <= DEGREE).then_some(degree)
+}
+
+fn has_root(formula: &Formula) -> bool {
+    match formula {
+        Formula::Apply(Function::Sqrt, _) => true,
+        Formula::Apply(_, argument) => has_root(argument),
+        Formula::Join(_, left, right) => has_root(left) || has_root(right),
+        Formula::Constant(_) | Formula::Time | Formula::Slip | Formula::Motion { .. } => false,
+    }
 }
 
 /// An expression as conditions have it.

@@ -88,6 +88,9 @@ pub(crate) fn is_equilibrium(context: &RunContext, phase: &dyn Phase, state: &[f
     if (0..info.rates).any(|k| left[k].abs() > most[k]) {
         return false;
     }
+    if slopes.iter().flatten().any(|x| !x.is_finite()) {
+        return false;
+    }
     let columns = slopes.into_iter().zip(&reduced).map(|(slope, q)| slope * (ROUNDINGS * q.abs()));
     let columns = DMatrix::from_columns(&columns.collect::<Vec<_>>());
     let rank = RANK * columns.amax();

@@ -136,7 +136,7 @@ impl<'a> Signals<'a> {
         step: &StepView<'_>,
         (tolerance, is_shortest): (f64, bool),
     ) -> Option<Unseen> {
-        let Signal { text, condition, drives, reads } = &self.list[k];
+        let Signal { condition, drives, reads, .. } = &self.list[k];
         let values = &mut self.values;
         let leaves = |values: &mut Values| {
             let smooth = |&variable: &Variable| {
@@ -197,13 +197,18 @@ impl<'a> Signals<'a> {
         if !is_shortest {
             return Some(Unseen::Step);
         }
-        let Some(theta) = open.filter(|_| *drives) else {
-            self.is_lost[k] = true;
-            return Some(Unseen::Lost);
+        let (signal, context) = (&self.list[k], step.context);
+        let found = open.into_iter().chain([1.0, 0.0]).find_map(|theta| {
+            let t = step.dense.t0 + theta * step.dense.h;
+            Some((t, signal.find_break(context, t)?))
+        });
+        let Some((t, what)) = found.filter(|_| signal.drives) else {
+            // A drive whose bounds alone are open is smooth.
+            self.is_lost[k] = !signal.drives;
+            return (!signal.drives || open.is_none()).then_some(Unseen::Lost);
         };
-        let t = step.dense.t0 + theta * step.dense.h;
-        let what = self.list[k].find_break(step.context, t)?;
-        Some(Unseen::Drive { t, expression: text, what })
+        let expression = signal.text;
+        Some(Unseen::Drive { t, expression, what })
     }
 
     /// The drive that breaks at a time at which no step can be made: when, its value and what it does there.

@@ -127,7 +127,8 @@ fn a_pendulum_rests_within_its_band() {
     for (phi, moves) in [(0.999 * band, false), (1.001 * band, true)] {
         let run = Simulation::new(&BAR).unwrap().start(Pose::at("phi", phi)).unwrap().limit(0.1).run();
         match moves {
-            false => assert!(run.is_err_and(|error| error.to_string().contains("equilibrium"))),
+            // With the smaller friction of what slides it could move as well.
+            false => assert!(run.unwrap().function("phi'").unwrap()(0.1) == 0.0),
             true => {
                 let rate = run.unwrap().function("phi'").unwrap()(0.1);
                 assert!(rate < 0.0, "{rate}");
