@@ -14,6 +14,9 @@ use liftoff_conditions::{Conditions, Request};
 use liftoff_tests::random::{Source, Vocabulary, sample_of};
 use reader::{Values, read_latex, read_text};
 
+/// What has a value, and the value.
+type Valued<T> = Vec<(T, f64)>;
+
 /// Long fractions are printed with seven digits.
 const SEVEN_DIGITS: f64 = 1e-5;
 
@@ -109,7 +112,7 @@ fn symbols(
     analysis: &Analysis,
     all: &BTreeSet<Symbol>,
     source: &mut Source,
-) -> (Vec<(Symbol, f64)>, Vec<(Math, f64)>) {
+) -> (Valued<Symbol>, Valued<Math>) {
     let writer = Writer::of(analysis);
     let coordinates = analysis.kinematics.coordinates.len() as u16;
     let places =

@@ -31,7 +31,8 @@ pub fn read_latex(latex: &str, values: &Values) -> Result<f64, String> {
     evaluate(latex_tokens(latex, values)?).map_err(|error| format!("{error}: {latex}"))
 }
 
-const FUNCTIONS: [(&str, fn(f64) -> f64); 3] = [("sin", f64::sin), ("cos", f64::cos), ("tan", f64::tan)];
+type Function = fn(f64) -> f64;
+const FUNCTIONS: [(&str, Function); 3] = [("sin", f64::sin), ("cos", f64::cos), ("tan", f64::tan)];
 const RAISED: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 const LOWERED: &str = "₀₁₂₃₄₅₆₇₈₉";
 const FRACTIONS: [(char, f64, f64); 15] = [

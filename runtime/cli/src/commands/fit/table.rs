@@ -55,7 +55,7 @@ impl Table {
             let row = row.map_err(|why| usage(format!(", line {line}: {why}")))?;
             // The side before an impact, as `run --csv` has it: a series has the side after.
             let jumps = rows.pop_if(|before| before.t == row.t).is_some();
-            if jumps && std::mem::replace(&mut jumped, Some(row.t)) == Some(row.t) {
+            if jumps && jumped.replace(row.t) == Some(row.t) {
                 return Err(usage(format!(", line {line}: t = {} is there three times", row.t)));
             }
             if let Some(before) = rows.last().filter(|before| row.t <= before.t) {
