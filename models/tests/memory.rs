@@ -6,7 +6,8 @@ use processes::{folder, text};
 use std::path::Path;
 use std::process::Command;
 
-/// Runs the double pendulum for so long in an address space of 140 MB, up to 100 of which the program, its threads and its allocator set apart.
+/// Runs the double pendulum for so long in an address space of 140 MB, up to 100 of which the
+/// program, its threads and its allocator set apart.
 fn in_140_megabytes(folder: &Path, seconds: &str, options: &[&str]) -> usize {
     let shell = "ulimit -v 140000; exec \"$0\" \"$@\"";
     let mut command = Command::new("sh");
