@@ -52,6 +52,10 @@ impl Interval {
         self.low <= x && x <= self.high
     }
 
+    pub(crate) fn middle(self) -> f64 {
+        0.5 * (self.low + self.high)
+    }
+
     /// The largest distance from zero.
     pub(crate) fn size(self) -> f64 {
         self.low.abs().max(self.high.abs())

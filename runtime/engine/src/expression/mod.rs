@@ -19,7 +19,7 @@ mod tree;
 
 pub use condition::Condition;
 pub(crate) use condition::Relation;
-pub(crate) use enclosure::{Bounds, Enclosure};
+pub(crate) use enclosure::Enclosure;
 pub use environment::{Environment, Variable};
 pub use formula::Formula;
 pub(crate) use interval::Interval;

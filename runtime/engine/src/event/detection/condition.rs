@@ -3,9 +3,10 @@
 use super::advance::Advance;
 use super::guard_source::{EXACT, GuardSource};
 use super::pieces::{Bounded, Followed, Pieces, SHORTEST};
+use super::step::Leaves;
 use super::{EventDetector, StepView, Watch};
 use crate::event::root_isolation::{Accuracy, Crossing, GuardError, NODES, Root, Smooth, Start};
-use crate::expression::{Condition, Enclosure, Interval, Relation, Sides, Variable};
+use crate::expression::{Condition, Relation, Sides, Variable};
 use core::cell::Cell;
 
 /// Halvings of a piece: to the spacing of doubles.
@@ -34,9 +35,6 @@ const SOON: f64 = 1e-3;
 
 /// Roundoff of a touch, in differences of the sides over the step.
 const TOUCHED: f64 = 16.0 * f64::EPSILON;
-
-/// What a condition reads, over a step.
-type Leaves = Vec<(Variable, Smooth)>;
 
 impl EventDetector<'_> {
     /// When a condition becomes true.
@@ -175,13 +173,7 @@ impl EventDetector<'_> {
             if !spend() {
                 return None;
             }
-            let leaf = |variable: Variable| {
-                let (_, smooth) = leaves.iter().find(|(known, _)| *known == variable)?;
-                let [value, slope] = [smooth.value(piece), smooth.slope(piece)];
-                let around = |(middle, reach)| Interval::around(middle, reach);
-                Some(Enclosure { value: around(value), slope: around(slope) })
-            };
-            step.enclosure(condition, &leaf)
+            step.enclosure(condition, leaves, piece)
         };
         let known = leaves.iter().map(|(_, smooth)| smooth.resolution()).fold(1.0, f64::min);
         let shortest = known.max(SHORTEST);

@@ -21,7 +21,7 @@ mod zero;
 mod tests;
 
 pub(crate) use affine::{AffineGuards, KnownAffineGuards};
-pub(crate) use signals::{Signal, Signals, Unseen};
+pub(crate) use signals::{Broken, Signal, Signals, Unseen};
 pub(crate) use step::StepView;
 pub(crate) use watch::ContactStatus;
 

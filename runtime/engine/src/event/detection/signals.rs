@@ -53,20 +53,19 @@ impl Signal {
         };
         layout.signals.iter().filter_map(signal).collect()
     }
-}
 
-impl Signal {
     /// What a function of time does at a time, in words, if it is not smooth there.
-    fn find_break(&self, context: &RunContext, t: f64) -> Option<&'static str> {
+    fn find_break(&self, context: &RunContext, t: f64) -> Option<Broken> {
         let value = |t: f64| {
             let time = |variable| {
                 (variable == Variable::Time)
                     .then_some(Enclosure { value: Interval::exactly(t), slope: Interval::exactly(1.0) })
             };
             let bounds = self.condition.enclosure(&context.model.parameters, &time);
-            bounds.map_or(f64::NAN, |bounds| 0.5 * (bounds.value.low + bounds.value.high))
+            bounds.map_or(f64::NAN, |bounds| bounds.value.middle())
         };
-        find_break(&value, t, context.scales.time)
+        let what = find_break(&value, t, context.scales.time)?;
+        Some(Broken { t, expression: self.text, what })
     }
 }
 
@@ -77,15 +76,19 @@ pub(crate) enum Unseen {
     Step,
     /// No step sees it: it is not followed any farther.
     Lost,
-    /// A drive is not smooth at this time.
-    Drive {
-        /// s
-        t: f64,
-        /// Its value.
-        expression: &'static str,
-        /// What it has there.
-        what: &'static str,
-    },
+    /// A drive is not smooth.
+    Drive(Broken),
+}
+
+/// Where a drive is not smooth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Broken {
+    /// s
+    pub(crate) t: f64,
+    /// Its value.
+    pub(crate) expression: &'static str,
+    /// What it does there.
+    pub(crate) what: &'static str,
 }
 
 /// The signals of a phase, and what is known of them.
@@ -95,6 +98,8 @@ pub(crate) struct Signals<'a> {
     largest: Vec<f64>,
     /// Those that no step, however short, was proved to have seen: they are not followed any farther.
     is_lost: Vec<bool>,
+    /// Steps in a row that have not seen one.
+    pub(crate) unseen: u32,
     values: Values,
 }
 
@@ -109,6 +114,7 @@ impl<'a> Signals<'a> {
             list,
             largest: largest.collect(),
             is_lost: vec![false; list.len()],
+            unseen: 0,
             values: Values::of(layout),
         }
     }
@@ -152,19 +158,8 @@ impl<'a> Signals<'a> {
         };
         // What has no polynomial over the step is not followed by the method either.
         let leaves = leaves(values)?;
-        let bound = |piece: [f64; 2]| {
-            let leaf = |variable: Variable| {
-                let (_, smooth) = leaves.iter().find(|(known, _)| *known == variable)?;
-                let [value, slope] = [smooth.value(piece), smooth.slope(piece)];
-                let around = |(middle, reach)| Interval::around(middle, reach);
-                Some(Enclosure { value: around(value), slope: around(slope) })
-            };
-            step.enclosure(condition, &leaf)
-        };
-        let value = |theta: f64| {
-            let bounds = bound([theta, theta]);
-            bounds.map_or(f64::NAN, |bounds| 0.5 * (bounds.value.low + bounds.value.high))
-        };
+        let bound = |piece: [f64; 2]| step.enclosure(condition, &leaves, piece);
+        let value = |theta: f64| bound([theta, theta]).map_or(f64::NAN, |bounds| bounds.value.middle());
         let seen = NODES.map(value);
         let [low, high] = seen
             .iter()
@@ -198,27 +193,18 @@ impl<'a> Signals<'a> {
             return Some(Unseen::Step);
         }
         let (signal, context) = (&self.list[k], step.context);
-        let found = open.into_iter().chain([1.0, 0.0]).find_map(|theta| {
-            let t = step.dense.t0 + theta * step.dense.h;
-            Some((t, signal.find_break(context, t)?))
-        });
-        let Some((t, what)) = found.filter(|_| signal.drives) else {
-            // A drive whose bounds alone are open is smooth.
-            self.is_lost[k] = !signal.drives;
-            return (!signal.drives || open.is_none()).then_some(Unseen::Lost);
-        };
-        let expression = signal.text;
-        Some(Unseen::Drive { t, expression, what })
+        let at = |theta: f64| step.dense.t0 + theta * step.dense.h;
+        let places = open.into_iter().chain([1.0, 0.0]).filter(|_| signal.drives);
+        let broken = places.map(at).find_map(|t| signal.find_break(context, t));
+        // A drive whose bounds alone are open is smooth.
+        self.is_lost[k] = !signal.drives;
+        let lost = (!signal.drives || open.is_none()).then_some(Unseen::Lost);
+        broken.map(Unseen::Drive).or(lost)
     }
 
-    /// The drive that breaks at a time at which no step can be made: when, its value and what it does there.
-    pub(crate) fn find_break_near(
-        &self,
-        context: &RunContext,
-        t: f64,
-    ) -> Option<(f64, &'static str, &'static str)> {
-        let mut drives = self.list.iter().filter(|signal| signal.drives);
-        drives.find_map(|signal| Some((t, signal.text, signal.find_break(context, t)?)))
+    /// The drive that breaks at a time at which no step can be made.
+    pub(crate) fn find_break_near(&self, context: &RunContext, t: f64) -> Option<Broken> {
+        self.list.iter().filter(|signal| signal.drives).find_map(|signal| signal.find_break(context, t))
     }
 }
 

@@ -5,13 +5,16 @@ use std::sync::Arc;
 use super::{Guard, Rub};
 use crate::contact::friction::LastMargin;
 use crate::event::root_isolation::{GuardError, Smooth, TERMS};
-use crate::expression::{Bounds, Condition, Enclosure, Known, Sides, Variable};
+use crate::expression::{Condition, Enclosure, Interval, Known, Sides, Variable};
 use crate::integrate::{DenseOutput, Guards};
 use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
 use crate::model::{ContactSet, Form, Layout, Side, SlipState};
 use crate::scales::Slips;
 use crate::system::Phase;
 use smallvec::smallvec;
+
+/// What a condition reads, over a step.
+pub(super) type Leaves = Vec<(Variable, Smooth)>;
 
 /// Which guards are asked for.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -240,9 +243,20 @@ impl<'a> StepView<'a> {
         variable.value(self.context, self.point(theta, values))
     }
 
-    /// Bounds of the difference of a condition's sides from those of what it reads.
-    pub(super) fn enclosure(&self, condition: &Condition, bounds: Bounds) -> Option<Enclosure> {
-        condition.enclosure(&self.context.model.parameters, bounds)
+    /// Bounds of the difference of a condition's sides over a piece, from those of what it reads.
+    pub(super) fn enclosure(
+        &self,
+        condition: &Condition,
+        leaves: &Leaves,
+        piece: [f64; 2],
+    ) -> Option<Enclosure> {
+        let leaf = |variable: Variable| {
+            let (_, smooth) = leaves.iter().find(|(known, _)| *known == variable)?;
+            let [value, slope] = [smooth.value(piece), smooth.slope(piece)];
+            let around = |(middle, reach)| Interval::around(middle, reach);
+            Some(Enclosure { value: around(value), slope: around(slope) })
+        };
+        condition.enclosure(&self.context.model.parameters, &leaf)
     }
 
     /// The series of a guard other than a condition, Σ cₖ θᵏ, if the method has it.

@@ -36,16 +36,6 @@ const UNSEEN: f64 = 1e-6;
 const SHORTER: f64 = 0.125;
 const SHORTEST: f64 = 1e-13;
 
-/// What a step has seen of loads and drives.
-enum Signalled {
-    /// All of it.
-    Seen,
-    /// Not all: a shorter step is made.
-    Shorter,
-    /// A drive is not smooth within it.
-    Breaks(Termination),
-}
-
 /// How many steps in a row have been tiny.
 #[derive(Default)]
 struct Stagnation {
@@ -91,9 +81,9 @@ impl<'a> PhaseRun<'a> {
             let before = recording.t1();
             self.step(recording, stepper)?;
             match self.check_signals(recording, stepper) {
-                Signalled::Seen => {}
-                Signalled::Shorter => continue,
-                Signalled::Breaks(end) => return Ok(end),
+                Some(Unseen::Drive(broken)) => return Ok(Termination::Drive(broken)),
+                Some(Unseen::Step) => continue,
+                Some(Unseen::Lost) | None => {}
             }
             match self.look(recording, stepper, &mut affine, touches) {
                 Ok(None) => self.unresolved = 0,
@@ -129,45 +119,38 @@ impl<'a> PhaseRun<'a> {
     /// The break of a drive for which a step has failed.
     pub(super) fn break_near(&self, error: StepError) -> Option<Termination> {
         let StepError::NotFinite { t } = error else { return None };
-        let (t, expression, what) = self.signals.0.find_break_near(self.context, t)?;
-        Some(Termination::Drive { t, expression, what })
+        self.signals.find_break_near(self.context, t).map(Termination::Drive)
     }
 
-    /// Whether the last step has seen what loads and drives follow; if not it is rejected in favour of a shorter one.
-    fn check_signals(&mut self, recording: &mut Recording, stepper: &mut dyn PhaseStepper) -> Signalled {
-        let (signals, unseen) = &mut self.signals;
-        let Some(dense) = recording.last().filter(|_| !signals.is_empty()) else { return Signalled::Seen };
+    /// What the last step has not seen of loads and drives; it is rejected then in favour of a shorter one.
+    fn check_signals(&mut self, recording: &mut Recording, stepper: &mut dyn PhaseStepper) -> Option<Unseen> {
+        let signals = &mut self.signals;
+        let dense = recording.last().filter(|_| !signals.is_empty())?;
         let (t, natural) = (dense.t0, self.context.scales.time);
-        let is_shortest = *unseen >= MOST_UNSEEN || dense.h < UNSEEN * natural.max(t.abs());
+        let is_shortest = signals.unseen >= MOST_UNSEEN || dense.h < UNSEEN * natural.max(t.abs());
         let view = StepView::new(&self.phase, self.context, dense).with_series(None);
-        match signals.find_unseen(&view, self.tolerance, is_shortest) {
-            None => {
-                if core::mem::take(unseen) > 0 {
+        let found = signals.find_unseen(&view, self.tolerance, is_shortest);
+        match found {
+            None | Some(Unseen::Lost) => {
+                if core::mem::take(&mut signals.unseen) > 0 {
                     stepper.set_end(self.horizon);
                 }
-                Signalled::Seen
+                if found.is_some() {
+                    self.note_once(t, LoggedDecision::LoadUnresolved);
+                }
             }
-            Some(Unseen::Lost) => {
-                *unseen = 0;
-                stepper.set_end(self.horizon);
-                self.note_once(t, LoggedDecision::LoadUnresolved);
-                Signalled::Seen
-            }
-            Some(Unseen::Drive { t, expression, what }) => {
-                recording.pop();
-                Signalled::Breaks(Termination::Drive { t, expression, what })
-            }
+            Some(Unseen::Drive(_)) => recording.pop(),
             Some(Unseen::Step) => {
-                *unseen += 1;
+                signals.unseen += 1;
                 let end = t + SHORTER * dense.h;
                 if !self.step_back(recording, stepper) {
-                    return Signalled::Seen;
+                    return None;
                 }
                 // A method of constant steps would make it longer again.
                 stepper.set_end(end);
-                Signalled::Shorter
             }
         }
+        found
     }
 
     /// The guards of the first event of the last step, if there is one, by series where these are known.

@@ -12,7 +12,7 @@ use std::sync::atomic::AtomicBool;
 
 use crate::audit::Work;
 use crate::contact::ContactError;
-use crate::event::detection::{EventDetector, Guard, KnownAffineGuards, Signals, StepView};
+use crate::event::detection::{Broken, EventDetector, Guard, KnownAffineGuards, Signals, StepView};
 use crate::integrate::{Counts, DenseOutput, InitialValueProblem, StepError};
 use crate::integration::method::{Method, Problem, StartedStepper, Switches, cut};
 use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
@@ -53,14 +53,7 @@ pub(crate) enum Termination {
     /// Without reaching an event.
     Failed(StepError),
     /// Where a drive is not smooth.
-    Drive {
-        /// s
-        t: f64,
-        /// Its value.
-        expression: &'static str,
-        /// What it has there.
-        what: &'static str,
-    },
+    Drive(Broken),
     /// Before a singular position of the loop through these joints.
     Loop(Vec<String>),
     /// Before accelerations that are all but undetermined.
@@ -106,8 +99,8 @@ pub(crate) struct PhaseRun<'a> {
     /// The closed contacts: those of the phase, and those that depend on them.
     pub(crate) closed: ContactSet,
     pub(crate) detector: &'a mut EventDetector<'a>,
-    /// What loads and drives follow, and how many steps in a row have not seen it.
-    pub(crate) signals: (Signals<'a>, u32),
+    /// What loads and drives follow.
+    pub(crate) signals: Signals<'a>,
     pub(crate) tolerance: f64,
     pub(crate) t: f64,
     pub(crate) horizon: f64,

@@ -30,7 +30,7 @@ use crate::error::{RunCause, RunError};
 use crate::model::{ContactSet, Energy, Form, Layout};
 
 use crate::assembly::Start;
-use crate::event::detection::{Guard, KnownAffineGuards};
+use crate::event::detection::{Broken, Guard, KnownAffineGuards};
 use crate::expression::Condition;
 use crate::integrate::Counts;
 use crate::integration::phase_point::Numbers;
@@ -269,7 +269,7 @@ impl<'a> Driver<'a> {
         }
         self.spend(counts, memory)?;
         self.refuse_left(&end)?;
-        let breaks = matches!(end, Termination::Failed(_) | Termination::Drive { .. });
+        let breaks = matches!(end, Termination::Failed(_) | Termination::Drive(_));
         if !breaks && !matches!(end, Termination::Singular(_) | Termination::Loop(_)) {
             self.refuse_drift(counts, &work)?;
         }
@@ -287,7 +287,9 @@ impl<'a> Driver<'a> {
                 Err(RunCause::Loop { joints, t })
             }
             Termination::Singular(source) => Err(self.contact_error(source)),
-            Termination::Drive { t, expression, what } => Err(RunCause::Drive { t, expression, what }),
+            Termination::Drive(Broken { t, expression, what }) => {
+                Err(RunCause::Drive { t, expression, what })
+            }
             Termination::Pivot => {
                 self.form = Form::Projected;
                 self.log(LoggedDecision::SmallPivot);

@@ -243,7 +243,7 @@ impl Driver<'_> {
             phase: self.phase.take().unwrap_or_else(|| context.phase(self.bearing, self.form)),
             closed: self.closed,
             detector: &mut detector,
-            signals: (Signals::new(self.layout(), &context.signals, &context.model.parameters), 0),
+            signals: Signals::new(self.layout(), &context.signals, &context.model.parameters),
             tolerance: *tolerance,
             t: self.t,
             horizon: self.horizon(),
