@@ -73,7 +73,8 @@ pub(crate) fn singular_values(matrix: DMatrix<f64>) -> Vec<f64> {
     }
     make_orthogonal(&mut columns, |_, _| {});
     let mut values: Vec<f64> = columns.column_iter().map(|column| column.norm()).collect();
-    values.sort_by(|a, b| b.total_cmp(a));
+    values.sort_unstable_by(f64::total_cmp);
+    values.reverse();
     values
 }
 

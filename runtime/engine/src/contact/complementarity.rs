@@ -172,7 +172,7 @@ impl EquilibratedKkt {
             return Err(LcpError::Jammed);
         }
         let mut sets: Vec<u32> = (0..1u32 << count).collect();
-        sets.sort_by_key(|set| (count as u32 - set.count_ones(), *set));
+        sets.sort_unstable_by_key(|set| (count as u32 - set.count_ones(), *set));
         let mut failure = LcpError::Singular;
         for set in sets {
             let closed = (0..count).filter(|k| set >> k & 1 == 1).map(|k| choice.candidates[k]);

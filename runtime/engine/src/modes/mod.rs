@@ -111,7 +111,7 @@ pub fn modes(model: impl Into<Model>) -> Result<Modes, ModelError> {
 /// The sets to list, small ones first.
 fn sets(layout: &'static Layout, complete: bool) -> Vec<ContactSet> {
     let mut sets = if complete { all_sets(layout) } else { layout.closed_forms.to_vec() };
-    sets.sort_by_key(|set: &ContactSet| (set.len(), *set));
+    sets.sort_unstable_by_key(|set: &ContactSet| (set.len(), *set));
     sets
 }
 

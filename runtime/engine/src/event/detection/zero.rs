@@ -169,6 +169,6 @@ impl EventDetector<'_> {
 
 /// The one in the middle, the greater of two.
 fn middle(mut sizes: SmallVec<[f64; 4]>) -> Option<f64> {
-    sizes.sort_by(f64::total_cmp);
+    sizes.sort_unstable_by(f64::total_cmp);
     sizes.get(sizes.len() / 2).copied()
 }
