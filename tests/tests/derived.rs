@@ -87,15 +87,15 @@ fn zigzag_in_flight() {
         let (model, paper) = zigzag(lambda);
         let phase = model.phase(&[]).unwrap();
         for _ in 0..50 {
-            let (phi, rate, rise_rate) =
+            let (phi, rate, drop_rate) =
                 (source.range(0.1, 0.6), source.range(-4.0, -0.5), source.range(-1.0, 1.0));
-            let state = [phi, 0.1, rate, rise_rate];
-            close!(phase.energy(&state).kinetic, paper.free_energy(phi, rate, -rise_rate));
+            let state = [phi, -0.1, rate, drop_rate];
+            close!(phase.energy(&state).kinetic, paper.free_energy(phi, rate, drop_rate));
             let accelerations = phase.accelerations(&state);
             let h = paper.free_integral(phi, rate);
             close!(accelerations[0], paper.free_acceleration(h, phi));
-            close!(-accelerations[1], paper.free_drop_acceleration(h, phi));
-            for residual in paper.free_residuals(phi, rate, [accelerations[0], -accelerations[1]]) {
+            close!(accelerations[1], paper.free_drop_acceleration(h, phi));
+            for residual in paper.free_residuals(phi, rate, [accelerations[0], accelerations[1]]) {
                 close!(residual, 0.0);
             }
         }

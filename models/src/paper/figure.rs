@@ -59,16 +59,8 @@ pub fn against_phi(
     for (name, output) in outputs {
         let points = curve(record, ["phi", output], interval)?;
         let [first, last] = [points[0], points[points.len() - 1]];
-        let rises = |[a, b]: [[f64; 2]; 2]| b[1] > a[1];
-        let [begins, ends] = [[points[0], points[1]], [points[points.len() - 2], last]].map(rises);
-        let mark = |at: [f64; 2], name: &str, offset| Mark {
-            at,
-            label: format!("{name}: {}", decimals(at[1], 3)),
-            offset,
-        };
-        // On the free side of the curve.
-        let [above, below] = [if begins { -24 } else { -8 }, if ends { -6 } else { 16 }];
-        let marks = vec![mark(first, labels[0], (8, above)), mark(last, labels[1], (-8, below))];
+        let mark = |at: [f64; 2], name: &str| Mark { at, label: format!("{name}: {}", decimals(at[1], 3)) };
+        let marks = vec![mark(first, labels[0]), mark(last, labels[1])];
         panels.push(Chart {
             x: Axis::linear("φ, rad", [first[0], last[0]]).with_ticks(ticks),
             y: Axis::holding(name, points.iter().map(|p| p[1])),

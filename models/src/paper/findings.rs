@@ -1,12 +1,16 @@
 //! What follows from the runs, one statement each with its numbers.
 
-use super::ReportError;
+use super::border::find_least_start;
 use super::falling_pair;
+use super::falling_pair::asymmetry::{Asymmetry, DROP};
 use super::figure::decimals;
+use super::printed::GRAVITY;
 use super::published;
+use super::reading::events_of;
 use super::reading::{at, time_of};
 use super::strict;
-use super::threshold::threshold;
+use super::strikes::Strikes;
+use super::{ReportError, Study};
 use crate::models;
 use liftoff::expression::superscript;
 use liftoff::prelude::*;
@@ -24,18 +28,16 @@ pub struct Finding {
 }
 
 /// All statements; `zigzag` are the runs of Fig. 1b that the paper shows.
-pub fn findings(
-    pair: &falling_pair::Runs,
-    zigzag: &published::Runs,
-    tolerance: f64,
-) -> Result<Vec<Finding>, ReportError> {
-    let mut all = vec![problem_books(pair, zigzag)?];
+pub(super) fn findings(study: &Study, zigzag: &published::Runs) -> Result<Vec<Finding>, ReportError> {
+    let Study { pair, tolerance, .. } = study;
+    let mut all = vec![problem_books(pair, zigzag)?, sizes(pair, *tolerance)?];
     all.extend(no_second_contact(pair)?);
-    all.push(starts(tolerance)?);
-    all.push(masses());
-    all.extend(without_gravity(pair, tolerance)?);
-    all.extend(joint_c(zigzag)?);
-    all.push(thread(tolerance)?);
+    all.push(not_symmetric(&study.asymmetry));
+    all.push(starts(*tolerance)?);
+    all.push(masses(&study.published)?);
+    all.extend(without_gravity(pair, *tolerance)?);
+    all.extend(first_strike(zigzag, &study.strikes)?);
+    all.push(thread(*tolerance)?);
     Ok(all)
 }
 
@@ -74,8 +76,8 @@ fn no_second_contact(pair: &falling_pair::Runs) -> Result<Option<Finding>, Repor
 }
 
 fn starts(tolerance: f64) -> Result<Finding, ReportError> {
-    let published = |ratio| threshold(published::MODEL, &["phi"], ratio, tolerance);
-    let strict = |ratio| threshold(strict::MODEL, &["phi_inner", "phi_outer"], ratio, tolerance);
+    let published = |ratio| find_least_start(published::MODEL, &["phi"], ratio, tolerance);
+    let strict = |ratio| find_least_start(strict::MODEL, &["phi_inner", "phi_outer"], ratio, tolerance);
     let text = format!(
         "Bars that start low stay on the floor. As published, Fig. 1b lifts off from starts at rest above \
          φ(0) = {:.6} for λ = ½ and {:.6} for λ = ¼; with every support watched on its own from {:.6} for λ = ½ \
@@ -88,13 +90,50 @@ fn starts(tolerance: f64) -> Result<Finding, ReportError> {
     Ok(Finding { anchor: "starts", title: "Lift-off depends on where the bars start", text })
 }
 
-fn masses() -> Finding {
-    let text = "From φ(0) = π/2 the bars lift off for every λ but 0: μ(φ*, λ) of Table 1 exceeds 2 (N &lt; 0) there, and is 2 at \
-                λ = 0 alone, where N touches zero at φ = arcsin ⅓ and comes back at once: φ₁ = φ₂, no flight. (B and D are \
-                <i>l</i>/3 above the floor there and reach it at φ = 0.) λ = 1 leaves inner bars without mass, which has no \
-                sense, as the paper says; its column of Table 1 holds for the equal angles of the published scheme only."
-        .into();
-    Finding { anchor: "masses", title: "Lift-off for every λ but 0", text }
+/// φ₁ of Fig. 1a again with another mass and length.
+fn sizes(pair: &falling_pair::Runs, tolerance: f64) -> Result<Finding, ReportError> {
+    let model = models().find(falling_pair::MODEL)?;
+    let other = RunSpec {
+        parameters: named(&[("m", 7.0), ("l", 0.3), ("g", GRAVITY)]),
+        ..model.default_run().tolerance(tolerance)
+    };
+    let angle = |run: &Trajectory| -> Result<f64, ReportError> {
+        let open = events_of(run, EventKind::Open).next().map_or(f64::NAN, |event| event.t);
+        Ok(at(run, "phi", open)?)
+    };
+    let [one, other] = [angle(pair.fall())?, angle(&model.run(&other)?)?];
+    let text = format!(
+        "With <i>m</i> = 7 kg and <i>l</i> = 0.3 m the corners let go at φ₁ = {other:.10} as with 1 kg and 1 m, at {one:.10}.",
+    );
+    Ok(Finding { anchor: "sizes", title: "φ₁ does not depend on mass and length", text })
+}
+
+fn not_symmetric(asymmetry: &Asymmetry) -> Finding {
+    let text = format!(
+        "The fall of Fig. 1a is symmetric only from a symmetric start. From rest with D {DROP} <i>l</i> down          (<code>falling-pair-full</code>) both bars fall in while D is less than {:.10} <i>l</i> beside the middle. From 0.01 <i>l</i>          beside it D slides off over a corner{}. Between, strips of starts that fall in and that slide off alternate.",
+        asymmetry.border,
+        asymmetry.slides_off.map_or_else(String::new, |phi| format!(
+            ", with one bar flat on it and the other turned up by {} rad",
+            decimals(-phi, 3)
+        )),
+    );
+    Finding { anchor: "beside", title: "Fig. 1a, not quite symmetric", text }
+}
+
+fn masses(published: &[published::Runs]) -> Result<Finding, ReportError> {
+    let mut most = Vec::new();
+    for runs in published {
+        let turning = runs.turning_points()?;
+        let star = turning.iter().map(|it| decimals(2.0 * (1.0 - it.value), 6)).collect::<Vec<_>>();
+        most.push(format!("{} at λ = {}", star.join(" and "), runs.ratio().1));
+    }
+    let touches = published.iter().find(|runs| runs.ratio().1 == 0.0).and_then(published::Runs::lift_off);
+    let text = format!(
+        "μ of (3.19), with N = 2(m₁ + m₂)<i>g</i>(1 − μ/2), has one extremum on the way down for each λ of Table 1: {}. From          φ(0) = π/2 the bars lift off where it exceeds 2, that is for every λ but 0, where N touches zero at φ = {} (arcsin ⅓) and          comes back at once: φ₁ = φ₂, no flight. (B and D are <i>l</i>/3 above the floor there and reach it at φ = 0.) λ = 1 leaves          inner bars without mass, which has no sense, as the paper says; its column of Table 1 holds for the equal angles of the          published scheme only.",
+        most.join(", "),
+        touches.map_or_else(|| "–".into(), |phi| decimals(phi, 10)),
+    );
+    Ok(Finding { anchor: "masses", title: "Lift-off for every λ but 0", text })
 }
 
 /// The flight of Fig. 1a again from a state shortly behind its beginning, without gravity.
@@ -124,17 +163,20 @@ fn without_gravity(pair: &falling_pair::Runs, tolerance: f64) -> Result<Option<F
     Ok(Some(Finding { anchor: "weightless", title: "φ(t) in flight is that without gravity", text }))
 }
 
-fn joint_c(zigzag: &published::Runs) -> Result<Option<Finding>, ReportError> {
+fn first_strike(zigzag: &published::Runs, strikes: &Strikes) -> Result<Option<Finding>, ReportError> {
     let Some([_, touch]) = zigzag.interval() else { return Ok(None) };
     let value = |output: &str| at(zigzag.flight(), output, touch);
     let text = format!(
-        "The floor is reached by B and D, at φ₂ &lt; 0, when A, C and E are still {} <i>l</i> above it. That is why C's \
-         acceleration does not vanish at φ₂: it is that of free flight, {} <i>g</i> downward by (3.22), not a consequence of the \
-         contact, which begins there.",
+        "At λ = {} the floor is reached by B and D, at φ₂ &lt; 0, when A, C and E are still {} <i>l</i> above it. That is why C's          acceleration does not vanish at φ₂: it is that of free flight, {} <i>g</i> downward by (3.22), not a consequence of the          contact, which begins there. For λ &lt; {:.10} it is A, C and E that land again first, at λ = 0.01 at φ₂ = {};          at that border all five points reach the floor at once. That is why φ₂ of Table 1 goes from 0.34 to −0.022          (<a href=#strikes>figure</a>). Watched on its own, C lands again first for λ &lt; {:.10}.",
+        zigzag.ratio().1,
         decimals(value("y(C)")?, 4),
         decimals(-value("ay(C)")?, 4),
+        strikes.published_level,
+        strikes.light().map_or_else(|| "–".into(), |phi| decimals(phi, 4)),
+        strikes.strict_level,
     );
-    Ok(Some(Finding { anchor: "joint-c", title: "B and D strike first", text }))
+    let title = "B and D strike first, unless the outer bars are light";
+    Ok(Some(Finding { anchor: "strike", title, text }))
 }
 
 fn thread(tolerance: f64) -> Result<Finding, ReportError> {

@@ -85,6 +85,11 @@ impl Row {
 impl Row {
     /// The system, its λ and the quantity, in words.
     pub fn name(&self) -> String {
+        self.name_as(None)
+    }
+
+    /// The same with other words for the quantity.
+    pub fn name_as(&self, what: Option<&str>) -> String {
         let (system, rest) = self.id.split_once('.').unwrap_or((&self.id, ""));
         let system = match system {
             "fig1a" => "Fig. 1a",
@@ -93,7 +98,7 @@ impl Row {
         };
         let ratio = rest.split_once('[').map_or("", |(_, ratio)| ratio.trim_end_matches(']'));
         let ratio = if ratio.is_empty() { String::new() } else { format!(", λ = {ratio}") };
-        format!("{system}{ratio}: {}", self.quantity)
+        format!("{system}{ratio}: {}", what.unwrap_or(self.quantity))
     }
 }
 

@@ -12,15 +12,15 @@ pub fn text(rows: &[Row], tables: &References) -> String {
 /// What the paper prints outside its table, in its units.
 fn printed(rows: &[Row], tables: &References) -> String {
     let mut lines = vec![format!(
-        "{:<46}{:<7}{:>9}{:>18}  {}\n",
+        "{:<62}{:<7}{:>9}{:>18}  {}\n",
         "The paper's text and figures", "unit", "printed", "computed", "where"
     )];
     for row in rows.iter().filter(|row| !table1::holds(&row.id)) {
         let Some(printed) = tables.published(&row.id) else { continue };
         let computed = number(row).map_or_else(none, |value| format!("{:.10}", printed.in_its_unit(value)));
         lines.push(format!(
-            "{:<46}{:<7}{:>9}{computed:>18}  {}\n",
-            printed.what.as_deref().unwrap_or(row.quantity),
+            "{:<62}{:<7}{:>9}{computed:>18}  {}\n",
+            row.name_as(printed.what.as_deref()),
             printed.unit,
             printed.text(),
             printed.source,

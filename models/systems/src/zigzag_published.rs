@@ -11,7 +11,8 @@ use liftoff::prelude::*;
 ///   ▔▔▔▔▔▔▔▔▔▔C▔▔▔▔▔▔▔▔▔▔
 /// ```
 ///
-/// The gaps of A, C and E are one function, hence one contact: only the total reaction is determined.
+/// The gaps of A, C and E are one function, hence one contact: only the total reaction is determined. `y` is the drop of C, downward
+/// as in the paper.
 #[derive(BarSystem, Clone, Debug)]
 #[gravity(g)]
 #[bar(AB, mass = m2, length = l)]
@@ -25,7 +26,7 @@ use liftoff::prelude::*;
 #[support(D = floor, stop)]
 #[figure(C = (0, 0), D = (3 * l / 5, 4 * l / 5), E = (6 * l / 5, 0))]
 #[coordinate(phi = angle(CD), from = horizontal)]
-#[coordinate(y = y(C))]
+#[coordinate(y = -y(C))]
 #[equal(angle(AB), angle(CD))]
 #[mirror(x = 0)]
 pub struct ZigzagPublished {

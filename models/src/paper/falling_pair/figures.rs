@@ -27,7 +27,7 @@ impl Runs {
     fn reaction(&self) -> Result<CaptionedFigure, ReportError> {
         let points = curve(&self.held, ["phi", "N(P)"], self.held.interval())?;
         let phi = self.opening().map(|t| at(&self.fall, "phi", t)).transpose()?;
-        let mark = |phi: f64| Mark { at: [phi, 0.0], label: format!("φ₁ = {phi:.6}"), offset: (10, -14) };
+        let mark = |phi: f64| Mark { at: [phi, 0.0], label: format!("φ₁ = {phi:.6}") };
         let chart = Chart {
             x: Axis::linear("φ, rad", [0.0, FRAC_PI_3]).with_ticks([0.0, 0.25, 0.5, 0.75, 1.0]),
             y: Axis::holding("reaction of one corner, newtons", points.iter().map(|p| p[1])),

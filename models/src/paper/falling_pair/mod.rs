@@ -1,5 +1,6 @@
 //! Fig. 1a from its runs: the fall, and the same with the corners held past the zero of their reaction.
 
+pub mod asymmetry;
 mod figures;
 mod picture;
 mod positions;
@@ -57,11 +58,15 @@ impl Runs {
         let [start, end] = fall.interval();
         let opened = |output| open.map(|t| at(fall, output, t)).transpose();
         let ends = range(fall, "y(B)", [start, end])?;
+        let degrees = fall.function("phi * 180 / pi")?;
+        let in_flight = |open: f64| degrees(end) - degrees(open);
         let number = |id: &str, quantity, unit, value| {
             Quantity::number(format!("fig1a.{id}"), MODEL, quantity, unit, value)
         };
         Ok(vec![
             number("phi1", "angle at lift-off", "rad", opened("phi")?),
+            number("phi1_degrees", "angle at lift-off", "deg", opened("phi * 180 / pi")?),
+            number("step", "a tenth of the angle in flight", "deg", open.map(|t| in_flight(t) / 10.0)),
             number("omega1", "angular velocity at lift-off", "rad/s", opened("phi'")?),
             number("alpha1", "angular acceleration at lift-off", "rad/s^2", opened("phi''")?),
             number(

@@ -55,7 +55,7 @@ impl Runs {
                 Curve::solid("it would have to pull", Colour::Blue, pulling).dashed(),
                 Curve::solid("", Colour::Vermilion, vec![[phi, 0.0], [last, 0.0]]),
             ],
-            marks: vec![Mark { at: [phi, 0.0], label, offset: (-10, 18) }],
+            marks: vec![Mark { at: [phi, 0.0], label }],
         })
     }
 }

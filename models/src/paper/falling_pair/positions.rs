@@ -123,11 +123,7 @@ impl Runs {
             write(b, "B".into(), (6, -8)),
             write(d, "D".into(), (10, 4)),
             write([-0.75, 0.5 * d[1]], format!("D: {} l", decimals(-d[1] / self.l, 3)), (-6, 0)),
-            write(
-                [0.75, 0.5 * (low + high)],
-                format!("B: {} l", decimals((high - low) / self.l, 3)),
-                (36, 0),
-            ),
+            write([0.62, 0.5 * (low + high)], format!("B: {} l", decimals((high - low) / self.l, 3)), (6, 0)),
         ]);
         Ok(())
     }

@@ -82,7 +82,7 @@ impl Page<'_> {
 
 const STYLE: &str = "dl { max-width: 46rem; } dt { font-weight: 600; margin-top: .8rem; } dd { margin: .2rem 0 0 0; }\n\
                      td.print { color: var(--faint); } td.differs { color: var(--vermilion); }\n\
-                     .equations pre { overflow-x: auto; font: 1rem \"STIX Two Text\", \"Cambria\", \"DejaVu Serif\", serif; line-height: 1.6; margin: .2rem 0 1rem; }\n\
+                     .equations pre { white-space: pre-wrap; font: 1rem \"STIX Two Text\", \"Cambria\", \"DejaVu Serif\", serif; line-height: 1.6; margin: .2rem 0 1rem; }\n\
                      nav a { display: inline-block; }\n";
 
 fn figures(figures: &[CaptionedFigure]) -> String {

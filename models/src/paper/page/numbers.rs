@@ -59,8 +59,7 @@ impl Page<'_> {
             } else {
                 " class=differs"
             };
-            let what =
-                printed.what.as_ref().map_or_else(|| row.name(), |what| format!("Fig. 1b, λ = 0.50: {what}"));
+            let what = row.name_as(printed.what.as_deref());
             let _ = writeln!(
                 html,
                 "<tr><td class=\"word wide\">{what}<td class=word>{}<td class=print>{}<td{class}>{text}<td class=word>{}</tr>",

@@ -29,8 +29,7 @@ pub fn reactions(runs: &[Runs]) -> Result<CaptionedFigure, ReportError> {
 impl Runs {
     fn reaction(&self) -> Result<Chart, ReportError> {
         let points = curve(&self.held, ["phi", REACTION], self.held.interval())?;
-        let offset = if self.interval().is_some() { (10, -14) } else { (0, -30) };
-        let mark = |phi: f64| Mark { at: [phi, 0.0], label: format!("φ₁ = {phi:.6}"), offset };
+        let mark = |phi: f64| Mark { at: [phi, 0.0], label: format!("φ₁ = {phi:.6}") };
         let name = format!("λ = {}", self.ratio.1);
         Ok(Chart {
             x: Axis::linear("φ, rad", [FRAC_PI_2, 0.0]).with_ticks([1.5, 1.25, 1.0, 0.75, 0.5, 0.25, 0.0]),
@@ -49,37 +48,37 @@ impl Runs {
     }
 
     fn angular(&self, flight: [f64; 2]) -> Result<CaptionedFigure, ReportError> {
-        let rate = format!("-10 * phi' * sqrt({GRAVITY})");
+        let rate = format!("-phi' * sqrt({GRAVITY})");
         let acceleration = format!("phi'' * {GRAVITY}");
         let level = self.level.interval()[1];
         Ok(CaptionedFigure {
             anchor: "fig8",
             title: "Fig. 8",
             caption: format!(
-                "Angular velocity, ten times its modulus as in the paper, and angular acceleration in flight, λ = {}, \
-                 <i>l</i> = 1 m, <i>g</i> = {GRAVITY} m/s²: {} rad/s as all bars lie level (printed: 63.798), least angular \
+                "Modulus of the angular velocity, and angular acceleration in flight, λ = {}, <i>l</i> = 1 m, \
+                 <i>g</i> = {GRAVITY} m/s²: {} rad/s as all bars lie level (printed, ten times it: 63.798), least angular \
                  acceleration {} rad/s² (printed: −50.618).",
                 self.ratio.1,
-                decimals(at(&self.level, &rate, level)?, 3),
+                decimals(at(&self.level, &rate, level)?, 4),
                 decimals(range(&self.flight, &acceleration, flight)?[0], 3),
             ),
-            svg: self.in_flight(flight, [("10 |φ̇|, rad/s", &rate), ("φ̈, rad/s²", &acceleration)])?,
+            svg: self.in_flight(flight, [("|φ̇|, rad/s", &rate), ("φ̈, rad/s²", &acceleration)])?,
         })
     }
 
     fn joint(&self, flight: [f64; 2]) -> Result<CaptionedFigure, ReportError> {
-        let velocity = format!("-10 * vy(C) * sqrt({GRAVITY})");
+        let velocity = format!("-vy(C) * sqrt({GRAVITY})");
         let acceleration = format!("-ay(C) * {GRAVITY}");
         Ok(CaptionedFigure {
             anchor: "fig9",
             title: "Fig. 9",
             caption: format!(
-                "Velocity, ten times as in the paper, and acceleration of C in flight, downward, λ = {}, <i>l</i> = 1 m, \
+                "Velocity and acceleration of C in flight, downward, λ = {}, <i>l</i> = 1 m, \
                  <i>g</i> = {GRAVITY} m/s²: {} m/s² as B and D reach the floor (printed: 20.321).",
                 self.ratio.1,
                 decimals(at(&self.flight, &acceleration, flight[1])?, 3),
             ),
-            svg: self.in_flight(flight, [("10 v of C, m/s", &velocity), ("a of C, m/s²", &acceleration)])?,
+            svg: self.in_flight(flight, [("v of C, m/s", &velocity), ("a of C, m/s²", &acceleration)])?,
         })
     }
 
@@ -101,7 +100,7 @@ impl Runs {
         };
         let sheet = Figure {
             description: "Superposed positions of the four bars in flight, and the height of C".into(),
-            size: (860, 300),
+            size: (860, 240),
         };
         Ok(CaptionedFigure {
             anchor: "fig10",
@@ -123,7 +122,7 @@ impl Runs {
         let [level, touch] = [self.level.interval()[1], flight[1]];
         let mark = |t: f64| -> Result<Mark, ReportError> {
             let [phi, rise] = [at(&self.flight, "phi", t)?, at(&self.flight, "y(C)", t)?];
-            Ok(Mark { at: [phi, rise], label: format!("{} l", decimals(rise, 4)), offset: (-10, 4) })
+            Ok(Mark { at: [phi, rise], label: format!("{} l", decimals(rise, 4)) })
         };
         Ok(Chart {
             x: Axis::linear("φ, rad", [points[0][0], points[points.len() - 1][0]])

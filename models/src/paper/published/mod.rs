@@ -104,9 +104,14 @@ impl Runs {
         Some([self.event(EventKind::Open)?.t, self.event(EventKind::Close)?.t])
     }
 
+    /// Where the reaction turns on the way down.
+    pub fn turning_points(&self) -> Result<Vec<Extremum>, ReportError> {
+        Ok(extrema(&self.held, REACTION)?)
+    }
+
     /// The least reaction before the bars lie level, with its time.
     fn least(&self) -> Result<Option<Extremum>, ReportError> {
-        let minima = extrema(&self.held, REACTION)?.into_iter().filter(|extremum| extremum.minimum);
+        let minima = self.turning_points()?.into_iter().filter(|extremum| extremum.minimum);
         Ok(minima.min_by(|a, b| a.value.total_cmp(&b.value)))
     }
 

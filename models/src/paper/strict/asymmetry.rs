@@ -45,7 +45,7 @@ pub fn figure(tolerance: f64, ratios: &[Ratio]) -> Result<Option<CaptionedFigure
     let [(_, last), first] = [(open.t, difference[difference.len() - 1][1]), (0.0, difference[0][1])];
     let (left, right) = (left?, right?);
     let ends = [left[left.len() - 1][1], right[right.len() - 1][1]];
-    let mark = |value: f64, offset| Mark { at: [open.t, value], label: format!("{value:.5}"), offset };
+    let mark = |value: f64| Mark { at: [open.t, value], label: format!("{value:.5}") };
     let angles = Chart {
         x: Axis::linear("time, √(l/g)", until),
         y: Axis::holding("angle of the inner bars, rad", left.iter().chain(&right).map(|p| p[1])),
@@ -53,7 +53,7 @@ pub fn figure(tolerance: f64, ratios: &[Ratio]) -> Result<Option<CaptionedFigure
             Curve::solid("BC (left)", Colour::Blue, left),
             Curve::solid("CD (right)", Colour::Vermilion, right),
         ],
-        marks: vec![mark(ends[0], (-58, -8)), mark(ends[1], (-58, 18))],
+        marks: vec![mark(ends[0]), mark(ends[1])],
     };
     let apart = Chart {
         x: Axis::linear("time, √(l/g)", until),

@@ -44,11 +44,11 @@ impl Run {
         let n_c = late(strict, ["phi_inner", "N(C) / ((m1 + m2) * g)"], last)?;
         let n_a = late(strict, ["phi_inner", "N(A) / ((m1 + m2) * g)"], last)?;
         let phi_inner = strict.function("phi_inner")?;
-        let zero = |phi, text: &str, right| Mark { at: [phi, 0.0], label: text.into(), offset: (right, 16) };
+        let zero = |phi, text: &str| Mark { at: [phi, 0.0], label: text.into() };
         let marks = vec![
-            zero(phi_inner(first), "first", -4),
-            zero(total[total.len() - 1][0], "published", 4),
-            zero(phi_inner(last), "second", 0),
+            zero(phi_inner(first), "first"),
+            zero(total[total.len() - 1][0], "published"),
+            zero(phi_inner(last), "second"),
         ];
         let low = marks.iter().map(|mark| mark.at[0]).fold(FROM, f64::min);
         Ok(Chart {

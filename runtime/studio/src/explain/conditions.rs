@@ -3,8 +3,8 @@
 use core::fmt::Write;
 
 use liftoff::model::Layout;
-use liftoff_conditions::{Piece, Statement, sections as of_analysis};
-pub use liftoff_conditions::{Request, Section};
+pub use liftoff_conditions::{Piece, Request, Section};
+use liftoff_conditions::{Statement, sections as of_analysis};
 
 use super::derived;
 use super::latex::{HEAD, escaped as in_latex};

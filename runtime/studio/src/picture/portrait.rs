@@ -73,7 +73,7 @@ impl<'a> Portrait<'a> {
             let name = if self.runs.len() > 1 { shown(name) } else { String::new() };
             curves.push(Curve { dash, ..Curve::solid(&name, colour, curve.joined()) });
             let start = record.interval()[0];
-            marks.push(Mark { at: [x(start), y(start)], label: String::new(), offset: (0, 0) });
+            marks.push(Mark { at: [x(start), y(start)], label: String::new() });
             curves.push(events(record, &x, &y, colour));
         }
         let axis = |i: usize| self.axis(&outputs[i], curves.iter().flat_map(|c| &c.points).map(|p| p[i]));

@@ -13,6 +13,8 @@ const BELOW_UNNAMED: f64 = 24.0;
 /// Pixels round all of it.
 pub(super) const MARGIN: f64 = 12.0;
 
+/// Width of a letter and height of a word, in pixels.
+const WORD: Px = [6.6, 13.0];
 /// Half the width of a letter, upwards, in pixels.
 const HALF_LETTER: f64 = 5.0;
 /// Length of a tick, and from the axis to the middle of a label below it and to the end of one beside it, pixels.
@@ -101,6 +103,18 @@ impl<'a> Axes<'a> {
         svg.word(Lettering::at(at).anchored(anchor), text);
     }
 
+    /// What a word at this place covers.
+    pub fn span_of_word(&self, point: [f64; 2], (right, below): (i32, i32), text: &str) -> Box2 {
+        let [x, y] = add(self.at(point), [right, below].map(f64::from));
+        let wide = WORD[0] * text.chars().count() as f64;
+        let left = match right.signum() {
+            -1 => x - wide,
+            0 => x - wide / 2.0,
+            _ => x,
+        };
+        Box2 { least: [left, y - WORD[1] / 2.0], most: [left + wide, y + WORD[1] / 2.0] }
+    }
+
     /// The part of a rectangle that is seen.
     pub fn rectangle(&self, [x, y]: [[f64; 2]; 2]) -> Box2 {
         let corners = [self.at([x[0], y[0]]), self.at([x[1], y[1]])];
@@ -115,7 +129,7 @@ impl<'a> Axes<'a> {
     }
 }
 
-fn is_finite(point: &Px) -> bool {
+pub(super) fn is_finite(point: &Px) -> bool {
     point.iter().all(|x| x.is_finite())
 }
 

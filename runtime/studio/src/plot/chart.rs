@@ -1,10 +1,10 @@
 //! Curves over two axes.
 
 use super::annotations::Annotations;
-use super::axes::Axes;
+use super::axes::{Axes, is_finite};
 use super::legend::{self, LegendLine};
 use super::{Axis, Colour, Dash, Figure, Scale};
-use crate::plot::svg::plane::Box2;
+use crate::plot::svg::plane::{Box2, Px, add};
 use crate::plot::svg::{Fill, Pen, Svg};
 
 /// A line through points.
@@ -41,16 +41,34 @@ impl Curve {
     }
 }
 
-/// A labelled point.
+/// A labelled point; the label stands where it is over no line and no other label.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Mark {
     /// Position in units of the axes.
     pub at: [f64; 2],
     /// What is written beside it.
     pub label: String,
-    /// Where the label stands, in pixels right of and below the point.
-    pub offset: (i32, i32),
 }
+
+/// Where a label may stand, in pixels right of and below its point, best first.
+const PLACES: [(i32, i32); 16] = [
+    (9, -11),
+    (-9, -11),
+    (9, 13),
+    (-9, 13),
+    (0, -15),
+    (0, 17),
+    (9, -24),
+    (-9, -24),
+    (9, 26),
+    (-9, 26),
+    (24, -11),
+    (-24, -11),
+    (9, -40),
+    (-9, -40),
+    (9, -60),
+    (-9, -60),
+];
 
 /// One panel: axes, curves, marks; the legend stands above the axes, never over data.
 #[derive(Clone, PartialEq, Debug)]
@@ -98,10 +116,32 @@ impl Chart {
             axes.line(svg, &self.x.range.map(|x| [x, 0.0]), Pen::of(Colour::Black, 1.0));
         }
         self.curves.iter().for_each(|curve| curve.draw(svg, &axes));
+        let mut written: Vec<Box2> = Vec::new();
         for mark in &self.marks {
             axes.dots(svg, &[mark.at], 4.0, Fill::Colour(Colour::Black));
-            axes.word(svg, mark.at, mark.offset, &mark.label);
+            let at = |place| axes.span_of_word(mark.at, place, &mark.label);
+            let free = |place: &&(i32, i32)| self.is_free(&axes, at(**place), &written);
+            let place = *PLACES.iter().find(free).unwrap_or(&PLACES[0]);
+            axes.word(svg, mark.at, place, &mark.label);
+            written.push(at(place));
         }
+    }
+
+    /// Whether a word in a box is within the axes, over no curve, not over the line at zero and over no other word.
+    fn is_free(&self, axes: &Axes, word: Box2, written: &[Box2]) -> bool {
+        let zero = self.x.range.map(|x| axes.at([x, 0.0]));
+        // Over the axes' tops there is room, below the lower one stand its labels.
+        let room =
+            Box2 { least: add(axes.frame.least, [1.0, -16.0]), most: add(axes.frame.most, [6.0, -1.0]) };
+        let crosses = |curve: &Curve| {
+            let places: Vec<Px> = curve.points.iter().map(|&point| axes.at(point)).collect();
+            places.split(|place| !is_finite(place)).any(|run| !word.inside(run).is_empty())
+        };
+        room.holds(word.least)
+            && room.holds(word.most)
+            && word.inside(&zero).is_empty()
+            && !self.curves.iter().any(crosses)
+            && !written.iter().any(|other| other.overlaps(word))
     }
 }
 

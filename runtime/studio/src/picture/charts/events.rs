@@ -80,11 +80,7 @@ impl EventMarks {
     ) -> Result<Vec<Mark>, MotionError> {
         let Some((output, _)) = panel.curves.first() else { return Ok(Vec::new()) };
         let y = record.function(output)?;
-        let mark = |(t, number): &(f64, String)| Mark {
-            at: [x(*t), y(*t)],
-            label: number.clone(),
-            offset: (9, -10),
-        };
+        let mark = |(t, number): &(f64, String)| Mark { at: [x(*t), y(*t)], label: number.clone() };
         Ok(self.marked.iter().map(mark).filter(|mark| mark.at.iter().all(|x| x.is_finite())).collect())
     }
 }
