@@ -51,15 +51,18 @@ pub fn figures(rows: &[WorkPrecisionRow]) -> Result<Vec<CaptionedFigure>, Report
     charts(rows).into_iter().enumerate().map(|(i, chart)| figure(chart, i == 0)).collect()
 }
 
+/// What is measured, said once.
+const NORM: &str = ". Time: the least of several runs that record nothing but their events. State: the largest deviation of a \
+                    coordinate or rate at the end, in natural units of the model, angles in radians. Events: the largest deviation \
+                    of a time, in natural times √(l/g). Both against a motion in double-double";
+
 fn figure(chart: Chart, first: bool) -> Result<CaptionedFigure, ReportError> {
     let description = format!("{} against {}, tolerances from 1e-3 to 1e-14", chart.y.name, chart.x.name);
     let caption = format!(
-        "{} against the {}: one point for each tolerance 10⁻³ … 10⁻¹⁴, the least time of several runs that record nothing but \
-         their events{}. States: the largest error of a coordinate or rate at the end, in natural units of the model; \
-         events: that of a time. Both against a motion in double-double. Dashed: other tools.",
+        "{} against the {}, one point for each tolerance 10⁻³ … 10⁻¹⁴{}.",
         chart.y.name,
         chart.x.name,
-        machine(),
+        if first { format!("{NORM}{}", machine()) } else { String::new() },
     );
     Ok(CaptionedFigure {
         anchor: if first { "precision" } else { "" },

@@ -1,5 +1,5 @@
-//! Error against run time, drawn: both axes logarithmic, one panel for the final state and one for the events of each
-//! system, our methods solid and other tools dashed.
+//! Error against run time and against evaluations, drawn: all axes logarithmic, panels for the final state and for the
+//! events of each system, our methods solid and other tools dashed.
 
 use super::WorkPrecisionRow;
 use crate::plot::{Axis, Chart, Colour, Curve, Figure};
@@ -25,10 +25,15 @@ pub fn figure_so_wide(rows: &[WorkPrecisionRow], width: Option<u32>) -> String {
 
 /// The panels of all systems; those without a point to show are left out. A method has one colour in all of them.
 pub fn charts(rows: &[WorkPrecisionRow]) -> Vec<Chart> {
-    let quantities: [(&str, Quantity); 2] = [
-        ("error of the final state", |row| row.state_error),
-        ("error of event times", |row| row.event_error.filter(|error| *error > 0.0)),
-    ];
+    let state = ("error of the final state", (|row| row.state_error) as Quantity);
+    let events = ("error of event times", (|row| row.event_error.filter(|error| *error > 0.0)) as Quantity);
+    let time = ("time of a run of", "µs", (|row| Some(row.microseconds)) as Quantity);
+    let evaluations = (
+        "evaluations of the right-hand side of",
+        "",
+        (|row| row.evaluations.map(|it| it as f64)) as Quantity,
+    );
+    let diagrams = [(time, state), (evaluations, state), (time, events)];
     let methods = [false, true].map(|is_peer| {
         let names = distinct(rows.iter().filter(|row| row.is_peer == is_peer).map(|row| &row.method));
         let colours = Colour::CURVES.into_iter().chain([Colour::Black]).cycle();
@@ -38,8 +43,10 @@ pub fn charts(rows: &[WorkPrecisionRow]) -> Vec<Chart> {
     let mut charts = Vec::new();
     for model in distinct(rows.iter().map(|row| &row.model)) {
         let rows: Vec<&WorkPrecisionRow> = rows.iter().filter(|row| row.model == model).collect();
-        let panel = |(name, error): &(&str, Quantity)| panel(&rows, &lines, (model, name), *error);
-        charts.extend(quantities.iter().filter_map(panel));
+        for ((work, unit, cost), (name, error)) in diagrams {
+            let x = format!("{work} {model}{}{unit}", if unit.is_empty() { "" } else { ", " });
+            charts.extend(panel(&rows, &lines, [&x, name], [cost, error]));
+        }
     }
     charts
 }
@@ -55,10 +62,12 @@ struct Line<'a> {
 fn panel(
     rows: &[&WorkPrecisionRow],
     lines: &[Line],
-    (model, name): (&str, &str),
-    error: Quantity,
+    [x, y]: [&str; 2],
+    [cost, error]: [Quantity; 2],
 ) -> Option<Chart> {
-    let point = |row: &&WorkPrecisionRow| Some([row.microseconds, error(row)?.max(f64::EPSILON / 2.0)]);
+    let point = |row: &&WorkPrecisionRow| {
+        Some([cost(row).filter(|cost| *cost > 0.0)?, error(row)?.max(f64::EPSILON / 2.0)])
+    };
     let curve = |line: &Line| {
         let own = rows.iter().filter(|row| row.method == line.name && row.is_peer == line.is_peer);
         let curve = Curve::solid(line.name, line.colour, own.filter_map(point).collect()).dotted();
@@ -67,8 +76,8 @@ fn panel(
     let curves: Vec<Curve> = lines.iter().map(curve).filter(|curve| !curve.points.is_empty()).collect();
     let points = || curves.iter().flat_map(|curve| &curve.points);
     let chart = Chart {
-        x: Axis::decades(&format!("time of a run of {model}, µs"), points().map(|point| point[0])),
-        y: Axis::decades(name, points().map(|point| point[1])),
+        x: Axis::decades(x, points().map(|point| point[0])),
+        y: Axis::decades(y, points().map(|point| point[1])),
         curves: curves.clone(),
         marks: Vec::new(),
     };

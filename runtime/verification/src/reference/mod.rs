@@ -194,35 +194,27 @@ impl Reference {
         self.bound
     }
 
-    /// The error of a time: relative, or in natural times √(length / gravity) where that is less.
+    /// The error of a time in natural times √(length / gravity).
     pub fn time_error(&self, event: usize, t: f64) -> Option<f64> {
         let time = self.events.get(event)?.t?;
         Some(self.time_difference(time, DoubleDouble::new(t, 0.0)))
     }
 
-    /// The error of a final state: its largest deviation in natural units, relative to its largest entry, or in natural
-    /// units where that is less than one.
+    /// The error of a final state: the largest deviation of a coordinate or rate in natural units of the model, angles in
+    /// radians.
     pub fn state_error(&self, state: &[f64]) -> f64 {
         let state: Vec<_> = state.iter().map(|&x| DoubleDouble::new(x, 0.0)).collect();
         self.difference(&state)
     }
 
     fn time_difference(&self, time: DoubleDouble, other: DoubleDouble) -> f64 {
-        (other - time).abs().to_f64() / time.abs().to_f64().max(self.time)
+        (other - time).abs().to_f64() / self.time
     }
 
     fn difference(&self, other: &[DoubleDouble]) -> f64 {
-        let mut largest = 1.0;
-        let mut difference = 0.0;
-        for ((&x, &other), &unit) in self.state.iter().zip(other).zip(&self.units) {
-            largest = f64::max(largest, x.abs().to_f64() / unit);
-            let apart = (other - x).abs().to_f64() / unit;
-            // `max` passes over what is not a number.
-            difference = if apart.is_nan() { f64::NAN } else { difference.max(apart) };
-            if difference.is_nan() {
-                return difference;
-            }
-        }
-        difference / largest
+        let entries = self.state.iter().zip(other).zip(&self.units);
+        let deviations = entries.map(|((&x, &other), &unit)| (other - x).abs().to_f64() / unit);
+        // `f64::max` passes over what is not a number.
+        deviations.fold(0.0, |most: f64, x| if x.is_nan() || x > most { x } else { most })
     }
 }
