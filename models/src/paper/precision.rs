@@ -58,16 +58,15 @@ const NORM: &str = ". Time: the least of several runs that record nothing but th
 
 fn figure(chart: Chart, first: bool) -> Result<CaptionedFigure, ReportError> {
     let description = format!("{} against {}, tolerances from 1e-3 to 1e-14", chart.y.name, chart.x.name);
-    let caption = format!(
-        "{} against the {}, one point for each tolerance 10⁻³ … 10⁻¹⁴{}.",
-        chart.y.name,
-        chart.x.name,
-        if first { format!("{NORM}{}", machine()) } else { String::new() },
-    );
+    let norm = if first { format!("{NORM}{}", machine()) } else { String::new() };
+    let title = match chart.x.name.starts_with("time") {
+        true => "Error against run time",
+        false => "Error against evaluations",
+    };
     Ok(CaptionedFigure {
         anchor: if first { "precision" } else { "" },
-        title: "Error against run time",
-        caption,
+        title,
+        caption: format!("One point for each tolerance 10⁻³ … 10⁻¹⁴{norm}."),
         svg: Figure { description, size: (860, 440) }.charts(&[chart]),
     })
 }

@@ -9,7 +9,7 @@ use std::fmt::Write;
 impl Page<'_> {
     pub(super) fn accuracy(&self) -> String {
         let mut html = String::from(
-            "<p>References have 25 digits and come from closed forms, quadrature and a Taylor integrator of 200 bits. Errors are \
+            "<p>References have 25 digits and come from closed forms, quadrature and a Taylor integrator of 200 bits; that of the starts of Fig. 1a that fall in has 13. Errors are \
              relative to the larger of |reference| and 0.1. A dash: the motion has no such event.</p>\n\
              <details><summary>All quantities</summary>\n<div class=table><table>\n<thead><tr><th class=word>quantity\
              <th class=word>unit<th>computed<th>reference<th>relative error</tr></thead>\n<tbody>\n",
