@@ -6,6 +6,9 @@ use crate::paper::table::long;
 use liftoff_studio::html::escaped;
 use std::fmt::Write;
 
+/// A median over the least time above which the machine did something else too.
+const BUSY: f64 = 1.3;
+
 impl Page<'_> {
     pub(super) fn accuracy(&self) -> String {
         let mut html = String::from(
@@ -55,13 +58,17 @@ impl Page<'_> {
                 count(row.evaluations),
                 count(row.jacobians),
                 row.microseconds,
-                row.median_microseconds.map_or_else(dash, |median| format!("{median:.1}")),
+                row.median_microseconds.map_or_else(dash, |median| {
+                    let busy = if median > BUSY * row.microseconds { "*" } else { "" };
+                    format!("{median:.1}{busy}")
+                }),
                 error(row.state_error),
                 error(row.event_error),
                 escaped(row.reason.as_deref().unwrap_or_default()),
             );
         }
-        html + "</tbody></table></div></details>\n"
+        html += "</tbody></table></div>\n<p>* More than 1.3 times the least: the machine was busy with something else.</p></details>\n";
+        html
     }
 }
 
