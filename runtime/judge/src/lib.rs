@@ -24,8 +24,6 @@ mod verdict;
 pub mod scene;
 pub mod tape;
 
-use std::time::Duration;
-
 use liftoff_core::scalar::DoubleDouble;
 use scene::{Scene, SceneError};
 
@@ -63,9 +61,9 @@ impl Judge {
         audit::audit(&self.scene, record)
     }
 
-    /// An audit, then the motion against the judge's own.
-    pub fn verdict(&self, record: &Record, patience: Duration) -> Verdict {
-        verdict::verdict(&self.scene, record, patience)
+    /// An audit, then the motion against the judge's own, which may take so much work.
+    pub fn verdict(&self, record: &Record, most_work: u64) -> Verdict {
+        verdict::verdict(&self.scene, record, most_work)
     }
 
     /// Names of the contacts, in the order of their places.

@@ -1,15 +1,13 @@
 //! The judge against closed forms and numbers of 25 digits that no engine had a part in; more of them are among the tests of
 //! references, which are its motions.
 
-use std::time::Duration;
-
 use liftoff_core::scalar::{DoubleDouble, Real, Scalar};
 use liftoff_judge::{Change, Judge, Motion, Task};
 
-const PATIENCE: Duration = Duration::from_secs(120);
+const MOST_WORK: u64 = 2 * Task::WORK;
 
 fn follow(judge: &Judge, state: &[f64], until: f64) -> Motion {
-    let task = Task { patience: PATIENCE, ..Task::new(state, until) };
+    let task = Task { most_work: MOST_WORK, ..Task::new(state, until) };
     let motion = judge.follow(&task);
     assert_eq!(motion.stopped, None);
     motion

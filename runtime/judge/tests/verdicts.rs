@@ -1,11 +1,9 @@
 //! Records written by hand: right ones agree, wrong ones do not.
 
-use std::time::Duration;
-
 use liftoff_core::scalar::Scalar;
 use liftoff_judge::{Change, Happening, Judge, Record, Stretch, Task, Verdict};
 
-const PATIENCE: Duration = Duration::from_secs(60);
+const MOST_WORK: u64 = Task::WORK;
 const G: f64 = 10.0;
 const E: f64 = 0.5;
 
@@ -49,7 +47,7 @@ fn bounced(u: f64) -> Record {
 }
 
 fn disagreement(record: &Record) -> String {
-    match ball().verdict(record, PATIENCE) {
+    match ball().verdict(record, MOST_WORK) {
         Verdict::Disagrees { what, .. } => what,
         other => panic!("{other}"),
     }
@@ -57,7 +55,7 @@ fn disagreement(record: &Record) -> String {
 
 #[test]
 fn the_right_motion_agrees() {
-    let verdict = ball().verdict(&bounced(5.0), PATIENCE);
+    let verdict = ball().verdict(&bounced(5.0), MOST_WORK);
     assert!(matches!(verdict, Verdict::Agrees { error } if error < 1e-14), "{verdict}");
 }
 
@@ -105,7 +103,7 @@ fn a_contact_that_pulls_does_not() {
         within: 1e-9,
         ..Record::default()
     };
-    let verdict = judge.verdict(&record, PATIENCE);
+    let verdict = judge.verdict(&record, MOST_WORK);
     assert!(matches!(&verdict, Verdict::Disagrees { what, .. } if what.contains("must open")), "{verdict}");
 }
 
@@ -136,7 +134,7 @@ fn a_lateness_that_errors_at_the_start_make_is_none() {
             within: 1e-6,
             ..Record::default()
         };
-        judge.verdict(&record, PATIENCE)
+        judge.verdict(&record, MOST_WORK)
     };
     assert!(matches!(late(0.1), Verdict::Agrees { .. }), "{}", late(0.1));
     assert!(matches!(late(1000.0), Verdict::Disagrees { .. }), "{}", late(1000.0));
@@ -145,6 +143,6 @@ fn a_lateness_that_errors_at_the_start_make_is_none() {
 #[test]
 fn what_is_not_understood_is_not_judged() {
     assert!(Judge::of("struct Nothing", &[], &[]).is_err());
-    let verdict = ball().verdict(&Record::default(), PATIENCE);
+    let verdict = ball().verdict(&Record::default(), MOST_WORK);
     assert!(matches!(verdict, Verdict::NotJudged { .. }), "{verdict}");
 }

@@ -9,8 +9,6 @@ mod task;
 
 pub use task::{Action, Change, Event, Motion, NotJudged, Task};
 
-use std::time::Instant;
-
 use crate::condition::{Condition, Watch};
 use crate::decision::Undecided;
 use crate::expansion::{Expansion, State};
@@ -66,7 +64,7 @@ struct Follower<'a> {
     terms: usize,
     motion: Motion,
     steps: usize,
-    deadline: Instant,
+    most_work: u64,
 }
 
 /// Steps of one motion at most.
@@ -112,7 +110,7 @@ impl<'a> Follower<'a> {
             terms: task.terms,
             motion: Motion::default(),
             steps: 0,
-            deadline: Instant::now() + task.patience,
+            most_work: task.most_work,
         };
         follower.touches = follower.touching();
         for name in task.held {
@@ -191,11 +189,16 @@ impl<'a> Follower<'a> {
             let next = samples.peek().copied().copied().into_iter();
             let next = next.chain(actions.peek().map(|(t, _)| *t)).fold(task.until, f64::min);
             self.steps += 1;
-            if self.steps > STEPS || Instant::now() > self.deadline {
+            if self.steps > STEPS || self.motion.work > self.most_work {
                 return Err(NotJudged::Work(self.t()));
             }
             self.step(Number::from_f64(next))?;
         }
+    }
+
+    /// Counts the work of an expansion to so many terms, by a factor less where it is only evaluated.
+    fn spend(&mut self, terms: usize) {
+        self.motion.work += (self.scene.tape.size() * terms * self.terms) as u64;
     }
 
     fn decided<T>(&self, result: Result<T, Undecided>) -> Result<T, NotJudged> {

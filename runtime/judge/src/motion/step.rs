@@ -34,6 +34,7 @@ impl Follower<'_> {
     /// A step up to a time at most, with what happens at its end.
     pub(super) fn step(&mut self, until: Number) -> Result<(), NotJudged> {
         let bearing = self.bearing();
+        self.spend(self.terms);
         let expansion = Expansion::of(self.scene, &self.state, &bearing, self.terms);
         let expansion = expansion.ok_or(NotJudged::Singular(self.t()))?;
         let left = until - self.state.t;
@@ -50,6 +51,7 @@ impl Follower<'_> {
         let short = SHORT * self.time(&expansion);
         let mut leapt = false;
         loop {
+            self.spend(1);
             if !leapt && h.to_f64() < short && h < left {
                 leapt = true;
                 if self.leap(&expansion, left, &bearing)? {

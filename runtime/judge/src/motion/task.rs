@@ -1,7 +1,5 @@
 //! What is to be followed, and what comes of it.
 
-use std::time::Duration;
-
 use crate::condition::Condition;
 use crate::scene::SceneError;
 use liftoff_core::scalar::DoubleDouble;
@@ -33,7 +31,7 @@ pub enum NotJudged {
     /// A value is not finite.
     #[error("the motion is not finite at t = {0}")]
     NotFinite(f64),
-    /// Steps or time are used up.
+    /// Steps or work are used up.
     #[error("the work allowed is used up at t = {0}")]
     Work(f64),
     /// Powers of its natural time are no numbers.
@@ -106,6 +104,9 @@ pub struct Motion {
     pub end: Vec<DoubleDouble>,
     /// Why it ends before it should.
     pub stopped: Option<NotJudged>,
+    /// What it took: for each expansion the operations of the scene times the square of the terms. A clock would judge otherwise on
+    /// another machine.
+    pub work: u64,
 }
 
 /// Where and how long to follow.
@@ -131,8 +132,8 @@ pub struct Task<'a> {
     pub terms: usize,
     /// Times at which the state is wanted, in order.
     pub samples: &'a [f64],
-    /// The most time it may take.
-    pub patience: Duration,
+    /// The most work it may take, [`Motion::work`].
+    pub most_work: u64,
 }
 
 impl Default for Task<'_> {
@@ -144,6 +145,9 @@ impl Default for Task<'_> {
 impl Task<'_> {
     /// Terms of series unless others are asked for.
     pub const TERMS: usize = 28;
+
+    /// The work that a motion takes at most unless more is allowed: that of a minute, or so.
+    pub const WORK: u64 = 6_000_000_000;
 
     /// Nothing but the fall from a state for a time.
     pub fn new(state: &[f64], until: f64) -> Task<'_> {
@@ -158,7 +162,7 @@ impl Task<'_> {
             kept: &[],
             terms: Task::TERMS,
             samples: &[],
-            patience: Duration::from_secs(60),
+            most_work: Task::WORK,
         }
     }
 }

@@ -67,6 +67,11 @@ impl<S: Scalar> Tape<S> {
     /// 1.
     pub const ONE: Node = Node(1);
 
+    /// The number of operations.
+    pub fn size(&self) -> usize {
+        self.operations.len()
+    }
+
     /// No arithmetic yet of so many positions.
     pub fn new(n: usize) -> Self {
         let mut tape = Self {

@@ -1,7 +1,5 @@
 //! What the judge follows of a record, and what of it is compared.
 
-use std::time::Instant;
-
 use super::Comparison;
 use crate::condition::Condition;
 use crate::motion::{Action, Change, Motion, Task, follow};
@@ -21,7 +19,7 @@ impl Comparison<'_> {
         let held: Vec<String> = record.held.iter().filter(|name| !removed(name)).cloned().collect();
         let awaited = record.conditions.iter().filter(|(_, met)| met.is_none_or(|met| met > t));
         let conditions: Vec<Condition> = awaited.map(|(condition, _)| condition.clone()).collect();
-        follow(
+        let motion = follow(
             self.scene,
             &Task {
                 t,
@@ -32,11 +30,13 @@ impl Comparison<'_> {
                 conditions: &conditions,
                 ends_at_impacts: record.ends_at_impacts,
                 samples,
-                patience: self.deadline.saturating_duration_since(Instant::now()),
+                most_work: self.left.get(),
                 kept: task.kept,
                 terms: task.terms,
             },
-        )
+        );
+        self.left.set(self.left.get().saturating_sub(motion.work));
+        motion
     }
 
     /// What was done at given times from a time on; what was taken away before is taken away again, what struck then has

@@ -4,7 +4,7 @@
 mod follow;
 mod groups;
 
-use std::time::{Duration, Instant};
+use std::cell::Cell;
 
 use crate::audit::audit;
 use crate::motion::{Change, Motion, NotJudged, Task};
@@ -24,7 +24,7 @@ const COARSE: f64 = 0.1;
 /// Events nearer than this, in natural times, are one.
 const TOGETHER: f64 = 1e-7;
 
-pub(crate) fn verdict(scene: &Scene<DoubleDouble>, record: &Record, patience: Duration) -> Verdict {
+pub(crate) fn verdict(scene: &Scene<DoubleDouble>, record: &Record, most_work: u64) -> Verdict {
     if let Some(reason) = beyond(record) {
         return Verdict::NotJudged { why: reason.to_string() };
     }
@@ -32,7 +32,7 @@ pub(crate) fn verdict(scene: &Scene<DoubleDouble>, record: &Record, patience: Du
     if !matches!(audited, Verdict::Agrees { .. }) {
         return audited;
     }
-    let comparison = Comparison { scene, record, deadline: Instant::now() + patience };
+    let comparison = Comparison { scene, record, left: Cell::new(most_work) };
     comparison.verdict()
 }
 
@@ -41,7 +41,7 @@ pub(crate) fn repeated(scene: &Scene<DoubleDouble>, record: &Record, task: Task)
     if let Some(reason) = beyond(record) {
         return Motion { stopped: Some(reason), ..Motion::default() };
     }
-    let comparison = Comparison { scene, record, deadline: Instant::now() + task.patience };
+    let comparison = Comparison { scene, record, left: Cell::new(task.most_work) };
     comparison.followed((record.t, &record.start), &[], task)
 }
 
@@ -58,7 +58,8 @@ fn beyond(record: &Record) -> Option<NotJudged> {
 struct Comparison<'a> {
     scene: &'a Scene<DoubleDouble>,
     record: &'a Record,
-    deadline: Instant,
+    /// The work that is left.
+    left: Cell<u64>,
 }
 
 /// Where and how a motion parts from the judge's.

@@ -3,7 +3,6 @@
 mod conditions;
 mod record;
 
-use core::time::Duration;
 use std::cell::RefCell;
 
 use liftoff::model::Layout;
@@ -15,9 +14,9 @@ pub(crate) use record::change_of;
 
 pub use liftoff_judge::Verdict;
 
-/// The most time that a judge takes, and in passing.
-const PATIENCE: Duration = Duration::from_secs(20);
-const IN_PASSING: Duration = Duration::from_secs(10);
+/// The most work that a judge takes, and in passing: some twenty seconds, and ten.
+const MOST_WORK: u64 = Task::WORK / 3;
+const IN_PASSING: u64 = MOST_WORK / 2;
 /// Of a run with more segments none is written down in passing.
 const SEGMENTS: usize = 2000;
 
@@ -42,7 +41,7 @@ pub struct Opinion {
 
 /// What an independent judge finds of a run, with supports that were held closed.
 pub fn judge(run: &Trajectory, held: &[&str]) -> Verdict {
-    ask(run, held, |judge, record| judge.verdict(record, PATIENCE))
+    ask(run, held, |judge, record| judge.verdict(record, MOST_WORK))
 }
 
 /// What must hold of any motion, asked of a run: no jump, no penetration, nothing that pulls, no energy gained.
@@ -103,7 +102,7 @@ impl Testimony {
     pub(crate) fn followed(&self, kept: &[usize], terms: usize) -> Result<(Motion, Vec<String>), String> {
         let judge = self.judge()?;
         let motion =
-            judge.repeated(&self.record, Task { kept, terms, patience: PATIENCE, ..Task::default() });
+            judge.repeated(&self.record, Task { kept, terms, most_work: MOST_WORK, ..Task::default() });
         match &motion.stopped {
             Some(reason) => Err(reason.to_string()),
             None => Ok((motion, judge.contacts().map(str::to_owned).collect())),
