@@ -5,7 +5,8 @@
 //! P(x, p) = x + s,    tᵀ (z − z₀ − h t) = 0
 //! ```
 //!
-//! On the way a fold is where t has no part along p, a flip where a multiplier is −1, a torus where a complex pair has modulus 1; each is
+//! On the way a fold is where t has no part along p, a branch point where the determinant of both equations changes its sign (Keller), a
+//! flip where a multiplier is −1, a torus where a complex pair has modulus 1; each is
 //! located along h by regula falsi (Illinois: Dowell and Jarratt, BIT 11, 1971). A branch ends where the sequence of events of a turn
 //! changes, as at grazing: it is followed up to there by bisection.
 
@@ -43,6 +44,8 @@ const LOCATED: f64 = 1e-10;
 pub enum Special {
     /// The branch turns back in the parameter; a multiplier is 1.
     Fold,
+    /// A multiplier is 1 and the branch does not turn back: another one crosses it.
+    Branch,
     /// A multiplier is −1: an orbit of twice the period branches off.
     Flip,
     /// A complex pair of multipliers has modulus 1.
@@ -53,6 +56,7 @@ impl fmt::Display for Special {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Fold => "fold",
+            Self::Branch => "branch point",
             Self::Flip => "flip",
             Self::Torus => "torus",
         })
@@ -265,7 +269,7 @@ impl ReturnMap<'_> {
 
     /// Adds the special orbits of a step.
     fn add_special(&self, branch: &mut Branch, from: &Point, (to, step): (&Point, f64)) {
-        for special in [Special::Fold, Special::Flip, Special::Torus] {
+        for special in [Special::Fold, Special::Branch, Special::Flip, Special::Torus] {
             let test = |point: &Point| self.test(special, point);
             if test(from) * test(to) < 0.0
                 && let Some((point, _)) = self.located(from, step, &test)
@@ -282,6 +286,7 @@ impl ReturnMap<'_> {
         let multipliers = self.multipliers(&point.attempt);
         match special {
             Special::Fold => point.along_parameter(),
+            Special::Branch => self.determinant(point),
             Special::Flip => {
                 multipliers.iter().map(|multiplier| multiplier + 1.0).product::<Complex<f64>>().re
             }
@@ -290,6 +295,16 @@ impl ReturnMap<'_> {
                 pairs.map(|(i, j)| multipliers[i] * multipliers[j] - 1.0).product::<Complex<f64>>().re
             }
         }
+    }
+
+    /// Of the slopes of both equations along the surface and p.
+    fn determinant(&self, point: &Point) -> f64 {
+        let attempt = &point.attempt;
+        let along = attempt.surface.basis.transpose() * self.slopes_with_parameter(attempt);
+        let rows = along.nrows();
+        let mut system = along.insert_row(rows, 0.0);
+        system.row_mut(rows).copy_from(&(point.tangent.transpose() * self.moves(attempt)));
+        system.determinant()
     }
 
     fn has_pair_of_modulus_one(&self, point: &Point) -> bool {

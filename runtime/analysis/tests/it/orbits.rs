@@ -329,4 +329,16 @@ fn a_juggled_ball_has_the_fold_and_the_flip_of_its_closed_form() {
         assert!((flip * w / floor.hypot(bent / w) - 1.0).abs() < 1e-8, "{flip}");
         assert_eq!(end, BranchEnd::Reached);
     });
+    // Of two turns the multiplier −1 is 1: the orbit of twice the period crosses there.
+    with_map(juggled, ("t = 4 * pi / w", &[]), |map| {
+        let orbit = map.orbit(&parameters, &start).unwrap_or_else(|error| panic!("{error}"));
+        let branch = map.branch(&orbit, 1, 1.5 * a).unwrap_or_else(|error| panic!("{error}"));
+        let special = branch.points.iter().filter_map(|point| Some((point.special?, point)));
+        let [(kind, point)] = special.collect::<Vec<_>>()[..] else { panic!("{:?}", branch.end) };
+        let bent = 2.0 * g * (1.0 + e * e) / (1.0 + e).powi(2);
+        let found = point.orbit.parameters[1];
+        assert_eq!(kind, Special::Branch);
+        // Where branches cross, orbits are told apart by the third root of what they may miss themselves by.
+        assert!((found * w / floor.hypot(bent / w) - 1.0).abs() < 1e-3, "{found}");
+    });
 }
