@@ -31,7 +31,9 @@ mod sensitivity;
 mod subject;
 mod symmetry;
 
-pub use equilibrium::{Equilibrium, LimitEnd, Load, LoadLimit, Stability, equilibria, load_limit};
+pub use equilibrium::{
+    Equilibrium, JointForce, LimitEnd, Load, LoadLimit, Stability, equilibria, load_limit,
+};
 pub use error::{AnalysisError, SensitivityError};
 pub use fit::{Datum, Ending, Estimate, Fit, FitError, Fitted, Place, TrialError};
 pub use linear::Linearisation;

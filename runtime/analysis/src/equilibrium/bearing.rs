@@ -7,7 +7,7 @@
 //! Where rows of J depend on each other, λ = λ₀ + B c with Jᵀ B = 0, and linear programs in c give the least and the largest of each
 //! reaction.
 
-use liftoff::model::{ContactKind, ContactSet, SlipState};
+use liftoff::model::{ContactKind, ContactSet, QuantityKind, SlipState};
 use liftoff::scalar::{DoubleDouble, Real};
 use nalgebra::{DMatrix, DVector};
 
@@ -34,9 +34,18 @@ pub struct Load {
     pub bears: bool,
 }
 
-/// The loads of the contacts of a set; none if they cannot hold the system at rest.
-pub(super) fn loads(subject: &Subject, set: ContactSet, state: &[DoubleDouble]) -> Option<Vec<Load>> {
+/// What a joint or a drive transmits, with the name of that as an output.
+pub type JointForce = (&'static str, f64);
+
+/// The loads of the contacts of a set, and what joints and drives transmit where all shares give the same; none if they cannot hold
+/// the system at rest.
+pub(super) fn loads(
+    subject: &Subject,
+    set: ContactSet,
+    state: &[DoubleDouble],
+) -> Option<(Vec<Load>, Vec<JointForce>)> {
     let shares = Shares::of(subject, set, state)?;
+    let forces = shares.joint_forces(subject, state);
     let layout = subject.layout();
     let mut loads = Vec::new();
     for contact in set.iter() {
@@ -51,7 +60,7 @@ pub(super) fn loads(subject: &Subject, set: ContactSet, state: &[DoubleDouble]) 
         let bears = normal.iter().any(|force| force.abs() > shares.none);
         loads.push(Load { contact: label, normal, friction, bears });
     }
-    Some(loads)
+    Some((loads, forces))
 }
 
 /// All λ that hold the system, and what bounds them.
@@ -104,6 +113,33 @@ impl Shares {
         let bounds = bounds(subject, state, &rows);
         let holds = (&matrix * &least - &force).amax() <= BALANCED * work;
         holds.then_some(Self { rows, least, free, bounds, none })
+    }
+
+    /// The forces and couples of joints and drives that no free share changes.
+    fn joint_forces(&self, subject: &Subject, state: &[DoubleDouble]) -> Vec<JointForce> {
+        let layout = subject.layout();
+        let at_rest = vec![DoubleDouble::from_f64(0.0); layout.coordinates.len()];
+        let force = |entry: usize, share: &DVector<f64>| {
+            let mut multipliers = vec![DoubleDouble::from_f64(0.0); layout.rows()];
+            self.rows.iter().zip(share).for_each(|(&row, x)| multipliers[row] = DoubleDouble::from_f64(*x));
+            subject.system.quantity(entry, state, &at_rest, &multipliers).hi()
+        };
+        let held = layout.quantities.iter().enumerate().filter(|(_, quantity)| {
+            use QuantityKind::{DriveForce, DriveTorque, JointCouple, JointForce};
+            matches!(quantity.kind, JointForce | JointCouple | DriveForce | DriveTorque)
+        });
+        let found = held.filter_map(|(entry, quantity)| {
+            let value = force(entry, &self.least);
+            let size = self.none.max(NONE * subject.scales.force()) / NONE * BALANCED;
+            let mut free = self.free.column_iter();
+            let is_same = free.all(|share| {
+                let largest = self.least.amax().max(subject.scales.force());
+                (force(entry, &(&self.least + share * largest)) - value).abs() <= size
+            });
+            let value = if value.abs() <= NONE / BALANCED * size { 0.0 } else { value };
+            is_same.then_some((quantity.name, value))
+        });
+        found.collect()
     }
 
     fn place(&self, row: usize) -> Option<usize> {

@@ -8,7 +8,7 @@ mod search;
 use liftoff::model::Coordinate;
 
 use crate::Linearisation;
-pub use bearing::Load;
+pub use bearing::{JointForce, Load};
 pub use limit::{LimitEnd, LoadLimit, load_limit};
 pub use search::equilibria;
 
@@ -24,6 +24,8 @@ pub struct Equilibrium {
     pub positions: Vec<f64>,
     /// What the contacts bear, those that touch in the order of the layout.
     pub loads: Vec<Load>,
+    /// What joints and drives transmit, where the equations determine it: `fx(A, AB)`, N or N m.
+    pub joint_forces: Vec<JointForce>,
     /// The motion nearby, with the contacts closed that bear.
     pub linear: Linearisation,
     pub(crate) time: f64,

@@ -119,7 +119,7 @@ pub(super) fn described(
 ) -> Result<Option<Equilibrium>, AnalysisError> {
     let layout = subject.layout();
     let touching = subject.touching_at(state);
-    let Some(loads) = loads(subject, touching, state) else { return Ok(None) };
+    let Some((loads, joint_forces)) = loads(subject, touching, state) else { return Ok(None) };
     let idle = touching.iter().zip(&loads).filter(|(_, load)| !load.bears).map(|(i, _)| i);
     let bearing = touching.difference(idle.collect()).union(layout.guides());
     let local = Local::of(subject, subject.sticking(bearing), state)?;
@@ -127,6 +127,7 @@ pub(super) fn described(
         closed: touching.iter().flat_map(|i| layout.contacts[i].supports).copied().collect(),
         positions: positions(subject, state),
         loads,
+        joint_forces,
         linear: Linearisation::at(subject, &local),
         time: subject.scales.time,
         coordinates: layout.coordinates,

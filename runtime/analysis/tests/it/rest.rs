@@ -157,3 +157,37 @@ fn a_weight_on_a_spring_hangs_however_soft_the_spring_is() {
     assert!(limit.value < 1e-6 && (y / (l + m * g / limit.value) - 1.0).abs() < 1e-9, "{limit:?}");
     assert_eq!(limit.end, LimitEnd::Fold);
 }
+
+/// A beam on a hinge that a spring holds.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(OA, mass = m, length = l)]
+#[pin(O = (0, 0))]
+#[spring(AQ, stiffness = k, length = l)]
+#[ground(Q = (l, l))]
+#[figure(A = (l, 0))]
+#[coordinate(phi = angle(OA), from = right)]
+struct Held {
+    m: f64,
+    l: f64,
+    k: f64,
+    g: f64,
+}
+
+/// What the hinge of a beam bears is its weight without what the spring does: the moments about A and the sums of both forces.
+#[test]
+fn joint_forces_at_rest_are_those_of_statics() {
+    let (m, l, k, g) = (2.0, 1.5, 40.0, 9.81);
+    let found = resting(&Held { m, l, k, g }, Pose::at("phi", 0.0)).unwrap();
+    let stable = found.iter().find(|rest| rest.stability() == Stability::Stable).expect("a position of rest");
+    let phi = stable.positions[0];
+    let (a, q) = ([l * phi.cos(), l * phi.sin()], [l, l]);
+    let along = [q[0] - a[0], q[1] - a[1]];
+    let distance = along[0].hypot(along[1]);
+    let spring = along.map(|part| k * (distance - l) * part / distance);
+    let expected = [-spring[0], m * g - spring[1]];
+    for (name, expected) in ["fx(O, OA)", "fy(O, OA)"].into_iter().zip(expected) {
+        let (_, force) = stable.joint_forces.iter().find(|(known, _)| *known == name).expect(name);
+        assert!((force - expected).abs() < 1e-10, "{name}: {force} for {expected}");
+    }
+}

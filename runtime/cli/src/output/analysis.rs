@@ -30,6 +30,11 @@ pub fn equilibria_text(layout: &Layout, found: &[Equilibrium], limits: Option<Li
         if !loads.is_empty() {
             let _ = writeln!(text, "  {}", loads.join("  "));
         }
+        let forces = rest.joint_forces.iter();
+        let forces: Vec<_> = forces.map(|(name, force)| format!("{name} = {}", number(*force))).collect();
+        if !forces.is_empty() {
+            let _ = writeln!(text, "  {}", forces.join("  "));
+        }
         let limit = limits.map_or_else(String::new, |(name, limits)| {
             format!("  {name} {}\n", limit(limits.get(i).and_then(Option::as_ref)))
         });
@@ -184,6 +189,10 @@ pub fn equilibria_json(
                 "loads": loads,
                 "modes": modes(layout, &rest.linear),
             });
+            if !rest.joint_forces.is_empty() {
+                let forces = rest.joint_forces.iter().map(|(name, force)| ((*name).to_owned(), json!(force)));
+                told["joint_forces"] = forces.collect::<Map<_, _>>().into();
+            }
             if let Some(limits) = limits {
                 let limit = limits.get(i).and_then(Option::as_ref);
                 told["limit"] = json!(limit.map(|limit| json!({ "value": limit.value, "end": limit_end(&limit.end) })));
