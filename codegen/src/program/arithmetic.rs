@@ -3,10 +3,40 @@
 use super::{Id, Operation, Program};
 use crate::algebra::{Rational, Symbol};
 
+/// The base of the digits of long numbers.
+const DIGIT: i128 = 1 << 42;
+
+/// Whether code holds a number: both parts have 64 bits.
+fn is_short(value: Rational) -> bool {
+    let parts = [value.numerator(), value.denominator()];
+    !value.is_overflow() && parts.iter().all(|part| i64::try_from(*part).is_ok())
+}
+
 impl Program {
-    /// A number.
+    /// A number. One of more than 64 bits, which code does not hold, is computed from its digits.
     pub fn ratio(&mut self, value: Rational) -> Id {
-        self.push(Operation::Ratio(value))
+        if value.is_overflow() || is_short(value) {
+            return self.push(Operation::Ratio(value));
+        }
+        let numerator = self.whole(value.numerator());
+        let denominator = self.whole(value.denominator());
+        self.push(Operation::Div(numerator, denominator))
+    }
+
+    /// An integer by its digits.
+    fn whole(&mut self, value: i128) -> Id {
+        if is_short(Rational::integer(value)) {
+            return self.integer(value);
+        }
+        let (above, digit) = (self.whole(value / DIGIT), self.integer(value % DIGIT));
+        let base = self.integer(DIGIT);
+        self.push(Operation::MulAdd(above.min(base), above.max(base), digit))
+    }
+
+    /// The result of an operation on numbers, if code holds it: else that operation stays.
+    fn folded(&mut self, [a, b]: [Id; 2], result: fn(Rational, Rational) -> Rational) -> Option<Id> {
+        let value = result(self.number(a)?, self.number(b)?);
+        is_short(value).then(|| self.ratio(value))
     }
 
     /// An integer.
@@ -43,8 +73,10 @@ impl Program {
 
     /// a + b.
     pub fn add(&mut self, a: Id, b: Id) -> Id {
+        if let Some(number) = self.folded([a, b], |a, b| a + b) {
+            return number;
+        }
         match (self.number(a), self.number(b)) {
-            (Some(a), Some(b)) => return self.ratio(a + b),
             (Some(zero), _) if zero.is_zero() => return b,
             (_, Some(zero)) if zero.is_zero() => return a,
             _ => {}
@@ -58,8 +90,10 @@ impl Program {
 
     /// a − b.
     pub fn sub(&mut self, a: Id, b: Id) -> Id {
+        if let Some(number) = self.folded([a, b], |a, b| a - b) {
+            return number;
+        }
         match (self.number(a), self.number(b)) {
-            (Some(a), Some(b)) => return self.ratio(a - b),
             (Some(zero), _) if zero.is_zero() => return self.neg(b),
             (_, Some(zero)) if zero.is_zero() => return a,
             _ => {}
@@ -73,8 +107,10 @@ impl Program {
 
     /// a · b.
     pub fn mul(&mut self, a: Id, b: Id) -> Id {
+        if let Some(number) = self.folded([a, b], |a, b| a * b) {
+            return number;
+        }
         match (self.number(a), self.number(b)) {
-            (Some(a), Some(b)) => return self.ratio(a * b),
             (Some(k), _) => return self.scale(k, b),
             (_, Some(k)) => return self.scale(k, a),
             _ => {}
@@ -177,5 +213,25 @@ impl Program {
     pub fn dot(&mut self, products: impl IntoIterator<Item = (Id, Id)>) -> Id {
         let zero = self.integer(0);
         products.into_iter().fold(zero, |sum, (a, b)| self.mul_add(a, b, sum))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 1.0000000001 to high powers, of which 128 bits hold the first three.
+    #[test]
+    fn long_numbers_keep_their_digits() {
+        let mut program = Program::new(Vec::new());
+        let length = Rational::new(10_000_000_001, 10_000_000_000);
+        let number = program.ratio(length);
+        let powers: Vec<Id> = (1..9).map(|k| program.power(number, k)).collect();
+        let square = program.ratio(length * length);
+        let found = program.evaluate(&[powers, vec![square]].concat(), &|_| f64::NAN);
+        for (k, found) in (1..9).chain([2]).zip(found) {
+            let expected = (f64::from(k) * 1e-10f64.ln_1p()).exp();
+            assert!((found - expected).abs() < 1e-15, "{k}: {found} for {expected}");
+        }
     }
 }

@@ -137,7 +137,7 @@ impl<'a> Lowering<'a> {
     }
 
     fn ratio(&mut self, id: Id, value: Rational) {
-        // The generator has refused numbers that do not fit.
+        // Programs hold no longer numbers.
         let part = |part: i128| i64::try_from(part).unwrap_or(i64::MAX);
         let register = self.exact([part(value.numerator()), part(value.denominator())]);
         self.known.insert(id, register);
