@@ -4,7 +4,7 @@ use core::cell::RefCell;
 use core::ops::{Deref, DerefMut};
 
 use liftoff_core::scalar::{DoubleDouble, Dual4, Scalar};
-use liftoff_core::system::TimeSeries;
+use liftoff_core::system::{LongTimeSeries, TimeSeries};
 
 use crate::code::{self, Code};
 
@@ -35,6 +35,7 @@ impl Number for f64 {
 impl Number for DoubleDouble {}
 impl Number for Dual4 {}
 impl Number for TimeSeries {}
+impl Number for LongTimeSeries {}
 
 macro_rules! pooled {
     ($($number:ty = $filling:expr),* $(,)?) => {$(
@@ -56,6 +57,7 @@ pooled! {
     DoubleDouble = <DoubleDouble as Scalar>::ZERO,
     Dual4 = <Dual4 as Scalar>::ZERO,
     TimeSeries = <TimeSeries as Scalar>::ZERO,
+    LongTimeSeries = <LongTimeSeries as Scalar>::ZERO,
 }
 
 /// Memory of a certain length, whatever is in it.

@@ -19,7 +19,7 @@ pub use model::{Model, ModelOn, precise, varied};
 pub use phase::PhaseInfo;
 pub(crate) use phase::to_array;
 pub use projected::{KernelOrders, TakeOrder, projected_series};
-pub use series::{SeriesEquations, TIME_ORDERS, TimeSeries};
+pub use series::{LongTimeSeries, MOST_TIME_ORDERS, SeriesEquations, TIME_ORDERS, TimeSeries};
 
 use std::sync::Arc;
 

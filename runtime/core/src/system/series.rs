@@ -2,8 +2,8 @@
 
 use super::Equations;
 use super::lifted::{Lifted, array};
-use crate::model::BarSystem;
-use crate::scalar::Jet;
+use crate::model::{Array, BarSystem};
+use crate::scalar::{Jet, Real};
 
 /// Coefficients kept: orders 0 to 3, so that reactions are known to their third derivative.
 pub const TIME_ORDERS: usize = 4;
@@ -11,11 +11,19 @@ pub const TIME_ORDERS: usize = 4;
 /// A Taylor series in time.
 pub type TimeSeries = Jet<f64, TIME_ORDERS>;
 
+/// Coefficients kept where fewer do not decide: each costs the more the more there are.
+pub const MOST_TIME_ORDERS: usize = 10;
+
+/// A Taylor series in time of as many orders as are kept.
+pub type LongTimeSeries = Jet<f64, MOST_TIME_ORDERS>;
+
 /// A model's equations on Taylor series in time.
 pub trait SeriesEquations: Send + Sync {
     /// The full equations along a motion, where there are contacts, whose decisions ask for them; else nothing of them is
     /// compiled.
     fn equations(&self, state: &[TimeSeries]) -> Option<Equations<TimeSeries>>;
+    /// The same to more orders.
+    fn long_equations(&self, state: &[LongTimeSeries]) -> Option<Equations<LongTimeSeries>>;
     /// Positions of the points along a motion, x then y of each.
     fn points(&self, state: &[TimeSeries], points: &mut [TimeSeries]);
 }
@@ -25,10 +33,25 @@ impl<M: BarSystem> SeriesEquations for Lifted<M, TimeSeries> {
         if const { M::LAYOUT.contacts.is_empty() } {
             return None;
         }
-        Some(Equations::of(&M::kernel(&self.constants, &array(state))))
+        Some(self.along(state))
+    }
+
+    fn long_equations(&self, state: &[LongTimeSeries]) -> Option<Equations<LongTimeSeries>> {
+        if const { M::LAYOUT.contacts.is_empty() } {
+            return None;
+        }
+        let parameter = |i: usize| Jet::constant(self.parameters.as_ref()[i].coefficient(0));
+        let long = Lifted::<M, LongTimeSeries>::with(Array::from_fn(parameter));
+        Some(long.along(state))
     }
 
     fn points(&self, state: &[TimeSeries], points: &mut [TimeSeries]) {
         points.copy_from_slice(M::points(&self.constants, &array(state)).as_ref());
+    }
+}
+
+impl<M: BarSystem, S: Real> Lifted<M, S> {
+    fn along(&self, state: &[S]) -> Equations<S> {
+        Equations::of(&M::kernel(&self.constants, &array(state)))
     }
 }

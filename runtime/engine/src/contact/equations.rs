@@ -4,38 +4,49 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::model::Layout;
-use crate::system::{self, Model, TIME_ORDERS as ORDERS, TimeSeries};
+use crate::scalar::Jet;
+use crate::system::{self, MOST_TIME_ORDERS, Model, TIME_ORDERS};
 
 /// Taylor coefficients of M, f, J and b, by order.
 pub(crate) struct Equations {
-    pub(crate) mass: [DMatrix<f64>; ORDERS],
-    pub(crate) force: [DVector<f64>; ORDERS],
-    pub(crate) jacobian: [DMatrix<f64>; ORDERS],
-    pub(crate) bias: [DVector<f64>; ORDERS],
+    pub(crate) mass: Vec<DMatrix<f64>>,
+    pub(crate) force: Vec<DVector<f64>>,
+    pub(crate) jacobian: Vec<DMatrix<f64>>,
+    pub(crate) bias: Vec<DVector<f64>>,
 }
 
 impl Equations {
     /// Along the motion that starts at `state` with the Taylor coefficients `accelerations`;
     /// right up to the order of their number. Without contacts, whose decisions alone ask for more, of order 0.
     pub(crate) fn along(model: &Model, state: &[f64], accelerations: &[DVector<f64>]) -> Self {
-        match model.series.equations(&motion(model.layout(), state, accelerations)) {
-            Some(equations) => Self::of(model, &equations, |x, k| x.coefficient(k)),
-            None => Self::of(model, &model.system.equations(state), |x, k| if k == 0 { *x } else { 0.0 }),
-        }
+        let (layout, series) = (model.layout(), &model.series);
+        let found = if accelerations.len() < TIME_ORDERS {
+            let equations = series.equations(&motion(layout, state, accelerations));
+            equations.map(|equations| Self::of(model, &equations, (TIME_ORDERS, |x, k| x.coefficient(k))))
+        } else {
+            let equations = series.long_equations(&motion(layout, state, accelerations));
+            equations
+                .map(|equations| Self::of(model, &equations, (MOST_TIME_ORDERS, |x, k| x.coefficient(k))))
+        };
+        found.unwrap_or_else(|| Self::of(model, &model.system.equations(state), (1, |x, _| *x)))
     }
 
     fn of<S: Copy>(
         model: &Model,
         equations: &system::Equations<S>,
-        coefficient: impl Fn(&S, usize) -> f64,
+        (orders, coefficient): (usize, impl Fn(&S, usize) -> f64),
     ) -> Self {
         let (n, rows) = (model.layout().coordinates.len(), model.layout().rows());
         let of = &coefficient;
+        let all = 0..orders;
         Self {
-            mass: order(|k| DMatrix::from_fn(n, n, |i, j| of(&equations.mass(i)[j], k))),
-            force: order(|k| DVector::from_fn(n, |i, _| of(&equations.force()[i], k))),
-            jacobian: order(|k| DMatrix::from_fn(rows, n, |i, j| of(&equations.jacobian(i)[j], k))),
-            bias: order(|k| DVector::from_fn(rows, |i, _| of(&equations.bias()[i], k))),
+            mass: all.clone().map(|k| DMatrix::from_fn(n, n, |i, j| of(&equations.mass(i)[j], k))).collect(),
+            force: all.clone().map(|k| DVector::from_fn(n, |i, _| of(&equations.force()[i], k))).collect(),
+            jacobian: all
+                .clone()
+                .map(|k| DMatrix::from_fn(rows, n, |i, j| of(&equations.jacobian(i)[j], k)))
+                .collect(),
+            bias: all.map(|k| DVector::from_fn(rows, |i, _| of(&equations.bias()[i], k))).collect(),
         }
     }
 
@@ -56,12 +67,12 @@ impl Equations {
     }
 }
 
-fn order<T>(coefficient: impl FnMut(usize) -> T) -> [T; ORDERS] {
-    core::array::from_fn(coefficient)
-}
-
 /// q(t) = q + u t + Σ aₖ tᵏ⁺² / (k+1)(k+2), u(t) = u + Σ aₖ tᵏ⁺¹ / (k+1), and the time goes on.
-fn motion(layout: &Layout, state: &[f64], accelerations: &[DVector<f64>]) -> Vec<TimeSeries> {
+fn motion<const ORDERS: usize>(
+    layout: &Layout,
+    state: &[f64],
+    accelerations: &[DVector<f64>],
+) -> Vec<Jet<f64, ORDERS>> {
     let n = layout.coordinates.len();
     let mut series = vec![[0.0; ORDERS]; state.len()];
     for (entry, series) in series.iter_mut().enumerate().skip(2 * n) {
@@ -79,7 +90,7 @@ fn motion(layout: &Layout, state: &[f64], accelerations: &[DVector<f64>]) -> Vec
             }
         }
     }
-    series.into_iter().map(TimeSeries::new).collect()
+    series.into_iter().map(Jet::new).collect()
 }
 
 #[cfg(test)]

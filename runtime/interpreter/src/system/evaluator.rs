@@ -5,7 +5,7 @@ use std::sync::Arc;
 use liftoff_core::hinge;
 use liftoff_core::model::{ContactSet, Energy, Form, KernelView, Layout, SlipState};
 use liftoff_core::project::project_by;
-use liftoff_core::system::{Equations, Phase, SeriesEquations, System, TimeSeries};
+use liftoff_core::system::{Equations, LongTimeSeries, Phase, SeriesEquations, System, TimeSeries};
 
 use super::full::FullCode;
 use super::kernel::Kernel;
@@ -158,6 +158,13 @@ where
 impl SeriesEquations for Evaluator<TimeSeries> {
     fn equations(&self, state: &[TimeSeries]) -> Option<Equations<TimeSeries>> {
         (!self.model.layout.contacts.is_empty()).then(|| Equations::of(&self.kernel(state)))
+    }
+
+    fn long_equations(&self, state: &[LongTimeSeries]) -> Option<Equations<LongTimeSeries>> {
+        let parameters = self.parameters.iter().map(|x| LongTimeSeries::constant(x.coefficient(0)));
+        let parameters: Vec<LongTimeSeries> = parameters.collect();
+        let long = Evaluator::new(&self.model, &parameters, ContactSet::EMPTY);
+        (!self.model.layout.contacts.is_empty()).then(|| Equations::of(&long.kernel(state)))
     }
 
     fn points(&self, state: &[TimeSeries], points: &mut [TimeSeries]) {

@@ -279,3 +279,38 @@ loaded!(
         y - 1.09 * vx(P) - (1.07 * x * vx(P) - 1.16 * y)
     ]
 );
+
+macro_rules! pulled_as_power {
+    ($name:ident, $power:tt) => {
+        /// A block at a wall, pulled away from it by a power of time.
+        #[derive(BarSystem)]
+        #[particle(P, mass = m)]
+        #[slider(P = horizontal(0))]
+        #[support(a = wall(0), under = P, facing = right)]
+        #[force(pull = (f * t.powi($power), 0), at = P)]
+        #[figure(P = (0, 0))]
+        struct $name {
+            m: f64,
+            f: f64,
+        }
+    };
+}
+
+pulled_as_power!(Fourth, 4);
+pulled_as_power!(Fifth, 5);
+pulled_as_power!(Eighth, 8);
+
+/// However high the power of time by which a load begins, the contact opens at once: x = f tⁿ⁺² / m (n + 1)(n + 2).
+#[test]
+fn what_is_pulled_off_slowly_opens_at_once() {
+    fn check<M: BarSystem>(block: M, power: i32) {
+        let run = Simulation::new(&block).unwrap().tolerance(1e-6).limit(1.0).run().unwrap();
+        let kinds: Vec<EventKind> = run.events().iter().map(|event| event.kind).collect();
+        assert_eq!(kinds, [EventKind::Start, EventKind::End], "{power}");
+        let expected = 3.0 / (2.0 * f64::from((power + 1) * (power + 2)));
+        assert!((run.final_state()[0] - expected).abs() < 1e-6, "{power}: {:?}", run.final_state());
+    }
+    check(Fourth { m: 2.0, f: 3.0 }, 4);
+    check(Fifth { m: 2.0, f: 3.0 }, 5);
+    check(Eighth { m: 2.0, f: 3.0 }, 8);
+}

@@ -31,7 +31,7 @@ use super::friction::{FrictionError, Frictional, Mode, Question, Slip as KnownSl
 use super::{ContactError, Trials, joint_names, singular};
 use crate::integration::phase_point::reactions_of;
 use crate::model::{Contact, ContactSet, Layout};
-use crate::system::{Model, TIME_ORDERS as ORDERS};
+use crate::system::{MOST_TIME_ORDERS, Model, TIME_ORDERS};
 
 /// Terms of order n below this part of those of order 0 in a natural time are what the rounding of a state at rest makes. What
 /// counts as rounding of terms is a thousand times less.
@@ -188,7 +188,9 @@ impl Ladder {
         state: &[f64],
         trials: Option<&Trials>,
     ) -> Result<ContactSet, LcpError> {
-        for _ in 0..ORDERS {
+        // A load of time alone begins in any order; what rests on the same motion is not worth more of them.
+        let orders = if self.layout.timed { MOST_TIME_ORDERS } else { TIME_ORDERS };
+        for _ in 0..orders {
             let (layout, acting) = (model.layout(), &self.acting);
             let acts = |row: usize| layout.contact_of(row).is_none_or(|contact| acting.contains(contact));
             let equations = Equations::along(model, state, &self.accelerations).acting(acts);

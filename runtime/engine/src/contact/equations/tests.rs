@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::{Equations, ORDERS};
+use super::{Equations, TIME_ORDERS};
 use crate::prelude::*;
 use crate::system::Model;
 
@@ -49,8 +49,8 @@ fn series_are_those_of_the_states_on_the_way() {
         let states = (0..points).map(|k| model.system.equations(&moved(&start, &all[..count], time(k))));
         let states: Vec<_> = states.collect();
         let rows = series.bias[0].len();
-        assert!(rows > 0 && ORDERS == 4);
-        let check = |found: [f64; ORDERS], at: &dyn Fn(usize) -> f64| {
+        assert!(rows > 0 && TIME_ORDERS == 4);
+        let check = |found: [f64; TIME_ORDERS], at: &dyn Fn(usize) -> f64| {
             let expected = powers.solve(&DVector::from_fn(points, |k, _| at(k))).unwrap();
             for (order, found) in found.into_iter().enumerate() {
                 // Nine points leave terms of the ninth order.
