@@ -11,6 +11,50 @@ pub struct Coordinate {
     pub is_angle: bool,
 }
 
+/// A declared angle that follows coordinates, `phi` of `equal(phi, -2 * psi)`:
+/// `quarters` π/2 + Σ factor parameter + Σ factor coordinate.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct DependentAngle {
+    /// Its name.
+    pub name: &'static str,
+    /// Quarter turns, so that in the nominal figure it is within half a turn.
+    pub quarters: i32,
+    /// Of parameters.
+    pub parameters: &'static [Term],
+    /// Of coordinates.
+    pub coordinates: &'static [Term],
+}
+
+/// One term of a linear combination.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Term {
+    /// Which parameter or coordinate.
+    pub index: usize,
+    /// How often it is taken.
+    pub factor: i32,
+}
+
+impl DependentAngle {
+    /// Its value with these parameters and coordinates.
+    pub fn value(&self, parameters: &[f64], positions: &[f64]) -> f64 {
+        self.constant(parameters) + sum(self.coordinates, positions)
+    }
+
+    /// Its rate with these rates of the coordinates.
+    pub fn rate(&self, rates: &[f64]) -> f64 {
+        sum(self.coordinates, rates)
+    }
+
+    /// What it is where the coordinates are zero.
+    pub fn constant(&self, parameters: &[f64]) -> f64 {
+        f64::from(self.quarters) * core::f64::consts::FRAC_PI_2 + sum(self.parameters, parameters)
+    }
+}
+
+fn sum(terms: &[Term], values: &[f64]) -> f64 {
+    terms.iter().fold(0.0, |sum, term| sum + f64::from(term.factor) * values[term.index])
+}
+
 /// Supports whose gaps are one function of the coordinates: one contact, one reaction.
 #[derive(Clone, Copy, Debug)]
 pub struct Contact {
@@ -78,6 +122,13 @@ pub struct Joint {
     pub name: &'static str,
     /// Whether its gap is an angle, of a drive that turns; a length otherwise.
     pub is_angle: bool,
+}
+
+impl Joint {
+    /// Whether it is a drive.
+    pub fn is_drive(&self) -> bool {
+        self.name.starts_with(DRIVE)
+    }
 }
 
 /// What a contact is.
@@ -191,6 +242,8 @@ pub struct Layout {
     pub covariant: bool,
     /// Generalised coordinates; a state holds their values, then their rates, then the time if [`Self::timed`], then the switches.
     pub coordinates: &'static [Coordinate],
+    /// Declared angles that follow them; starts and outputs take their names too.
+    pub dependent: &'static [DependentAngle],
     /// One-sided contacts; the first rows of the kernel.
     pub contacts: &'static [Contact],
     /// Two-sided constraints kept as multipliers; the rows after the contacts, closed in every phase.
@@ -268,6 +321,35 @@ impl Layout {
         names.clone().map(str::to_owned).chain(names.map(|name| format!("{name}'")))
     }
 
+    /// The names that starts take: those of the state, then of dependent angles and their rates.
+    #[cfg(feature = "std")]
+    pub fn names_of_motion(&self) -> impl Iterator<Item = String> {
+        let names = self.dependent.iter().map(|angle| angle.name);
+        let rates = names.clone().map(|name| format!("{name}'"));
+        self.names_of_state().chain(names.map(str::to_owned)).chain(rates)
+    }
+
+    /// Names of the coordinates, then of dependent angles.
+    pub fn names_of_positions(&self) -> impl Iterator<Item = &'static str> {
+        let dependent = self.dependent.iter().map(|angle| angle.name);
+        self.coordinates.iter().map(|coordinate| coordinate.name).chain(dependent)
+    }
+
+    /// The values of [`Self::names_of_motion`] in a state.
+    #[cfg(feature = "std")]
+    pub fn motion(&self, parameters: &[f64], state: &[f64]) -> Vec<f64> {
+        let (positions, rates) = self.public_state(state).split_at(self.coordinates.len());
+        let values = self.dependent.iter().map(|angle| angle.value(parameters, positions));
+        let rate = self.dependent.iter().map(|angle| angle.rate(rates));
+        positions.iter().chain(rates).copied().chain(values).chain(rate).collect()
+    }
+
+    /// Whether a coordinate or a dependent angle of this name is an angle.
+    pub fn is_angle(&self, name: &str) -> bool {
+        self.coordinates.iter().any(|known| known.is_angle && known.name == name)
+            || self.dependent.iter().any(|known| known.name == name)
+    }
+
     /// Coordinates and rates of a full state, without what else it has.
     pub fn public_state<'a>(&self, state: &'a [f64]) -> &'a [f64] {
         &state[..2 * self.coordinates.len()]
@@ -280,7 +362,7 @@ impl Layout {
 
     /// What the set of no contacts is called: `free`, but of a mechanism without contacts, or one that a drive moves.
     pub fn unclosed(&self) -> &'static str {
-        match (self.contacts.is_empty(), self.joints.iter().any(|joint| joint.name.starts_with(DRIVE))) {
+        match (self.contacts.is_empty(), self.joints.iter().any(Joint::is_drive)) {
             (true, _) => "no contacts",
             (false, true) => "no contact closed",
             (false, false) => "free",

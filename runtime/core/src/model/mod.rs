@@ -23,7 +23,8 @@ pub use equations::{Kernel, KernelView};
 pub use friction::SlipState;
 pub use geometry::Geometry;
 pub use layout::{
-    Bar, Contact, ContactKind, Coordinate, Dimension, Friction, Joint, Kink, Law, Layout, Signal, Switch,
+    Bar, Contact, ContactKind, Coordinate, DependentAngle, Dimension, Friction, Joint, Kink, Law, Layout,
+    Signal, Switch, Term,
 };
 pub use measure::{Measure, MeasureKind};
 pub use phase::{ClosedForm, Energy, Form, InSet, OfState, Phase, PhaseVisitor, least};

@@ -28,8 +28,9 @@ pub(super) fn positions(
     let nominal = &assembly.context.model.nominal;
     let assumed = within(assembly, nominal, [NOMINAL; 2]);
     let assumed = assumed.difference(assembly.absent(nominal).intersection(assembly.layout().drives()));
+    let known = with_driven(assembly, given);
     let found = largest(assumed, |set| {
-        let q = reach(assembly, given, set)?;
+        let q = reach(assembly, &known, set)?;
         let absent = assembly.absent(&q);
         if assembly.refuse_penetration(&q, absent).is_err() {
             return Err(ContactSet::EMPTY);
@@ -43,6 +44,30 @@ pub(super) fn positions(
         Ok((q, closed))
     });
     found.ok_or_else(|| diagnose(assembly, given))
+}
+
+/// What is given with the coordinates that drives prescribe: such a row is linear in one of them. The others follow on their path, not
+/// from where the nominal figure is, which may be singular.
+fn with_driven(assembly: &AssemblyProblem<'_>, given: &[Option<f64>]) -> Vec<Option<f64>> {
+    let (layout, nominal) = (assembly.layout(), &assembly.context.model.nominal);
+    let mut known = given.to_vec();
+    let drives = layout.joints.iter().enumerate().filter(|(_, joint)| joint.is_drive());
+    for row in drives.map(|(joint, _)| layout.contacts.len() + joint) {
+        let rows = assembly.rows(nominal);
+        let is_closed = |q: &[f64]| {
+            assembly.rows(q).gap()[row].abs() <= assembly.closed_below(q, row) * assembly.unit(row)
+        };
+        let unknowns: Vec<usize> = (0..nominal.len()).filter(|&i| rows.jacobian(row)[i] != 0.0).collect();
+        if let [i] = unknowns[..]
+            && known[i].is_none()
+            && !is_closed(nominal)
+        {
+            let mut moved = nominal.clone();
+            moved[i] -= rows.gap()[row] / rows.jacobian(row)[i];
+            known[i] = Some(moved[i]).filter(|_| is_closed(&moved));
+        }
+    }
+    known
 }
 
 /// Contacts penetrated and open by no more than so many natural lengths.
