@@ -42,6 +42,19 @@ fn layout(analysis: &Analysis, drawn: &Geometry) -> TokenStream {
         let (name, is_angle) = (&c.name, c.is_angle());
         quote!(Coordinate { name: #name, is_angle: #is_angle })
     });
+    let terms = |terms: &[(usize, i32)]| {
+        let terms = terms.iter().map(|(index, factor)| quote!(Term { index: #index, factor: #factor }));
+        quote!(&[#(#terms),*])
+    };
+    let dependent = kinematics.dependent.iter().map(|angle| {
+        let (name, quarters) = (&angle.declared.name, angle.quarters);
+        let (parameters, coordinates) = (terms(&angle.parameters), terms(&angle.coordinates));
+        quote! {
+            DependentAngle {
+                name: #name, quarters: #quarters, parameters: #parameters, coordinates: #coordinates,
+            }
+        }
+    });
     let mut feet = 0_usize..;
     let mut frictions = 0_usize..;
     let contacts = analysis.motion.contacts.iter().map(|contact| {
@@ -94,6 +107,7 @@ fn layout(analysis: &Analysis, drawn: &Geometry) -> TokenStream {
             defaults: #defaults,
             covariant: #covariant,
             coordinates: &[#(#coordinates),*],
+            dependent: &[#(#dependent),*],
             contacts: &[#(#contacts),*],
             joints: &[#(#joints),*],
             tangents: &[#(#tangents),*],

@@ -31,6 +31,7 @@ fn implemented(runtime: &Path, ident: &Ident, names: &TokenStream) -> TokenStrea
                     defaults: &Defaults::NONE,
                     covariant: false,
                     coordinates: &[],
+                    dependent: &[],
                     contacts: &[],
                     joints: &[],
                     tangents: &[],

@@ -54,7 +54,8 @@ fn implementation(constants: impl Iterator<Item = TokenStream>) -> TokenStream {
 
 fn named(analysis: &Analysis) -> Constants {
     let (system, mut constants) = (&analysis.system, Constants::default());
-    for coordinate in &analysis.kinematics.coordinates {
+    let dependent = analysis.kinematics.dependent.iter().map(|angle| &angle.declared);
+    for coordinate in analysis.kinematics.coordinates.iter().chain(dependent) {
         let declared = system.coordinates.iter().find(|declared| plain(&declared.name) == coordinate.name);
         let span = declared.map_or_else(Span::call_site, |declared| declared.name.span());
         constants.add(Kind::Coordinate, &coordinate.name, span, meaning::coordinate(system, coordinate));

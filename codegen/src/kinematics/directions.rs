@@ -7,10 +7,10 @@ use proc_macro2::Span;
 
 use super::affine::{Affine, Unknown};
 use super::relations::{Relation, Subject, relations};
-use super::{Coordinate, figure_direction};
-use crate::algebra::{Angle, Symbol};
+use super::{Coordinate, DependentAngle, figure_direction, read};
+use crate::algebra::{Angle, Series, Symbol};
 use crate::syntax::plain;
-use crate::system::{CoordinateKind, Numbers, Reference, Settled, System};
+use crate::system::{CoordinateKind, Declared, Numbers, Reference, Settled, System};
 
 /// A direction's component above this, negative, is taken for zero: far above the rounding of a figure's numbers.
 const NEAR: f64 = 1e-9;
@@ -19,6 +19,8 @@ const NEAR: f64 = 1e-9;
 pub struct Directions {
     /// Declared coordinates that stay free, in order, then undeclared angles.
     pub coordinates: Vec<Coordinate>,
+    /// Declared angles that follow them.
+    pub dependent: Vec<DependentAngle>,
     /// Direction of each body.
     pub directions: Vec<Angle>,
     /// What the figure said of them, to be checked with a model's own parameters.
@@ -146,5 +148,41 @@ fn name(system: &System, solved: &Solved, settled: Vec<Settled>) -> Directions {
         }),
     };
     let directions = (0..system.bodies.len()).map(|body| angle(Unknown::Direction(body))).collect();
-    Directions { coordinates, directions, settled }
+    let follows = |(i, declared): (usize, &Declared)| {
+        let value = solved.contains_key(&Unknown::Declared(i)).then(|| angle(Unknown::Declared(i)))?;
+        let declared = Coordinate { name: plain(&declared.name), reading: declared.kind.clone() };
+        dependent(system, &coordinates, declared, &value)
+    };
+    let dependent = system.coordinates.iter().enumerate().filter_map(follows).collect();
+    Directions { coordinates, dependent, directions, settled }
+}
+
+/// A declared angle by its value; none where that has a constant which is no whole multiple of parameters.
+fn dependent(
+    system: &System,
+    independent: &[Coordinate],
+    declared: Coordinate,
+    value: &Angle,
+) -> Option<DependentAngle> {
+    let (mut parameters, mut coordinates) = (Vec::new(), Vec::new());
+    for &(symbol, factor) in value.terms() {
+        match symbol {
+            Symbol::Coordinate { index, .. } => coordinates.push((usize::from(index), i32::from(factor))),
+            Symbol::Parameter(i) if usize::from(i) < system.parameters.len() => {
+                parameters.push((usize::from(i), i32::from(factor)));
+            }
+            _ => return None,
+        }
+    }
+    let turns = system.samples.first().map_or(0.0, |numbers| {
+        let nominal = value.evaluate(&|symbol| match symbol {
+            Symbol::Coordinate { index, .. } => {
+                read(system, numbers, &independent[usize::from(index)].reading)
+            }
+            _ => numbers.of(&Series::symbol(symbol)),
+        });
+        ((read(system, numbers, &declared.reading) - nominal) / core::f64::consts::TAU).round()
+    });
+    let quarters = i32::from(value.quarter_turns()) + 4 * turns as i32;
+    Some(DependentAngle { declared, quarters, parameters, coordinates })
 }

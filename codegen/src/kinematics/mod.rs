@@ -39,6 +39,19 @@ impl Coordinate {
     }
 }
 
+/// A declared angle that follows coordinates: `quarters` π/2 + Σ factor parameter + Σ factor coordinate.
+#[derive(Clone, Debug)]
+pub struct DependentAngle {
+    /// What is declared.
+    pub declared: Coordinate,
+    /// Quarter turns; in the nominal figure it is within half a turn.
+    pub quarters: i32,
+    /// Parameters, each with its factor.
+    pub parameters: Vec<(usize, i32)>,
+    /// Coordinates, each with its factor.
+    pub coordinates: Vec<(usize, i32)>,
+}
+
 /// A two-sided constraint that the coordinates do not satisfy by themselves: `equation = 0`.
 #[derive(Clone, Debug)]
 pub struct Joint {
@@ -100,6 +113,8 @@ pub struct Tree {
 pub struct Kinematics {
     /// The generalised coordinates; `Symbol::coordinate(i)` is the `i`-th.
     pub coordinates: Vec<Coordinate>,
+    /// Declared angles that follow them.
+    pub dependent: Vec<DependentAngle>,
     /// Direction of each body.
     pub directions: Vec<Angle>,
     /// Position of each point.
@@ -121,11 +136,12 @@ impl Kinematics {
     /// Contradictory or redundant angles, coordinates that are determined already, loops without
     /// mobility, each at its place.
     pub fn of(system: &System) -> syn::Result<Self> {
-        let Directions { mut coordinates, directions, settled } = Directions::solve(system)?;
+        let Directions { mut coordinates, dependent, directions, settled } = Directions::solve(system)?;
         let placed = positions::place(system, &directions, &mut coordinates)?;
         let Placed { points, joints, tree } = placed;
         let centres = Vec::new();
-        let mut kinematics = Self { coordinates, directions, points, centres, joints, tree, settled };
+        let mut kinematics =
+            Self { coordinates, dependent, directions, points, centres, joints, tree, settled };
         kinematics.centres = system
             .bodies
             .iter()
@@ -146,7 +162,8 @@ impl Kinematics {
     }
 
     fn check(&self, system: &System) -> syn::Result<()> {
-        for coordinate in &self.coordinates {
+        let dependent = self.dependent.iter().map(|angle| &angle.declared);
+        for coordinate in self.coordinates.iter().chain(dependent) {
             if let Some(field) = system.parameters.iter().find(|p| *p == &coordinate.name) {
                 let text = format!(
                     "parameter `{}` has the name of a generalised coordinate; rename it",

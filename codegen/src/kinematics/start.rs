@@ -11,11 +11,12 @@ impl Kinematics {
     /// Each of them.
     pub fn check_start(&self, system: &System) -> syn::Result<()> {
         let mut report = Report::default();
-        let known = || self.coordinates.iter().map(|coordinate| coordinate.name.as_str());
+        let all = || self.coordinates.iter().chain(self.dependent.iter().map(|angle| &angle.declared));
+        let known = || all().map(|coordinate| coordinate.name.as_str());
         let span = system.run.span.unwrap_or_else(|| system.ident.span());
         for StartValue { name, powers, .. } in &system.run.start {
             let (bare, time) = name.strip_suffix('\'').map_or((name.as_str(), 0), |bare| (bare, -1));
-            let Some(coordinate) = self.coordinates.iter().find(|known| known.name == bare) else {
+            let Some(coordinate) = all().find(|known| known.name == bare) else {
                 report.at(span, unknown("coordinate", &bare, known()));
                 continue;
             };

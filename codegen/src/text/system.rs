@@ -2,6 +2,7 @@
 
 use super::{Body, Coordinate, Equations, Parameter, Writer};
 use crate::algebra::{Series, Symbol};
+use crate::kinematics::DependentAngle;
 use crate::math::{Equation, Math};
 use crate::motion::Dense;
 use crate::syntax::plain;
@@ -58,7 +59,23 @@ impl Writer<'_> {
             symbol: self.symbol(Symbol::coordinate(i)),
             meaning: self.meaning(&coordinate.reading),
         };
-        coordinates.map(meaning).collect()
+        let dependent = self.analysis.kinematics.dependent.iter().map(|angle| Coordinate {
+            symbol: Math::symbol(&angle.declared.name),
+            meaning: format!("{}; {}", self.meaning(&angle.declared.reading), self.follows(angle)),
+        });
+        coordinates.map(meaning).chain(dependent).collect()
+    }
+
+    /// What a dependent angle is a sum of, `-2 psi + pi`.
+    fn follows(&self, angle: &DependentAngle) -> String {
+        let scaled = |symbol, factor: i32| Series::symbol(symbol).scale(i64::from(factor).into());
+        let parameters = angle.parameters.iter().map(|&(i, factor)| scaled(Symbol::parameter(i), factor));
+        let coordinates = angle.coordinates.iter().map(|&(i, factor)| scaled(Symbol::coordinate(i), factor));
+        let sum = self.series(&parameters.chain(coordinates).sum());
+        match angle.quarters {
+            0 => format!("= {sum}"),
+            quarters => format!("= {sum} {} {}°", if quarters < 0 { '−' } else { '+' }, 90 * quarters.abs()),
+        }
     }
 
     fn bodies(&self) -> Vec<Body> {

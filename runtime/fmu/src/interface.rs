@@ -130,13 +130,21 @@ impl List {
     fn states(&mut self, model: &Entry, spec: &RunSpec) -> Result<(), FmuError> {
         let simulation = model.simulation(spec).map_err(|error| FmuError::Model(error.to_string()))?;
         let start = simulation.start_state().map_err(|error| FmuError::Model(error.to_string()))?;
-        let names = model.layout().coordinates.iter().map(|coordinate| coordinate.name);
+        let layout = model.layout();
+        let names = layout.coordinates.iter().map(|coordinate| coordinate.name);
         let n = names.len();
+        let is_given = |name: &str| spec.start.iter().any(|(given, _)| given == name);
         for order in 0..3 {
             for (i, name) in names.clone().enumerate() {
-                let name = format!("{name}{}", "'".repeat(order));
+                let primes = "'".repeat(order);
+                let name = format!("{name}{primes}");
                 let entry = order * n + i;
-                let given = spec.start.iter().any(|(given, _)| *given == name);
+                let mut following = layout
+                    .dependent
+                    .iter()
+                    .filter(|angle| angle.coordinates.iter().any(|term| term.index == i));
+                let given =
+                    is_given(&name) || following.any(|angle| is_given(&format!("{}{primes}", angle.name)));
                 let quantity = match order {
                     2 => Quantity::Acceleration(entry - n),
                     _ => Quantity::State { entry, given },

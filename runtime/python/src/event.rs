@@ -1,6 +1,6 @@
 //! What happened in a motion.
 
-use liftoff::model::{Energy, Layout};
+use liftoff::model::Energy;
 use liftoff::{NameError, Reaction};
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
@@ -36,18 +36,19 @@ pub struct Event {
 }
 
 impl Event {
-    pub fn of(event: &liftoff::Event, layout: &Layout) -> Self {
+    pub fn of(event: &liftoff::Event, motion: &liftoff::Trajectory) -> Self {
+        let named = |state: &[f64]| motion.layout().names_of_motion().zip(motion.with_dependent(state));
         Self {
             t: event.t,
             kind: event.kind.name().to_owned(),
             names: event.supports.iter().map(|name| (*name).to_owned()).collect(),
             note: event.note.as_ref().map(ToString::to_string),
             text: event.to_string(),
-            state: layout.names_of_state().zip(event.state.iter().copied()).collect(),
-            before: event.before.as_ref().map_or_else(Vec::new, |before| {
-                let state = layout.names_of_state().zip(before.state.iter().copied());
-                state.chain(energy(before.energy)).collect()
-            }),
+            state: named(&event.state).collect(),
+            before: event
+                .before
+                .as_ref()
+                .map_or_else(Vec::new, |before| named(&before.state).chain(energy(before.energy)).collect()),
             energy: energy(event.energy).to_vec(),
             reactions: by_label(&event.reactions, |reaction| Some(reaction.value)),
             friction: by_label(&event.reactions, |reaction| reaction.friction),

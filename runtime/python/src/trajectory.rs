@@ -68,9 +68,8 @@ impl Trajectory {
     /// What happened, in order of time; the last event ended the run.
     #[getter]
     fn events<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
-        let layout = self.motion.layout();
         let events = || {
-            let events = self.motion.events().iter().map(|event| Event::of(event, layout));
+            let events = self.motion.events().iter().map(|event| Event::of(event, &self.motion));
             let events: PyResult<Vec<Py<Event>>> = events.map(|event| Py::new(py, event)).collect();
             Ok::<_, PyErr>(PyList::new(py, events?)?.unbind())
         };

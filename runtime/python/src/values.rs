@@ -99,7 +99,7 @@ fn check_name(place: Place, layout: &'static Layout, name: &str) -> PyResult<()>
     let (kind, known): (_, Vec<String>) = match place {
         Place::Release => return check_support(layout, name),
         Place::Parameter => ("parameter", layout.parameters.iter().map(|name| (*name).to_owned()).collect()),
-        Place::Start | Place::EnergyOf => ("coordinate", layout.names_of_state().collect()),
+        Place::Start | Place::EnergyOf => ("coordinate", layout.names_of_motion().collect()),
     };
     let found = known.iter().any(|known| known == name);
     let missing = || unknown(&NameError::new(kind, name, known.iter().map(String::as_str)));

@@ -57,7 +57,7 @@ fn json(models: &[&Entry]) -> Result<String, CommandError> {
 }
 
 fn described(model: &Entry) -> Listed<'_> {
-    let Layout { coordinates, contacts, .. } = model.layout();
+    let Layout { contacts, .. } = model.layout();
     Listed {
         name: model.name(),
         summary: model.summary(),
@@ -67,7 +67,7 @@ fn described(model: &Entry) -> Listed<'_> {
             .into_iter()
             .map(|(name, value)| (name, value.into()))
             .collect(),
-        coordinates: coordinates.iter().map(|coordinate| coordinate.name).collect(),
+        coordinates: model.layout().names_of_positions().collect(),
         supports: contacts.iter().flat_map(|contact| contact.supports.iter().copied()).collect(),
         points: model.layout().points.to_vec(),
         default_run: default_run(model),
@@ -95,9 +95,8 @@ fn default_run(model: &Entry) -> Map<String, Value> {
 fn in_full(model: &Entry) -> String {
     let layout = model.layout();
     let coordinates: Vec<_> = layout
-        .coordinates
-        .iter()
-        .map(|c| format!("{} ({})", c.name, if c.is_angle { "rad" } else { "m" }))
+        .names_of_positions()
+        .map(|name| format!("{name} ({})", if layout.is_angle(name) { "rad" } else { "m" }))
         .collect();
     let supports: Vec<_> = layout.contacts.iter().map(|contact| contact.label).collect();
     let names = [
@@ -114,7 +113,7 @@ fn in_full(model: &Entry) -> String {
 
 fn entry(model: &Entry) -> String {
     let layout = model.layout();
-    let coordinates: Vec<_> = layout.coordinates.iter().map(|coordinate| coordinate.name).collect();
+    let coordinates: Vec<_> = layout.names_of_positions().collect();
     let supports: Vec<_> = layout.contacts.iter().map(|contact| contact.label).collect();
     let parts = [
         ("parameters", parameters(model)),

@@ -174,7 +174,7 @@ pub fn checked(model: &Entry, place: Place, given: &[Assignment]) -> Result<Valu
 /// What to say of an angle without a unit that is more than a turn and a whole number of degrees.
 pub fn likely_degrees(model: &Entry, given: &Assignment) -> Option<String> {
     let Assignment { name, value, unit } = given;
-    let is_angle = model.layout().coordinates.iter().any(|known| known.is_angle && known.name == *name);
+    let is_angle = model.layout().is_angle(name);
     let large = value.abs() > TAU && value.abs() <= 3600.0 && value.fract() == 0.0;
     let likely = is_angle && unit.is_none() && large;
     likely.then(|| format!("{name} = {value} is {value} rad; for degrees write {name}={value}deg"))

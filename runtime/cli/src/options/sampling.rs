@@ -18,6 +18,8 @@ const DIGITS: usize = 7;
 const EVENT: usize = 1;
 /// More rows than this are a slip of the keyboard.
 const MOST: usize = 1_000_000;
+/// What stands beside the values before an impact or an impulse; those after it are in its own line.
+const BEFORE: &str = "before";
 /// Lines of a table that are written at once.
 const AT_ONCE: usize = 4096;
 
@@ -86,7 +88,7 @@ impl Sampling {
 
     /// What a table shows: the outputs, or the state if none is requested.
     pub fn columns(&self, layout: &Layout) -> Vec<String> {
-        if self.output.is_empty() { layout.names_of_state().collect() } else { self.output.clone() }
+        if self.output.is_empty() { layout.names_of_motion().collect() } else { self.output.clone() }
     }
 
     /// Writes the events and the requested times in order, with what a table shows, some thousand lines at once.
@@ -96,20 +98,28 @@ impl Sampling {
         samples: Vec<Row>,
         write: &mut dyn FnMut(&str) -> Result<(), CommandError>,
     ) -> Result<(), CommandError> {
-        let event = |event: &liftoff::Event| {
+        let shown =
+            |values: Vec<f64>| if self.output.is_empty() { record.unrounded(&values) } else { values };
+        let mut rows: Vec<Shown> = Vec::new();
+        for (k, event) in record.events().iter().enumerate() {
+            let precedes = precedes_jump(record.events(), k);
             let values = match self.output.is_empty() {
-                true => record.unrounded(&event.state),
-                false => values_at(&samples, event.t, false),
+                true => record.with_dependent(&event.state),
+                false => values_at(&samples, event.t, precedes),
             };
-            (event.t, head(&event.to_string()).to_owned(), values)
-        };
-        let mut rows: Vec<Shown> = record.events().iter().map(event).collect();
-        rows.extend(samples.into_iter().filter(|row| row.is_requested && !row.is_event).map(|row| {
-            match self.output.is_empty() {
-                true => (row.t, String::new(), record.unrounded(&row.values)),
-                false => (row.t, String::new(), row.values),
+            let before = values_at(&samples, event.t, true);
+            let is_first = rows.last().is_none_or(|(t, ..)| *t < event.t);
+            if event.before.is_some() && is_first && !before.is_empty() {
+                rows.push((event.t, BEFORE.to_owned(), shown(before)));
             }
-        }));
+            rows.push((event.t, head(&event.to_string()).to_owned(), shown(values)));
+        }
+        rows.extend(
+            samples
+                .into_iter()
+                .filter(|row| row.is_requested && !row.is_event)
+                .map(|row| (row.t, String::new(), shown(row.values))),
+        );
         rows.sort_by(|(a, ..), (b, ..)| a.total_cmp(b));
         if !self.output.is_empty() {
             drop_rounding(&mut rows);
@@ -142,6 +152,14 @@ pub fn values_at(rows: &[Row], t: f64, is_before: bool) -> Vec<f64> {
     let rows = &rows[rows.partition_point(|row| row.t < t)..];
     let row = rows.iter().take_while(|row| row.t == t).find(|row| row.is_before == is_before);
     row.map_or_else(Vec::new, |row| row.values.clone())
+}
+
+/// Whether velocities jump after an event at the same time, so that what is read then is the motion before that.
+pub fn precedes_jump(events: &[liftoff::Event], k: usize) -> bool {
+    let is_now = |event: &&liftoff::Event| event.t == events[k].t;
+    let jumps = |event: &liftoff::Event| event.before.is_some();
+    let has_jumped = events[..=k].iter().rev().take_while(is_now).any(jumps);
+    !has_jumped && events[k..].iter().take_while(is_now).any(jumps)
 }
 
 /// Puts zero in place of what is rounding beside the largest value of its column.

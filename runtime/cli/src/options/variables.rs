@@ -47,7 +47,13 @@ pub fn variables(
 fn natural(simulation: &Simulation, name: &str) -> f64 {
     let layout = simulation.layout();
     let coordinate = name.trim_end_matches('\'');
-    let index = layout.coordinates.iter().position(|known| known.name == coordinate).unwrap_or(0);
+    let place = |name: &str| layout.coordinates.iter().position(|known| known.name == name);
+    // A dependent angle has the unit of those that it follows.
+    let followed = || {
+        let angle = layout.dependent.iter().find(|angle| angle.name == coordinate)?;
+        angle.coordinates.first().map(|term| term.index)
+    };
+    let index = place(coordinate).or_else(followed).unwrap_or(0);
     let rate = if coordinate == name { 0 } else { layout.coordinates.len() };
     simulation.scales().state(layout)[index + rate]
 }

@@ -2,7 +2,7 @@
 
 use crate::CommandError;
 use crate::options::samples::Row;
-use crate::options::sampling::{Sampling, values_at};
+use crate::options::sampling::{Sampling, precedes_jump, values_at};
 use crate::output::notes::decisions;
 use liftoff::Trajectory;
 use liftoff::expression::unrounded;
@@ -72,7 +72,7 @@ struct Sample {
 
 /// What looks at the motion: coordinates and rates, then the outputs asked for.
 pub fn columns(layout: &Layout, sampling: &Sampling) -> Vec<String> {
-    layout.names_of_state().chain(sampling.outputs().iter().cloned()).collect()
+    layout.names_of_motion().chain(sampling.outputs().iter().cloned()).collect()
 }
 
 /// Model, parameters, events, final state and what else was asked for; the error of a run that stopped short.
@@ -83,7 +83,7 @@ pub fn text(
     (record, rows): (&Trajectory, &[Row]),
     error: Option<&str>,
 ) -> Result<String, CommandError> {
-    let size = 2 * record.layout().coordinates.len();
+    let size = record.layout().names_of_motion().count();
     let outputs = |values: &[f64]| -> Map<String, Value> {
         let values = values.get(size..).unwrap_or_default();
         sampling.outputs().iter().cloned().zip(values.iter().map(|value| Value::from(*value))).collect()
@@ -91,18 +91,19 @@ pub fn text(
     let sample = |row: &Row| Sample {
         t: row.t,
         before: row.is_before,
-        state: state(record, row.values.get(..size).unwrap_or_default()),
+        state: named(record, row.values.get(..size).unwrap_or_default()),
         outputs: outputs(&row.values),
     };
     let largest = [largest(record, |event| &event.reactions), largest(record, |event| &event.impulses)];
-    let event = |event: &Event| {
-        let [outputs, before] = [false, true].map(|is_before| outputs(&values_at(rows, event.t, is_before)));
+    let event = |(k, event): (usize, &Event)| {
+        let sides = [precedes_jump(record.events(), k), true];
+        let [outputs, before] = sides.map(|is_before| outputs(&values_at(rows, event.t, is_before)));
         event_json(event, record, [outputs, before], largest)
     };
     let run = Run {
         model,
         parameters: spec.parameters.iter().map(|(name, value)| (name.clone(), Value::from(*value))).collect(),
-        events: record.events().iter().map(event).collect(),
+        events: record.events().iter().enumerate().map(event).collect(),
         final_state: state(record, &record.final_state()),
         notes: decisions(record),
         samples: rows.iter().filter(|row| row.is_requested).map(sample).collect(),
@@ -170,8 +171,12 @@ fn energy(record: &Trajectory, Energy { kinetic, potential }: Energy<f64>) -> Ma
     all.into_iter().map(|(name, value)| (name.to_owned(), Value::from(unrounded(value, unit)))).collect()
 }
 
-/// Coordinates by name, then rates with a prime.
-fn state(record: &Trajectory, values: &[f64]) -> Map<String, Value> {
-    let names = record.layout().names_of_state();
+/// Coordinates by name, then rates with a prime; those that follow them behind.
+fn state(record: &Trajectory, state: &[f64]) -> Map<String, Value> {
+    named(record, &record.with_dependent(state))
+}
+
+fn named(record: &Trajectory, values: &[f64]) -> Map<String, Value> {
+    let names = record.layout().names_of_motion();
     names.zip(record.unrounded(values)).map(|(name, value)| (name, Value::from(value))).collect()
 }

@@ -145,7 +145,7 @@ impl Subject<'_> {
 /// Every column is an output that `--until` understands too.
 fn columns(layout: &Layout) -> Vec<String> {
     let mut columns = vec!["t".to_owned()];
-    columns.extend(layout.names_of_state());
+    columns.extend(layout.names_of_motion());
     for contact in layout.contacts {
         let functions = if contact.has_friction_force() { &["N", "R"][..] } else { &["N"] };
         for function in functions {

@@ -56,7 +56,7 @@ pub(crate) struct Start {
 
 /// The full state that `pose` asks for at a time; what it leaves open follows from the contacts of the nominal figure.
 pub(crate) fn start(context: &RunContext, pose: &Pose, tolerance: f64, t: f64) -> Result<Start, StartError> {
-    let given = pose.resolve(context.layout())?;
+    let given = pose.resolve(&context.model)?;
     refuse_lost_units(context)?;
     if let Some(state) = unbound(context, &given, t) {
         return Ok(Start { state, touching: ContactSet::EMPTY, depth: 0.0 });

@@ -1,10 +1,12 @@
 //! A pose as the user gives it: some coordinates, some rates.
 
+use super::CLOSED;
 use crate::error::NameError;
 use crate::error::StartError;
 use crate::integration::phase_point::RunContext;
-use crate::model::Layout;
 use crate::model::names::CoordinateName;
+use crate::model::{DependentAngle, Layout, Term};
+use crate::system::Model;
 
 /// Some coordinates and rates by name; a rate is named with a prime, `phi'`.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -36,24 +38,44 @@ impl Pose {
     }
 
     /// The coordinates and the rates given, in their places; elsewhere what they are nominally, and zero.
-    pub(crate) fn values(&self, layout: &Layout, nominal: &[f64]) -> Result<[Vec<f64>; 2], StartError> {
-        let Given { positions, rates } = self.resolve(layout)?;
-        let positions = positions.iter().zip(nominal).map(|(given, nominal)| given.unwrap_or(*nominal));
+    pub(crate) fn values(&self, model: &Model) -> Result<[Vec<f64>; 2], StartError> {
+        let Given { positions, rates } = self.resolve(model)?;
+        let positions =
+            positions.iter().zip(&model.nominal).map(|(given, nominal)| given.unwrap_or(*nominal));
         Ok([positions.collect(), rates.into_iter().map(Option::unwrap_or_default).collect()])
     }
 
-    pub(super) fn resolve(&self, layout: &Layout) -> Result<Given, StartError> {
+    pub(super) fn resolve(&self, model: &Model) -> Result<Given, StartError> {
+        let layout = model.layout();
         let n = layout.coordinates.len();
         let mut given = Given { positions: vec![None; n], rates: vec![None; n] };
-        for (name, value) in &self.values {
-            let slot = given.slot(layout, name)?;
+        let mut following = Vec::new();
+        for (k, (name, value)) in self.values.iter().enumerate() {
             if !value.is_finite() {
                 return Err(StartError::NotFinite { name: name.clone(), value: *value });
             }
-            if slot.replace(*value).is_some() {
+            let is_twice = match given.slot(layout, name)? {
+                Slot::Coordinate(slot) => slot.replace(*value).is_some(),
+                Slot::Dependent(follows) => {
+                    following.push((k, follows));
+                    self.values[..k].iter().any(|(known, _)| known == name)
+                }
+            };
+            if is_twice {
                 return Err(StartError::Twice { name: name.clone() });
             }
         }
+        let mut equations: Vec<Equation> = following
+            .into_iter()
+            .map(|(k, (angle, is_rate))| Equation {
+                angle,
+                name: &self.values[k].0,
+                value: self.values[k].1,
+                right: self.values[k].1 - if is_rate { 0.0 } else { angle.constant(&model.parameters) },
+                is_rate,
+            })
+            .collect();
+        given.solve(layout, &mut equations)?;
         Ok(given)
     }
 }
@@ -74,15 +96,84 @@ impl Given {
         })
     }
 
-    fn slot(&mut self, layout: &Layout, name: &str) -> Result<&mut Option<f64>, StartError> {
+    fn slot(&mut self, layout: &Layout, name: &str) -> Result<Slot<'_>, StartError> {
         let (base, list) = match name.strip_suffix('\'') {
             Some(base) => (base, &mut self.rates),
             None => (name, &mut self.positions),
         };
-        let known = || layout.coordinates.iter().map(|c| c.name);
-        match known().position(|c| c == base) {
-            Some(i) => Ok(&mut list[i]),
-            None => Err(NameError::new("coordinate", base, known()).into()),
+        let is_rate = base != name;
+        let dependent = layout.dependent.iter().find(|angle| angle.name == base);
+        match (layout.coordinates.iter().position(|c| c.name == base), dependent) {
+            (Some(i), _) => Ok(Slot::Coordinate(&mut list[i])),
+            (None, Some(angle)) => Ok(Slot::Dependent((angle, is_rate))),
+            (None, None) => Err(NameError::new("coordinate", base, layout.names_of_positions()).into()),
         }
     }
+
+    /// Solves the equations of dependent angles, Σ factor coordinate = right, one after the other as soon as all coordinates but
+    /// one are known.
+    fn solve(&mut self, layout: &Layout, equations: &mut Vec<Equation<'_>>) -> Result<(), StartError> {
+        while !equations.is_empty() {
+            let open = |equation: &Equation<'_>, given: &Self| -> Vec<Term> {
+                let terms = equation.angle.coordinates.iter().copied();
+                terms.filter(|term| given.list(equation.is_rate)[term.index].is_none()).collect()
+            };
+            let Some(next) = equations.iter().position(|equation| open(equation, self).len() <= 1) else {
+                let Equation { name, is_rate, .. } = equations[0];
+                let prime = if is_rate { "'" } else { "" };
+                let names = open(&equations[0], self);
+                let names =
+                    names.iter().map(|term| format!("{}{prime}", layout.coordinates[term.index].name));
+                return Err(StartError::NotDetermined {
+                    name: name.to_owned(),
+                    open: names.collect::<Vec<_>>().join(", "),
+                });
+            };
+            let equation = equations.swap_remove(next);
+            let known =
+                |term: &Term| f64::from(term.factor) * self.list(equation.is_rate)[term.index].unwrap_or(0.0);
+            let terms = equation.angle.coordinates;
+            let sum: f64 = terms.iter().map(known).sum();
+            let size =
+                terms.iter().map(|term| known(term).abs()).fold(equation.right.abs().max(1.0), f64::max);
+            match open(&equation, self)[..] {
+                [Term { index, factor }] => {
+                    self.list_mut(equation.is_rate)[index] = Some((equation.right - sum) / f64::from(factor));
+                }
+                _ if (equation.right - sum).abs() <= CLOSED * size => {}
+                _ => {
+                    return Err(StartError::Contradicts {
+                        name: equation.name.to_owned(),
+                        value: equation.value,
+                        follows: equation.value - (equation.right - sum),
+                    });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn list(&self, is_rate: bool) -> &[Option<f64>] {
+        if is_rate { &self.rates } else { &self.positions }
+    }
+
+    fn list_mut(&mut self, is_rate: bool) -> &mut [Option<f64>] {
+        if is_rate { &mut self.rates } else { &mut self.positions }
+    }
+}
+
+/// What a name of a start stands for.
+enum Slot<'a> {
+    Coordinate(&'a mut Option<f64>),
+    /// A dependent angle, or its rate.
+    Dependent((&'static DependentAngle, bool)),
+}
+
+/// What is given of a dependent angle: Σ factor coordinate = `right`, or the same of rates.
+struct Equation<'a> {
+    angle: &'static DependentAngle,
+    name: &'a str,
+    value: f64,
+    right: f64,
+    is_rate: bool,
 }

@@ -25,6 +25,24 @@ pub enum StartError {
         /// The coordinate or rate.
         name: String,
     },
+    /// A coordinate that others determine has another value.
+    #[error("`{name}` = {value} contradicts what else is given, by which it is {follows}: leave one out")]
+    Contradicts {
+        /// The coordinate or rate.
+        name: String,
+        /// Its value.
+        value: f64,
+        /// What it is by the others.
+        follows: f64,
+    },
+    /// A coordinate is a sum of several that are not given.
+    #[error("`{name}` alone does not determine {open}: give all but one of them too")]
+    NotDetermined {
+        /// The coordinate or rate.
+        name: String,
+        /// What it is a sum of.
+        open: String,
+    },
     /// Natural forces or energies are no normal numbers.
     #[error(
         "forces and energies of a motion of {length:.1e} m in {time:.1e} s with {mass:.1e} kg are beyond what numbers hold: use other units"

@@ -42,6 +42,8 @@ pub struct Event {
     /// What else there is to say.
     pub note: Option<Note>,
     pub(crate) coordinates: &'static [Coordinate],
+    /// Value and rate of each dependent angle.
+    pub(crate) dependent: Vec<(&'static str, [f64; 2])>,
     /// Natural length of the run, m.
     pub(crate) length: f64,
 }
@@ -72,9 +74,13 @@ impl Event {
 
     fn entry(&self, name: &str) -> Option<&f64> {
         let (bare, rates) = name.strip_suffix('\'').map_or((name, 0), |bare| (bare, self.coordinates.len()));
+        let follows = || {
+            let (_, motion) = self.dependent.iter().find(|(known, _)| *known == bare)?;
+            Some(&motion[usize::from(bare != name)])
+        };
         match self.coordinates.iter().position(|coordinate| coordinate.name == bare) {
             Some(place) => self.state.get(rates + place),
-            None => (name == "t").then_some(&self.t),
+            None => follows().or_else(|| (name == "t").then_some(&self.t)),
         }
     }
 
@@ -103,6 +109,8 @@ pub struct PreImpact {
     pub state: Vec<f64>,
     /// Kinetic and potential energy, J.
     pub energy: Energy<f64>,
+    /// The contacts that bear.
+    pub(crate) bearing: ContactSet,
 }
 
 /// A coordinate, a rate or the time by its name: `event["phi'"]`; [`Event::get`] does not panic.
@@ -112,8 +120,9 @@ impl core::ops::Index<&str> for Event {
     /// # Panics
     /// The model has no such name.
     fn index(&self, name: &str) -> &f64 {
-        let known =
-            || self.coordinates.iter().map(|coordinate| coordinate.name).collect::<Vec<_>>().join(", ");
+        let dependent = || self.dependent.iter().map(|(name, _)| *name);
+        let names = || self.coordinates.iter().map(|coordinate| coordinate.name).chain(dependent());
+        let known = || names().collect::<Vec<_>>().join(", ");
         self.entry(name).unwrap_or_else(|| panic!("no coordinate `{name}` in an event; known: {}", known()))
     }
 }
@@ -274,6 +283,9 @@ impl fmt::Display for Event {
         for (coordinate, value) in self.coordinates.iter().zip(&self.state) {
             let unit = if coordinate.is_angle { 1.0 } else { self.length };
             write!(f, ", {} = {}", coordinate.name, significant(unrounded(*value, unit), DIGITS))?;
+        }
+        for (name, [value, _]) in &self.dependent {
+            write!(f, ", {name} = {}", significant(unrounded(*value, 1.0), DIGITS))?;
         }
         self.note.as_ref().map_or(Ok(()), |note| write!(f, " ({note})"))
     }

@@ -3,7 +3,8 @@
 use super::OutputError;
 use super::tree::{Expression, Function, Operator};
 use crate::error::NameError;
-use crate::model::{Contact, ContactKind, ContactSet, Layout, Quantity};
+use crate::model::{Contact, ContactKind, ContactSet, DependentAngle, Layout, Quantity, Term};
+use core::f64::consts::FRAC_PI_2;
 
 const POINTS: [(&str, usize, usize); 6] =
     [("x", 0, 0), ("y", 1, 0), ("vx", 0, 1), ("vy", 1, 1), ("ax", 0, 2), ("ay", 1, 2)];
@@ -70,6 +71,11 @@ impl Names {
         {
             return Ok(Expression::Coordinate { index, order: primes });
         }
+        if let Some(angle) = self.layout.dependent.iter().find(|angle| angle.name == name)
+            && primes <= 2
+        {
+            return Ok(follow(angle, primes));
+        }
         if primes == 0 {
             if let Some(index) = self.layout.parameters.iter().position(|p| *p == name) {
                 return Ok(Expression::Parameter(index));
@@ -90,7 +96,7 @@ impl Names {
         if POINTS.iter().any(|(word, ..)| name.strip_prefix(word).is_some_and(|of| of.starts_with('_'))) {
             return Err(OutputError::Centre { name: name.to_owned() });
         }
-        let coordinates = self.layout.coordinates.iter().map(|c| c.name);
+        let coordinates = self.layout.names_of_positions();
         let bare = self.layout.quantities.iter().filter(|q| q.function().is_none()).map(|q| q.name);
         let known = coordinates.chain(self.layout.parameters.iter().copied()).chain(bare).chain(CONSTANTS);
         let name = format!("{name}{}", "'".repeat(primes));
@@ -222,6 +228,21 @@ impl Names {
             Err(OutputError::NoContact { supports: supports.join(", ") })
         }
     }
+}
+
+/// A derivative of an angle by those of what it follows.
+fn follow(angle: &DependentAngle, order: usize) -> Expression {
+    let product = |term: &Term, value| {
+        Expression::join(Operator::Multiply, Expression::Number(term.factor.into()), value)
+    };
+    let coordinates = angle
+        .coordinates
+        .iter()
+        .map(|term| product(term, Expression::Coordinate { index: term.index, order }));
+    let parameters = angle.parameters.iter().map(|term| product(term, Expression::Parameter(term.index)));
+    let fixed = parameters.filter(|_| order == 0);
+    let turned = Expression::Number(if order == 0 { f64::from(angle.quarters) * FRAC_PI_2 } else { 0.0 });
+    coordinates.chain(fixed).fold(turned, |sum, term| Expression::join(Operator::Add, sum, term))
 }
 
 /// A contact, and among how many its reaction is shared.

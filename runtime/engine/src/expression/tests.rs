@@ -15,6 +15,7 @@ static LAYOUT: Layout = Layout {
     defaults: &liftoff_core::model::Defaults::NONE,
     covariant: false,
     coordinates: &[Coordinate { name: "phi", is_angle: true }],
+    dependent: &[],
     contacts: &[
         Contact {
             label: "A, E",

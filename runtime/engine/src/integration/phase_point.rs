@@ -12,7 +12,7 @@ use smallvec::{SmallVec, smallvec};
 use crate::contact::friction::Grip;
 use crate::contact::shortest_reactions;
 use crate::event::detection::Signal;
-use crate::model::{ContactSet, Energy, Form, Layout, Slip};
+use crate::model::{ContactSet, DependentAngle, Energy, Form, Layout, Slip};
 use crate::scales::Scales;
 use crate::simulation::Switch;
 use crate::system::{Equations, Model, Phase, System};
@@ -41,6 +41,16 @@ impl RunContext {
 
     pub(crate) fn system(&self) -> &dyn System {
         &*self.model.system
+    }
+
+    /// Value and rate of each dependent angle in a state.
+    pub(crate) fn dependent(&self, state: &[f64]) -> Vec<(&'static str, [f64; 2])> {
+        let n = self.layout().coordinates.len();
+        let parameters = &self.model.parameters;
+        let motion = |angle: &DependentAngle| {
+            (angle.name, [angle.value(parameters, &state[..n]), angle.rate(&state[n..2 * n])])
+        };
+        self.layout().dependent.iter().map(motion).collect()
     }
 
     /// Where a state has its rates.

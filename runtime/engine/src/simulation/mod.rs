@@ -396,7 +396,7 @@ impl Simulation {
 
     /// Takes the natural length of a model without bars from its start, and the natural time of one that starts fast.
     fn measure(&mut self, pose: &Pose) -> Result<(), StartError> {
-        let [positions, rates] = pose.values(self.layout(), &self.model().nominal)?;
+        let [positions, rates] = pose.values(self.model())?;
         let natural = scales_of(self.model()).unwrap_or(self.context.scales);
         self.set_scales(natural.starting_at(self.layout(), &positions, &rates));
         Ok(())

@@ -31,6 +31,8 @@ pub use log::{LogEntry, LoggedDecision};
 pub struct Trajectory {
     pub(crate) context: Arc<RunContext>,
     pub(crate) phases: Vec<RecordedPhase>,
+    /// The motion before an impact or an impulse at the start.
+    pub(crate) before_start: Option<RecordedPhase>,
     /// The end of the last phase of a run that was only observed.
     pub(crate) last_phase: Option<RecordedPhase>,
     /// The guards that ended each phase; none where a planned time did.
@@ -126,6 +128,7 @@ impl Trajectory {
         Self {
             context,
             phases: Vec::new(),
+            before_start: None,
             last_phase: None,
             ends: Vec::new(),
             conditions: Vec::new(),
@@ -224,7 +227,8 @@ impl Trajectory {
         let mut instants = Vec::new();
         for t in self.times() {
             while jumps.next_if(|jump| *jump < t).is_some() {}
-            let is_jump = t > start && jumps.peek() == Some(&t);
+            let is_begun = t > start || self.before_start.is_some();
+            let is_jump = is_begun && jumps.peek() == Some(&t);
             instants.extend(is_jump.then_some(Instant { t, is_before: true }));
             instants.push(Instant { t, is_before: false });
         }
@@ -233,24 +237,33 @@ impl Trajectory {
 
     /// The full state at an instant.
     pub fn state_at(&self, instant: Instant) -> Vec<f64> {
-        match self.phase_before(instant) {
-            Some(k) => {
-                let point = self.phases[k].read(&self.context, instant.t);
-                self.context.layout().public_state(point.state()).to_vec()
-            }
+        match self.point_before(instant) {
+            Some(point) => self.context.layout().public_state(point.state()).to_vec(),
             None => self.state(instant.t),
         }
     }
 
     /// An output at an instant.
     pub fn value_at(&self, output: &Output, instant: Instant) -> f64 {
+        let point = match (self.phase_before(instant), self.point_before(instant)) {
+            (Some(k), Some(point)) => self.with_history(output, k, point),
+            (None, Some(point)) => point,
+            (_, None) => return self.value(output, instant.t),
+        };
+        output.evaluate(&self.context, &point)
+    }
+
+    /// The motion at an instant before a jump; none of other instants.
+    fn point_before(&self, instant: Instant) -> Option<PhasePoint> {
         match self.phase_before(instant) {
-            Some(k) => {
-                let point = self.phases[k].read(&self.context, instant.t);
-                output.evaluate(&self.context, &self.with_history(output, k, point))
-            }
-            None => self.value(output, instant.t),
+            Some(k) => Some(self.phases[k].read(&self.context, instant.t)),
+            None => self.point_before_start().filter(|_| instant.is_before),
         }
+    }
+
+    fn point_before_start(&self) -> Option<PhasePoint> {
+        let phase = self.before_start.as_ref()?;
+        Some(phase.read(&self.context, phase.t0).having_lost(0.0))
     }
 
     /// The phase that ends at an instant before a jump; none of other instants.
@@ -264,7 +277,10 @@ impl Trajectory {
     pub fn extrema(&self, output: &Output) -> Vec<Extremum> {
         let largest = self.times().iter().fold(0.0, |most: f64, &t| most.max(self.value(output, t).abs()));
         let delta = (10.0 * self.tolerance).max(64.0 * f64::EPSILON) * largest;
-        let mut ways: Vec<Way> = Vec::new();
+        let before = self.point_before_start();
+        let start = before.map(|point| (point.t(), output.evaluate(&self.context, &point)));
+        let mut ways: Vec<Way> =
+            start.map(|end| Way { ends: [end; 2], turns: Vec::new() }).into_iter().collect();
         for (k, phase) in self.phases.iter().enumerate() {
             let ends = [phase.t0, phase.t1].map(|t| (t, self.value_in(output, k, t)));
             let mut turns = Vec::new();
@@ -292,7 +308,8 @@ impl Trajectory {
                 phase.times().map(|t| self.value_in(output, k, t)).collect::<Vec<_>>()
             });
         let turning = self.extrema(output).into_iter().map(|extremum| extremum.value);
-        let values = ends.chain(turning).filter(|value| value.is_finite());
+        let start = self.point_before_start().map(|point| output.evaluate(&self.context, &point));
+        let values = ends.chain(turning).chain(start).filter(|value| value.is_finite());
         values.fold(None, |range: Option<[f64; 2]>, x| {
             Some(range.map_or([x, x], |[a, b]| [a.min(x), b.max(x)]))
         })
@@ -313,12 +330,20 @@ impl Trajectory {
         &self.impulses
     }
 
-    /// A state for print: zero in place of what is nothing but rounding in natural units.
-    pub fn unrounded(&self, state: &[f64]) -> Vec<f64> {
-        let unit = |i: usize| self.scales().entry(self.layout(), i);
-        let is_time = |i: usize| i >= 2 * self.layout().coordinates.len();
-        let entry = |(i, x): (usize, &f64)| if is_time(i) { *x } else { unrounded(*x, unit(i)) };
-        state.iter().enumerate().map(entry).collect()
+    /// Coordinates and rates of a state, then dependent angles and their rates, as [`Layout::names_of_motion`] names them.
+    pub fn with_dependent(&self, state: &[f64]) -> Vec<f64> {
+        self.layout().motion(self.parameters(), state)
+    }
+
+    /// The same for print: zero in place of what is nothing but rounding in natural units.
+    pub fn unrounded(&self, motion: &[f64]) -> Vec<f64> {
+        let (n, dependent) = (self.layout().coordinates.len(), self.layout().dependent.len());
+        let unit = |i: usize| match i {
+            _ if i < 2 * n => self.scales().entry(self.layout(), i),
+            _ if i < 2 * n + dependent => 1.0,
+            _ => 1.0 / self.scales().time,
+        };
+        motion.iter().enumerate().map(|(i, x)| unrounded(*x, unit(i))).collect()
     }
 
     /// The tolerance of the run.

@@ -12,7 +12,8 @@ use liftoff_codegen::motion::{ClosedSet, QuantityKind};
 use liftoff_codegen::system::System;
 use liftoff_codegen::{Analysis, in_bytes, plain};
 use liftoff_core::model::{
-    self, Bar, ContactSet, Coordinate, Defaults, Dimension, Friction, Joint, Layout, Quantity,
+    self, Bar, ContactSet, Coordinate, Defaults, DependentAngle, Dimension, Friction, Joint, Layout,
+    Quantity, Term,
 };
 
 /// The layout of each declaration that there has been.
@@ -36,6 +37,10 @@ fn list<T>(entries: impl IntoIterator<Item = T>) -> &'static [T] {
     Vec::leak(entries.into_iter().collect())
 }
 
+fn terms(terms: &[(usize, i32)]) -> &'static [Term] {
+    list(terms.iter().map(|&(index, factor)| Term { index, factor }))
+}
+
 fn layout(analysis: &Analysis) -> Layout {
     let Analysis { system, dimensions, kinematics, motion, functions, .. } = analysis;
     let coordinates = kinematics.coordinates.iter();
@@ -54,6 +59,12 @@ fn layout(analysis: &Analysis) -> Layout {
         defaults: Box::leak(Box::new(defaults(system))),
         covariant: dimensions.covariant,
         coordinates: list(coordinates.map(|c| Coordinate { name: text(&c.name), is_angle: c.is_angle() })),
+        dependent: list(kinematics.dependent.iter().map(|angle| DependentAngle {
+            name: text(&angle.declared.name),
+            quarters: angle.quarters,
+            parameters: terms(&angle.parameters),
+            coordinates: terms(&angle.coordinates),
+        })),
         contacts: contacts::contacts(analysis),
         joints: list(
             kinematics

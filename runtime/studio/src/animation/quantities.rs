@@ -52,13 +52,13 @@ pub(super) fn quantities(record: &Trajectory, outputs: &[String]) -> Vec<Quantit
             add(Group::Position, format!("{axis}({point})"));
         }
     }
-    for coordinate in layout.coordinates {
-        let (value, rate) = match coordinate.is_angle {
+    for coordinate in layout.names_of_positions() {
+        let (value, rate) = match layout.is_angle(coordinate) {
             true => (Group::Angle, Group::AngularRate),
             false => (Group::Length, Group::Rate),
         };
-        add(value, coordinate.name.to_owned());
-        add(rate, format!("{}'", coordinate.name));
+        add(value, coordinate.to_owned());
+        add(rate, format!("{coordinate}'"));
     }
     for contact in layout.contacts {
         let group = if contact.kind == ContactKind::Thread { Group::Tension } else { Group::Reaction };

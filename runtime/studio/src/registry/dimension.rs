@@ -1,6 +1,6 @@
 //! Dimensions of what a run is given, as powers of length, time and mass.
 
-use liftoff::model::{self, Coordinate, Layout};
+use liftoff::model::{self, Layout};
 
 /// Powers of length, time and mass.
 pub type Dimension = [f64; 3];
@@ -12,9 +12,10 @@ pub(super) fn of_parameters(layout: &Layout) -> Option<Vec<Dimension>> {
     layout.covariant.then(|| layout.dimensions.iter().map(powers).collect()).flatten()
 }
 
-/// The dimension of a coordinate.
-pub fn of_coordinate(coordinate: &Coordinate) -> Dimension {
-    if coordinate.is_angle { [0.0; 3] } else { [1.0, 0.0, 0.0] }
+/// The dimension of a coordinate, if there is one of this name.
+pub fn of_coordinate(layout: &Layout, name: &str) -> Option<Dimension> {
+    let dimension = if layout.is_angle(name) { [0.0; 3] } else { [1.0, 0.0, 0.0] };
+    layout.names_of_positions().any(|known| known == name).then_some(dimension)
 }
 
 /// `a` per `b`.

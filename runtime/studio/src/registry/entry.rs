@@ -290,10 +290,10 @@ fn model(origin: &dyn Origin, parameters: &Values) -> Result<Model, MotionError>
 
 /// Refuses angles so large that neighbouring numbers are different angles.
 fn check_angles(layout: &Layout, values: &Values) -> Result<(), MotionError> {
-    let is_angle = |name: &str| layout.coordinates.iter().any(|known| known.is_angle && known.name == name);
     let apart = |value: f64| f64::EPSILON * value.abs();
-    let lost =
-        values.iter().find(|(name, value)| value.is_finite() && apart(*value) > COARSEST && is_angle(name));
+    let lost = values
+        .iter()
+        .find(|(name, value)| value.is_finite() && apart(*value) > COARSEST && layout.is_angle(name));
     match lost {
         Some((name, value)) => Err(MotionError::Input(format!(
             "{name} = {value:e}: numbers there are {:.1e} rad apart, and an angle has no digits left",

@@ -48,14 +48,9 @@ fn names(subject: &Subject) -> String {
             unit,
         );
     }
-    for (coordinate, explained) in layout.coordinates.iter().zip(&explained.coordinates) {
-        let unit = if coordinate.is_angle { "rad" } else { "m" };
-        line(
-            coordinate.name,
-            &meaning_or_kind(&explained.meaning, "coordinate"),
-            String::new(),
-            unit.to_owned(),
-        );
+    for (name, explained) in layout.names_of_positions().zip(&explained.coordinates) {
+        let unit = if layout.is_angle(name) { "rad" } else { "m" };
+        line(name, &meaning_or_kind(&explained.meaning, "coordinate"), String::new(), unit.to_owned());
     }
     for contact in layout.contacts {
         line(contact.label, "contact", String::new(), String::new());

@@ -21,10 +21,8 @@ pub fn html(subject: &Subject) -> Result<String, MotionError> {
 }
 
 fn events(record: &Trajectory) -> String {
-    let names = record.layout().coordinates.iter().map(|coordinate| coordinate.name);
-    let rates = names.clone().map(|name| format!("{name}′"));
-    let heads: String =
-        names.map(str::to_owned).chain(rates).map(|name| format!("<th>{}", escaped(&name))).collect();
+    let names = record.layout().names_of_motion().map(|name| name.replace('\'', "′"));
+    let heads: String = names.map(|name| format!("<th>{}", escaped(&name))).collect();
     let struck = record.events().iter().any(|event| !event.impulses.is_empty());
     let impulses = if struck { "<th class=word>impulses, N s" } else { "" };
     let beside = if record.layout().frictions.is_empty() { "" } else { ", and friction" };
@@ -33,7 +31,8 @@ fn events(record: &Trajectory) -> String {
          {impulses}</tr></thead>\n<tbody>\n",
     );
     for event in record.events() {
-        let state: String = record.unrounded(&event.state)[..2 * record.layout().coordinates.len()]
+        let state: String = record
+            .unrounded(&record.with_dependent(&event.state))
             .iter()
             .map(|value| format!("<td>{}", minus(&significant(*value, DIGITS))))
             .collect();

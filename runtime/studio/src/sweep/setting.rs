@@ -39,12 +39,9 @@ impl Assignment {
 impl Place {
     /// Names that can be assigned.
     pub(super) fn names(self, layout: &Layout) -> Vec<String> {
-        let coordinates = layout.coordinates.iter().map(|coordinate| coordinate.name);
         match self {
             Self::Parameter => layout.parameters.iter().map(|name| (*name).to_owned()).collect(),
-            Self::Start | Self::EnergyOf => {
-                coordinates.flat_map(|name| [name.to_owned(), format!("{name}'")]).collect()
-            }
+            Self::Start | Self::EnergyOf => layout.names_of_motion().collect(),
             Self::Release => {
                 let supports = layout.contacts.iter().flat_map(|contact| contact.supports);
                 supports.map(|support| (*support).to_owned()).collect()

@@ -30,7 +30,7 @@ pub struct Table {
 
 impl Table {
     pub(super) fn new(sweep: &Sweep<'_>, rows: Vec<MemberResult>, total: usize, pending: usize) -> Self {
-        let coordinates = sweep.model().layout().coordinates.iter();
+        let layout = sweep.model().layout();
         Self {
             computed: rows.len() + pending - total,
             damaged: 0,
@@ -39,7 +39,11 @@ impl Table {
             varied: sweep.varied.clone(),
             observations: sweep.observations.clone(),
             model: sweep.model().name().to_owned(),
-            angles: coordinates.filter(|c| c.is_angle).map(|c| c.name.to_owned()).collect(),
+            angles: layout
+                .names_of_positions()
+                .filter(|name| layout.is_angle(name))
+                .map(str::to_owned)
+                .collect(),
             grid: sweep.is_grid(),
             columns: sweep.columns(),
             identity: sweep.identity(),

@@ -233,3 +233,38 @@ fn all_contacts_that_are_struck_are_named() {
         }
     }
 }
+
+/// A ball that strikes the floor as its run begins.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[particle(P, mass = m)]
+#[support(P = floor, restitution = e)]
+#[coordinate(x = x(P))]
+#[coordinate(y = y(P))]
+#[figure(P = (0, 0))]
+struct Thrown {
+    m: f64,
+    g: f64,
+    e: f64,
+}
+
+/// Both sides of it are in the arrays, in what observers are shown and in the range of values.
+#[test]
+fn an_impact_at_the_start_has_a_side_before_it() {
+    let ball = Thrown { m: 2.0, g: 10.0, e: 0.5 };
+    let start = Pose::at("y", 0.0).with("x", 0.0).with("x'", 3.0).with("y'", -4.0);
+    let run = Simulation::new(&ball).unwrap().start(start).unwrap().limit(0.1).run().unwrap();
+    let instants = run.instants();
+    assert_eq!(instants.iter().map(|instant| instant.is_before).collect::<Vec<_>>()[..2], [true, false]);
+    let values = |text: &str| {
+        let output = run.output(text).unwrap();
+        [instants[0], instants[1]].map(|instant| run.value_at(&output, instant))
+    };
+    assert_eq!(values("y'"), [-4.0, 2.0]);
+    assert_eq!(values("x'"), [3.0, 3.0]);
+    assert_eq!(values("T"), [25.0, 13.0]);
+    assert_eq!(values("N(P)"), [0.0, 0.0]);
+    assert_eq!(run.state_at(instants[0]), [0.0, 0.0, 3.0, -4.0]);
+    let [least, most] = run.range(&run.output("y'").unwrap()).unwrap();
+    assert!(least == -4.0 && (most - 2.0).abs() < 1e-12, "{least} {most}");
+}

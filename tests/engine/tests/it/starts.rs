@@ -124,3 +124,78 @@ fn a_height_near_the_bottom_of_a_bowl_is_that_of_the_bowl() {
         assert!((state[1] + (1.0 - x * x).sqrt()).abs() < 1e-10, "{x}: {}", state[1]);
     }
 }
+
+/// Wheels in mesh: one angle is −2 times another, which a third has too, measured from the left.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(OA, mass = m, length = l)]
+#[bar(QB, mass = 2 * m, length = l)]
+#[pin(O = (0, 0))]
+#[bar(RC, mass = m, length = l)]
+#[pin(Q = (3 * l, 0))]
+#[pin(R = (6 * l, 0))]
+#[equal(phi, -2 * psi)]
+#[equal(angle(RC), angle(QB))]
+#[coordinate(phi = angle(OA), from = right)]
+#[coordinate(psi = angle(QB), from = right)]
+#[coordinate(chi = angle(RC), from = left)]
+#[figure(A = (l, 0), B = (4 * l, 0), C = (7 * l, 0))]
+struct Gears {
+    m: f64,
+    l: f64,
+    g: f64,
+}
+
+/// Starts and outputs take the name of an angle that follows another as if it were the coordinate.
+#[test]
+fn an_angle_that_follows_another_keeps_its_name() {
+    let gears = Gears { m: 1.0, l: 1.0, g: 9.81 };
+    let run =
+        |pose: Pose| Simulation::new(&gears).unwrap().start(pose).unwrap().until("phi = 1").unwrap().run();
+    let expected = run(Pose::at("psi", -0.2).with("psi'", 0.1)).unwrap();
+    let end = expected.events().last().expect("an end");
+    assert!((end["phi"] - 1.0).abs() < 1e-12 && (end["psi"] + 0.5).abs() < 1e-12, "{end}");
+    assert!((end["phi'"] + 2.0 * end["psi'"]).abs() < 1e-12, "{end}");
+    let starts = [
+        Pose::at("phi", 0.4).with("phi'", -0.2),
+        Pose::at("phi", 0.4).with("psi", -0.2).with("psi'", 0.1),
+        Pose::at(Gears::CHI, core::f64::consts::PI - 0.2).with("chi'", 0.1),
+    ];
+    for start in starts {
+        let found = run(start.clone()).unwrap_or_else(|error| panic!("{start:?}: {error}"));
+        assert!((found.end_time() - expected.end_time()).abs() < 1e-12, "{start:?}");
+        assert_eq!(found.value(&found.output("phi + 2 * psi").unwrap(), 0.1), 0.0, "{start:?}");
+    }
+    let start = |pose: Pose| Simulation::new(&gears).unwrap().start(pose).map(|_| ());
+    let refused = start(Pose::at("phi", 0.4).with("psi", 0.3));
+    assert!(matches!(refused, Err(StartError::Contradicts { .. })), "{refused:?}");
+    let refused = start(Pose::at("phi", 0.4).with("phi", 0.4));
+    assert!(matches!(refused, Err(StartError::Twice { .. })), "{refused:?}");
+}
+
+/// Two pendulums and the angle between them: it alone does not tell where they are.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(OA, mass = m, length = l)]
+#[bar(QB, mass = m, length = l)]
+#[pin(O = (0, 0))]
+#[pin(Q = (3 * l, 0))]
+#[coordinate(phi = angle(OA), from = right)]
+#[coordinate(psi = angle(QB), from = right)]
+#[coordinate(chi = angle(QB), from = OA)]
+#[figure(A = (l, 0), B = (3 * l, l))]
+struct Pendulums {
+    m: f64,
+    l: f64,
+    g: f64,
+}
+
+#[test]
+fn an_angle_between_two_needs_one_of_them() {
+    let pendulums = Pendulums { m: 1.0, l: 1.0, g: 9.81 };
+    let start = |pose: Pose| Simulation::new(&pendulums).unwrap().start(pose);
+    let run = start(Pose::at("chi", 1.0).with("phi", 0.3)).unwrap().limit(0.1).run().unwrap();
+    assert!((run.events()[0]["psi"] - 1.3).abs() < 1e-15, "{}", run.events()[0]);
+    let refused = start(Pose::at("chi", 1.0)).map(|_| ());
+    assert!(matches!(refused, Err(StartError::NotDetermined { .. })), "{refused:?}");
+}

@@ -123,6 +123,14 @@ fn both_sides_of_an_impact_are_written() {
     assert!(
         run["events"][0].get("before").is_none() && run["samples"].as_array().is_some_and(|s| s.len() == 2)
     );
+    let printed = told(&["run", path, "--output", "y'"]);
+    let rows: Vec<Vec<&str>> = printed.lines().map(|line| line.split_whitespace().collect()).collect();
+    assert_eq!(rows[2], ["1.000000", "before", "-2.000000"], "{printed}");
+    assert_eq!(rows[3], ["1.000000", "P", "impact", "1.000000"], "{printed}");
+    // One at the start has a side before it too.
+    let run = json(&["run", path, "--json", "--start", "y=0", "--start", "y'=-1", "--output", "y'"]);
+    let outputs = [&run["events"][0]["outputs"], &run["events"][1]["outputs"]];
+    assert_eq!(outputs.map(|outputs| number(&outputs["y'"])), [-1.0, 0.5], "{run}");
     for file in [model, file] {
         std::fs::remove_file(file).expect("removed");
     }

@@ -1,6 +1,6 @@
 //! Events by their names and numbers.
 
-use core::f64::consts::FRAC_PI_2;
+use core::f64::consts::{FRAC_PI_2, PI};
 
 use liftoff_fixtures::Particle;
 
@@ -25,6 +25,7 @@ fn event(kind: EventKind, supports: &[&'static str]) -> Event {
         impulses: Vec::new(),
         note: None,
         coordinates: &COORDINATES,
+        dependent: vec![("psi", [-PI, -6.0])],
         length: 1.0,
     }
 }
@@ -32,7 +33,15 @@ fn event(kind: EventKind, supports: &[&'static str]) -> Event {
 #[test]
 fn coordinates_rates_and_time_are_told_by_name() {
     let event = event(EventKind::Stop, &[]);
-    for (name, value) in [("phi", FRAC_PI_2), ("x", -0.25), ("phi'", 3.0), ("x'", 7.0), ("t", 2.5)] {
+    for (name, value) in [
+        ("phi", FRAC_PI_2),
+        ("x", -0.25),
+        ("phi'", 3.0),
+        ("x'", 7.0),
+        ("psi", -PI),
+        ("psi'", -6.0),
+        ("t", 2.5),
+    ] {
         assert_eq!((event.get(name), event[name]), (Some(value), value), "{name}");
     }
     for name in ["y", "y'", "phi''", "", "'"] {
@@ -83,14 +92,14 @@ fn what_is_undecided_is_told_by_the_note() {
 #[test]
 fn a_line_has_what_there_is_to_say() {
     let open = event(EventKind::Open, &["A", "C"]);
-    assert_eq!(open.to_string(), "A, C open at t = 2.500, phi = 1.571, x = -0.2500");
+    assert_eq!(open.to_string(), "A, C open at t = 2.500, phi = 1.571, x = -0.2500, psi = -3.142");
     let stop = Event { note: Some(Note::Undecided), ..event(EventKind::Stop, &[]) };
-    assert_eq!(stop.to_string(), "stop at t = 2.500, phi = 1.571, x = -0.2500 (undecided)");
+    assert_eq!(stop.to_string(), "stop at t = 2.500, phi = 1.571, x = -0.2500, psi = -3.142 (undecided)");
     let small = |length, state: [f64; 2]| {
         Event { length, state: state.to_vec(), ..event(EventKind::End, &[]) }.to_string()
     };
-    assert_eq!(small(1e-20, [1e-17, 1e-17]), "end at t = 2.500, phi = 0, x = 1.000e-17");
-    assert_eq!(small(1e20, [1e-3, 1e-3]), "end at t = 2.500, phi = 0.001000, x = 0");
+    assert_eq!(small(1e-20, [1e-17, 1e-17]), "end at t = 2.500, phi = 0, x = 1.000e-17, psi = -3.142");
+    assert_eq!(small(1e20, [1e-3, 1e-3]), "end at t = 2.500, phi = 0.001000, x = 0, psi = -3.142");
 }
 
 #[test]

@@ -26,6 +26,7 @@ static LAYOUT: Layout = Layout {
     defaults: &liftoff_core::model::Defaults::NONE,
     covariant: false,
     coordinates: &[Coordinate { name: "x", is_angle: false }, Coordinate { name: "phi", is_angle: true }],
+    dependent: &[],
     contacts: &[],
     joints: &[Joint { name: "drive x", is_angle: false }],
     tangents: &[],

@@ -11,7 +11,7 @@ use crate::event::detection::Guard;
 use crate::event::{Event, EventKind, Note, PreImpact, reactions, supports};
 use crate::expression::Condition;
 use crate::integration::phase_run::{LastStep, RecordedPhase, Touch};
-use crate::model::{ContactSet, Energy, Slip};
+use crate::model::{ContactSet, Energy, Form, Slip};
 use crate::trajectory::{LogEntry, LoggedDecision, Trajectory};
 
 impl Driver<'_> {
@@ -184,8 +184,8 @@ impl Driver<'_> {
         note: Option<Note>,
     ) {
         self.record(kind, set, note);
-        if before.is_some() {
-            self.show_jump();
+        if let Some(before) = &before {
+            self.show_jump(before);
         }
         let layout = self.layout();
         if let Some(event) = self.trajectory.events.last_mut() {
@@ -203,7 +203,9 @@ impl Driver<'_> {
 
     /// What an impact finds.
     pub(super) fn pre_impact(&self) -> PreImpact {
-        PreImpact { state: self.public_state().to_vec(), energy: self.energy_now() }
+        let bears = |i: &usize| self.reactions[*i] != 0.0;
+        let bearing = self.closed.iter().filter(bears).collect();
+        PreImpact { state: self.public_state().to_vec(), energy: self.energy_now(), bearing }
     }
 
     fn energy_now(&self) -> Energy<f64> {
@@ -211,11 +213,21 @@ impl Driver<'_> {
     }
 
     /// Shows the observer the end of the motion before the velocities jump.
-    fn show_jump(&mut self) {
-        let Trajectory { phases, last_phase, .. } = &self.trajectory;
-        let before = phases.last().or(last_phase.as_ref()).filter(|phase| phase.t0 < self.t);
+    fn show_jump(&mut self, found: &PreImpact) {
+        let context = &self.setup.context;
+        let Trajectory { phases, last_phase, before_start, .. } = &mut self.trajectory;
+        let before = match phases.last().or(last_phase.as_ref()) {
+            Some(phase) => Some(phase).filter(|phase| phase.t0 < self.t),
+            None => Some(&*before_start.get_or_insert_with(|| {
+                let bearing = found.bearing.union(context.layout().guides());
+                let phase = context.phase(bearing, Form::Projected);
+                let mut state = self.state.clone();
+                state[..found.state.len()].copy_from_slice(&found.state);
+                RecordedPhase::still((phase, bearing), self.t, &state)
+            })),
+        };
         if let Some(recorded) = before {
-            self.observer.jump(&LastStep { context: &self.setup.context, recorded });
+            self.observer.jump(&LastStep { context, recorded });
         }
     }
 
@@ -232,6 +244,7 @@ impl Driver<'_> {
             impulses: Vec::new(),
             note,
             coordinates: self.layout().coordinates,
+            dependent: self.setup.context.dependent(&self.state),
             length: self.setup.context.scales.length,
         }
     }

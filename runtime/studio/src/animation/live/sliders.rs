@@ -33,10 +33,11 @@ impl Sliders {
             .iter()
             .enumerate()
             .map(|(i, name)| slider((*name).to_owned(), layout.defaults.unit(i), &spec.parameters));
-        let coordinates =
-            layout.coordinates.iter().map(|c| (c.name.to_owned(), if c.is_angle { "rad" } else { "" }));
-        let rates = layout.coordinates.iter().map(|c| (format!("{}'", c.name), ""));
-        let start = coordinates.chain(rates).map(|(name, unit)| slider(name, unit, &spec.start));
+        let unit = |name: &str| if layout.is_angle(name) { "rad" } else { "" };
+        let start = layout.names_of_motion().map(|name| {
+            let unit = unit(&name);
+            slider(name, unit, &spec.start)
+        });
         Self { parameters: parameters.collect(), start: start.collect() }
     }
 }

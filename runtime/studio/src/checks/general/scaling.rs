@@ -82,8 +82,7 @@ fn blown(blow: &PointImpulse, impulse: f64, time: f64) -> PointImpulse {
 fn pose(model: &Entry, values: &Values, unit: &dyn Fn(Dimension) -> f64) -> Values {
     let dimension = |name: &str| {
         let base = name.trim_end_matches('\'');
-        let coordinate = model.layout().coordinates.iter().find(|coordinate| coordinate.name == base)?;
-        let of = of_coordinate(coordinate);
+        let of = of_coordinate(model.layout(), base)?;
         Some(if base == name { of } else { per(of, TIME) })
     };
     let scaled =

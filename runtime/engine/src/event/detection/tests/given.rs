@@ -57,6 +57,7 @@ pub(super) static LAYOUT: Layout = Layout {
     defaults: &liftoff_core::model::Defaults::NONE,
     covariant: false,
     coordinates: &[Coordinate { name: "s", is_angle: false }, Coordinate { name: "z", is_angle: false }],
+    dependent: &[],
     contacts: &[
         contact("plain", ContactKind::Support, None),
         contact("rubbing", ContactKind::Support, Some(0)),
