@@ -4,7 +4,10 @@ use std::f64::consts::FRAC_PI_2;
 
 use liftoff::{EventKind, Trajectory};
 use liftoff_models::models;
+use liftoff_studio::RunSpec;
 use liftoff_studio::registry::{MethodId, RunOptions};
+use liftoff_studio::source::embedded;
+use liftoff_verification::judgement::{Verdict, judge};
 
 const USUAL: (MethodId, f64) = (MethodId::Auto, 1e-9);
 const GRAVITY: f64 = 9.81;
@@ -81,6 +84,70 @@ fn no_method_takes_another_turn() {
                 let run = release(ANGLES[0], [0.5, delta], (method, tolerance));
                 assert_eq!(events(&run), expected, "{} at {tolerance:e}, {delta:e}", method.name());
             }
+        }
+    }
+}
+
+/// By its own equations and decisions the judge finds the same motion.
+#[test]
+fn the_judge_agrees() {
+    for (model, angles) in ANGLES {
+        for delta in [1e-2, 1e-8, 1e-10] {
+            let run = release((model, angles), [0.75, delta], USUAL);
+            let verdict = judge(&run, &[]);
+            assert!(matches!(verdict, Verdict::Agrees { .. }), "{model} at {delta:e}: {verdict:?}");
+        }
+    }
+}
+
+/// Numbers between 0 and 1 that follow from a seed (Knuth's MMIX generator).
+fn draw(seed: &mut u64) -> f64 {
+    *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+    (*seed >> 11) as f64 / (1_u64 << 53) as f64
+}
+
+/// Some tents side by side, each of two equal bars whose feet are hinged to the next tents' feet, and factors of δ: the rows of
+/// all feet are one but for the cosines of the bars' angles.
+fn tents(count: usize, seed: &mut u64) -> (String, Vec<(String, f64)>) {
+    let (mut text, mut figure, mut starts) = (String::new(), vec!["F0 = (0, 0)".to_owned()], Vec::new());
+    let mut x = 0.0;
+    for k in 1..=count {
+        let [length, factor] = [0.6 + draw(seed), 0.5 + draw(seed)];
+        for (bar, mass) in [(format!("F{}T{k}", k - 1), draw(seed)), (format!("T{k}F{k}"), draw(seed))] {
+            text += &format!("#[bar({bar}, mass = {:.3}, length = {length:.3})]\n", 0.1 + mass);
+            text += &format!("#[coordinate(phi_{} = angle({bar}), from = horizontal)]\n", starts.len());
+            starts.push((format!("phi_{}", starts.len()), factor));
+        }
+        text += &format!("#[support(F{k} = floor)]\n#[support(T{k} = floor, stop)]\n");
+        let length = format!("{length:.3}").parse().unwrap_or(length);
+        figure.push(format!("T{k} = ({}, {})", x + 0.6 * length, 0.8 * length));
+        x += 1.2 * length;
+        figure.push(format!("F{k} = ({x}, 0)"));
+    }
+    let figure = figure.join(", ");
+    let text = format!(
+        "#[derive(BarSystem)]\n#[gravity(9.81)]\n#[liftoff(dimensionless)]\n#[support(F0 = floor)]\n{text}\
+         #[coordinate(x = x(F0))]\n#[coordinate(y = y(F0))]\n#[figure({figure})]\nstruct Tents;"
+    );
+    (text, starts)
+}
+
+/// Of any model whose contacts all but depend on each other the judge finds the same motion, from starts at which the engine's
+/// doubles still tell the angles from π/2.
+#[test]
+fn random_tents_fall_as_the_judge_finds() {
+    let mut seed = 50;
+    for count in [2, 2, 2, 3, 3] {
+        let (text, starts) = tents(count, &mut seed);
+        for delta in [1e-2, 1e-5, 1e-7, 1e-8, 1e-9, 1e-10] {
+            let mut spec = RunSpec::with(&[]).limit(60.0).tolerance(1e-9);
+            let start = starts.iter().map(|(name, factor)| (name.clone(), FRAC_PI_2 - factor * delta));
+            spec.start = start.chain(["x", "y"].map(|name| (name.to_owned(), 0.0))).collect();
+            let model = embedded("tents", text.clone().leak(), spec.clone());
+            let run = model.run_by(RunOptions::by(MethodId::Auto), &spec);
+            let run = run.unwrap_or_else(|error| panic!("{text} at {delta:e}: {error}"));
+            let verdict = judge(&run, &[]);
+            assert!(matches!(verdict, Verdict::Agrees { .. }), "{text} at {delta:e}: {verdict:?}");
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Attributes that the compiler would refuse, told where a file is read without it.
 
+use syn::parse::ParseStream;
 use syn::punctuated::Punctuated;
 use syn::{Attribute, Data, DeriveInput, Meta, Path, Token};
 
@@ -139,21 +140,25 @@ impl Known<'_> {
     }
 }
 
+/// The arguments of an attribute of this name.
+fn parse_list<T>(meta: &Meta, name: &str, parse: fn(ParseStream) -> syn::Result<T>) -> Option<T> {
+    let Meta::List(list) = meta else { return None };
+    if list.path.is_ident(name) { list.parse_args_with(parse).ok() } else { None }
+}
+
 /// The attributes of `cfg_attr(condition, …)`.
 fn parse_conditional(meta: &Meta) -> Option<Vec<Meta>> {
-    let Meta::List(list) = meta else { return None };
-    let inside = list.parse_args_with(Punctuated::<Meta, Token![,]>::parse_terminated);
-    list.path.is_ident("cfg_attr").then_some(inside.ok()?.into_iter().skip(1).collect())
+    let inside = parse_list(meta, "cfg_attr", Punctuated::<Meta, Token![,]>::parse_terminated)?;
+    Some(inside.into_iter().skip(1).collect())
 }
 
 /// Names that the helper attributes of a `derive` may have: those of the derive and of its crate.
 fn find_helpers(meta: &Meta) -> Vec<String> {
-    let Meta::List(list) = meta else { return Vec::new() };
     if let Some(inside) = parse_conditional(meta) {
         return inside.iter().flat_map(find_helpers).collect();
     }
-    let derives = list.parse_args_with(Punctuated::<Path, Token![,]>::parse_terminated);
-    let derives = derives.ok().filter(|_| list.path.is_ident("derive")).into_iter().flatten();
+    let derives = parse_list(meta, "derive", Punctuated::<Path, Token![,]>::parse_terminated);
+    let derives = derives.into_iter().flatten();
     let segments = derives.flat_map(|path| path.segments.into_iter().map(|segment| plain(&segment.ident)));
     segments
         .filter(|name| !STANDARD.contains(&name.as_str()))

@@ -27,7 +27,7 @@ impl Signal {
         drives: bool,
     ) -> Option<Self> {
         // Kinks of loads are cut out of steps.
-        if !drives && has_root(formula) {
+        if !drives && has_kink(formula) {
             return None;
         }
         let expression = degree(formula).is_none().then(|| text(constants, expr)).flatten()?;
@@ -50,12 +50,39 @@ fn degree(formula: &Formula) -> Option<i32> {
     (degree <= DEGREE).then_some(degree)
 }
 
-fn has_root(formula: &Formula) -> bool {
+/// Whether there is a root of what may vanish.
+fn has_kink(formula: &Formula) -> bool {
+    match formula {
+        Formula::Apply(Function::Sqrt, radicand) if !is_positive(radicand) => true,
+        Formula::Apply(_, argument) => has_kink(argument),
+        Formula::Join(_, left, right) => has_kink(left) || has_kink(right),
+        Formula::Constant(_) | Formula::Time | Formula::Slip | Formula::Motion { .. } => false,
+    }
+}
+
+/// Whether it is above zero with all constants that are not subtracted, as 1 + x².
+fn is_positive(formula: &Formula) -> bool {
+    match formula {
+        Formula::Constant(_) => true,
+        Formula::Apply(Function::Sqrt | Function::Power(_), argument) => is_positive(argument),
+        Formula::Join(Operator::Add, a, b) => {
+            is_positive(a) && is_square(b) || is_square(a) && is_positive(b)
+        }
+        Formula::Join(Operator::Multiply | Operator::Divide, a, b) => is_positive(a) && is_positive(b),
+        _ => false,
+    }
+}
+
+/// Whether it is not below zero with such constants.
+fn is_square(formula: &Formula) -> bool {
     match formula {
         Formula::Apply(Function::Sqrt, _) => true,
-        Formula::Apply(_, argument) => has_root(argument),
-        Formula::Join(_, left, right) => has_root(left) || has_root(right),
-        Formula::Constant(_) | Formula::Time | Formula::Slip | Formula::Motion { .. } => false,
+        Formula::Apply(Function::Power(n), _) if n % 2 == 0 => true,
+        Formula::Join(Operator::Multiply, a, b) if a == b => true,
+        Formula::Join(Operator::Add | Operator::Multiply | Operator::Divide, a, b) => {
+            is_square(a) && is_square(b)
+        }
+        _ => is_positive(formula),
     }
 }
 

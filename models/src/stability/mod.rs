@@ -16,6 +16,7 @@ mod springs;
 mod starts;
 mod together;
 mod units;
+mod upright;
 mod zeno;
 
 use crate::models;

@@ -67,9 +67,9 @@ pub fn models() -> &'static Models {
 
 /// Every model with its default run: those that are compiled, and the others from their texts.
 pub fn with_default_runs(compiled: &Models) -> Models {
-    let model = |(name, run): DefaultRun| match compiled.find(name) {
-        Ok(model) => model.clone().with_default_run(run()),
-        Err(_) => embedded(name, text(name), run()),
+    let model = |(name, run): DefaultRun| match compiled.iter().find(|model| model.name() == name) {
+        Some(model) => model.clone().with_default_run(run()),
+        None => embedded(name, text(name), run()),
     };
     Models::new(default_runs().map(model).collect())
 }

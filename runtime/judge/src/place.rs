@@ -125,7 +125,7 @@ impl<S: Scalar> Scene<S> {
         }
         let mut right = vec![S::ZERO; n];
         right.extend(targets);
-        let (mut x, ..) = Factors::of(matrix).solve(&right);
+        let (mut x, ..) = Factors::of(matrix, n).solve(&right);
         x.truncate(n);
         x
     }

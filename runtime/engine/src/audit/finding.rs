@@ -2,8 +2,10 @@
 
 use core::fmt;
 
+use crate::integration::singular::ACROSS;
 use crate::model::Energy;
 use crate::scales::Scales;
+use crate::trajectory::{LogEntry, LoggedDecision};
 
 /// Energies and speeds below this part of natural ones are those of bodies at rest: their rounding is not theirs.
 pub(super) const SMALL: f64 = 1e-3;
@@ -11,11 +13,16 @@ pub(super) const SMALL: f64 = 1e-3;
 /// Rounding of a state where a small pivot or the Jacobian of a flat gap multiplies it.
 const ROUNDED: f64 = 1e-12;
 
+/// The part of an energy that many steps may change together.
+const LARGEST: f64 = 0.1;
+
 /// What is looked at.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Quantity {
     /// Positions before and after an event, in natural units, beyond their rounding.
     Jump,
+    /// Rates where no impact is, in natural units, relative to the largest above one.
+    Kick,
     /// Gaps of closed contacts and of joints, in natural lengths, relative to the largest position above one.
     Gap,
     /// Their rates, relative to the terms that they are the sum of.
@@ -61,6 +68,7 @@ impl fmt::Display for Finding {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let what = match self.quantity {
             Quantity::Jump => "positions jump by",
+            Quantity::Kick => "velocities jump without an impact by",
             Quantity::Gap => "closed contacts and joints are open by",
             Quantity::Rate => "closed contacts and joints part at",
             Quantity::Penetration => "open contacts are penetrated by",
@@ -79,16 +87,26 @@ pub(crate) struct Bounds {
     /// Local error of a step, not below some roundings.
     error: f64,
     steps: f64,
+    /// Singular positions of loops that were passed.
+    passages: f64,
 }
 
 impl Bounds {
     pub(crate) fn of(tolerance: f64, steps: u64) -> Self {
-        Self { error: tolerance.max(ROUNDED), steps: steps as f64 }
+        Self { error: tolerance.max(ROUNDED), steps: steps as f64, passages: 0.0 }
     }
 
-    /// The energy is quadratic in the rates: some local errors for each step.
+    /// The same with singular positions of loops passed by that logged them.
+    pub(crate) fn past<'a>(self, log: impl IntoIterator<Item = &'a LogEntry>) -> Self {
+        let is_passage = |entry: &&LogEntry| entry.decision == LoggedDecision::SingularPosition;
+        Self { passages: log.into_iter().filter(is_passage).count() as f64, ..self }
+    }
+
+    /// The energy is quadratic in the rates: some local errors for each step, and for each step across a singular position of
+    /// a loop what that leaves of them; a tenth of it is no error of steps, whatever the tolerance.
     pub(crate) fn energy(&self) -> f64 {
-        100.0 * self.error * (10.0 + self.steps)
+        let of_steps = 100.0 * self.error * (10.0 + self.steps);
+        of_steps.min(LARGEST.max(10.0 * self.error)) + 2.0 * ACROSS * self.passages
     }
 
     /// Events are located to ten local errors, and sequences of impacts are cut short at heights of a local error in natural lengths,
@@ -97,7 +115,7 @@ impl Bounds {
         1e4 * self.error
     }
 
-    /// Positions within ten local errors leave those of a fold unknown by the square root.
+    /// Positions within ten local errors leave those of a fold, and rates there, unknown by the square root.
     pub(crate) fn jump(&self) -> f64 {
         (10.0 * self.error).sqrt()
     }

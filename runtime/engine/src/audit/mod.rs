@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! q(t⁻) = q(t⁺)                               positions do not jump
+//! u(t⁻) = u(t⁺)                               velocities do not, but at an impact
 //! g = 0, ġ = 0, λ ≥ 0                         where a contact is closed
 //! g ≥ 0                                       where it is open
 //! T + V = T₀ + V₀ + ∫ P dt                    within a phase, P the power of loads, dampers and drives
@@ -27,6 +28,7 @@ pub(crate) use power::{Work, at_rest, of_friction};
 
 use crate::event::{Event, Note};
 use crate::integration::chart;
+use crate::integration::phase_point::RunContext;
 use crate::integration::phase_run::RecordedPhase;
 use crate::model::ContactSet;
 use crate::trajectory::{LoggedDecision, Trajectory};
@@ -62,6 +64,28 @@ impl Audit {
     }
 }
 
+/// Where a motion is put together: the end of a step, a phase, a restart.
+pub(crate) struct Seam<'a> {
+    pub(crate) context: &'a RunContext,
+    pub(crate) t: f64,
+    pub(crate) tolerance: f64,
+    /// Whether an impulse acts there.
+    pub(crate) is_struck: bool,
+}
+
+impl Seam<'_> {
+    /// How far positions are apart, and without an impulse velocities.
+    pub(crate) fn compare(&self, before: &[f64], after: &[f64]) -> [Option<Finding>; 2] {
+        let [positions, rates] = chart::apart(self.context, before, after);
+        // Times are told apart by the spacing of doubles, in which a fast motion comes far.
+        let [_, rounding] = self.context.travelled(before, self.t);
+        let bound = Bounds::of(self.tolerance, 1).jump() + rounding;
+        let finding = |quantity, value| Some(Finding { t: self.t, quantity, value, bound });
+        let kick = if self.is_struck { None } else { finding(Quantity::Kick, rates) };
+        [finding(Quantity::Jump, positions), kick]
+    }
+}
+
 impl fmt::Display for Audit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for finding in &self.worst {
@@ -94,11 +118,8 @@ impl Trajectory {
         let (context, t) = (&self.context, after.t0);
         let [from, to] = [before.at(before.t1), after.at(t)];
         let bounds = Bounds::of(self.tolerance, 1);
-        let [jump, _] = chart::apart(context, from.state(), to.state());
-        // Times are told apart by the spacing of doubles, in which a fast motion comes far.
-        let [_, rounding] = context.travelled(from.state(), t);
-        let bound = bounds.jump() + rounding;
-        audit.note(Finding { t, quantity: Quantity::Jump, value: jump, bound });
+        let seam = Seam { context, t, tolerance: self.tolerance, is_struck: after.is_struck };
+        seam.compare(from.state(), to.state()).into_iter().flatten().for_each(|finding| audit.note(finding));
         audit.note(Finding { t, quantity: Quantity::Order, value: before.t1 - t, bound: 0.0 });
         // Surfaces that move do work in an impact.
         let moves = context.system().equations(to.state()).drift().iter().any(|drift| *drift != 0.0);

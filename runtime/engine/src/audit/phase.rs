@@ -118,7 +118,9 @@ impl Trajectory {
 
     /// The energy at the ends of steps against that at the start and the work since.
     fn look_at_energy(&self, phase: &RecordedPhase, times: &[f64], audit: &mut Audit) {
-        let (context, bounds) = (&self.context, Bounds::of(self.tolerance, times.len() as u64));
+        let context = &self.context;
+        let logged = self.log.iter().filter(|entry| phase.t0 <= entry.t && entry.t <= phase.t1);
+        let bounds = Bounds::of(self.tolerance, times.len() as u64).past(logged);
         let begun = phase.at(phase.t0);
         let start = context.system().energy(begun.state());
         let mut work = Work::default();

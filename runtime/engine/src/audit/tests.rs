@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use liftoff_fixtures::Particle;
 
-use super::{Audit, Quantity, Work};
+use super::{Audit, Bounds, Quantity, Work};
 use crate::event::Note;
 use crate::event::root_isolation::NODES;
 use crate::integration::phase_point::RunContext;
@@ -129,6 +129,23 @@ fn a_lost_phase_is_a_jump() {
     let mut run = bouncing();
     run.phases.remove(1);
     assert!(broken(&run.audit()).contains(&Quantity::Jump), "{}", run.audit());
+}
+
+/// A ball turns round at each impact, and nowhere else.
+#[test]
+fn velocities_jump_at_impacts_alone() {
+    let mut run = bouncing();
+    assert!(run.phases.len() > 2 && run.phases[1].is_struck);
+    run.phases[1].is_struck = false;
+    assert_eq!(broken(&run.audit()), [Quantity::Kick]);
+}
+
+/// So many steps at so coarse a tolerance might each err as they will: more than a tenth of the energy is no error of theirs.
+#[test]
+fn bounds_of_energies_say_something() {
+    let energy = |tolerance: f64, steps: u64| Bounds::of(tolerance, steps).energy();
+    assert!(energy(1e-3, 80) <= 0.1 && energy(1e-5, 1_000_000) <= 0.1);
+    assert!((energy(1e-9, 90) - 1e-5).abs() < 1e-12);
 }
 
 #[test]

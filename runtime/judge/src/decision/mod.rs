@@ -106,11 +106,39 @@ impl<'a, S: Scalar> Round<'a, S> {
         }
         let outcome = match self.rough {
             true => tried(&self.expansion, &bearing, &self.open, (k, self.largest))?,
-            false => Outcome::of(&problem, kkt.slots, &self.open)?,
+            false => match self.all_bear(k, &bearing, &problem) {
+                Some(outcome) => outcome,
+                None => Outcome::of(&problem, kkt.slots, &self.open)?,
+            },
         };
         self.expansion.push(&outcome.slots, k, &outcome.a, &outcome.all);
         self.sort(k, &problem, &outcome);
         Ok(())
+    }
+
+    /// All that are undecided closed, if each of them pushes: by their own rows, which are known where W is rounding.
+    fn all_bear(&self, k: usize, bearing: &[usize], problem: &Problem<S>) -> Option<Outcome<S>> {
+        let scene = self.expansion.scene;
+        let kkt = Kkt::of(scene, &self.expansion.series, scene.slots(&[bearing, &self.open].concat()));
+        let response = self.expansion.next(&kkt, k);
+        let first = scene.joints.len() + bearing.len();
+        let multipliers = response.multipliers.get(first..first + self.open.len())?.to_vec();
+        // What depends on others has none of its own.
+        let pushes =
+            |(j, &z): (usize, &S)| z == S::ZERO || self.is_clear(problem, j, z * problem.matrix[j][j]);
+        let all = multipliers.iter().enumerate().all(pushes);
+        (all && !response.contradicts(self.largest)).then(|| Outcome {
+            opening: vec![S::ZERO; multipliers.len()],
+            multipliers,
+            a: response.a,
+            all: response.multipliers,
+            slots: kkt.slots,
+        })
+    }
+
+    /// Whether an acceleration of an undecided contact is none of its rounding.
+    fn is_clear(&self, problem: &Problem<S>, j: usize, acceleration: S) -> bool {
+        acceleration.to_f64() > negligible::<S>() * problem.sizes[j]
     }
 
     /// Where nothing changes orders above the first are rounding of it.
@@ -130,11 +158,9 @@ impl<'a, S: Scalar> Round<'a, S> {
     fn sort(&mut self, k: usize, problem: &Problem<S>, outcome: &Outcome<S>) {
         let mut waiting = Vec::new();
         for (j, &contact) in self.open.iter().enumerate() {
-            let tolerance = negligible::<S>() * problem.sizes[j];
-            let own = problem.matrix[j][j].to_f64();
-            if own * outcome.multipliers[j].to_f64() > tolerance {
+            if self.is_clear(problem, j, outcome.multipliers[j] * problem.matrix[j][j]) {
                 self.decision.bearing.push((contact, k));
-            } else if outcome.opening[j].to_f64() > tolerance {
+            } else if self.is_clear(problem, j, outcome.opening[j]) {
                 self.decision.opening.push((contact, k + 2));
             } else {
                 waiting.push(contact);

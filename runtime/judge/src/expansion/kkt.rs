@@ -78,7 +78,7 @@ impl<S: Scalar> Kkt<S> {
                 matrix[i][n + r] = -entry;
             }
         }
-        Self { slots, n, factors: Factors::of(matrix) }
+        Self { slots, n, factors: Factors::of(matrix, n) }
     }
 
     /// M a − Jᵀ λ = force, J a = targets.

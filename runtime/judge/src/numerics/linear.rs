@@ -19,16 +19,24 @@ pub(crate) struct Factors<S> {
 }
 
 const PASSES: usize = 4;
+/// Constraints that differ by this, relative to their entries, differ by the rounding of what was given in doubles.
+const GIVEN: f64 = 2.0 * f64::EPSILON;
 
 impl<S: Scalar> Factors<S> {
-    /// Factorises a matrix by rows.
-    pub fn of(mut entries: Vec<Vec<S>>) -> Self {
+    /// Factorises a matrix by rows: `unknowns` equations with a mass matrix, then constraints on these unknowns alone. Pivots
+    /// are taken from the constraints first: where these all but depend on each other, by δ, what follows is known to ε/δ,
+    /// with pivots of the mass matrix to ε/δ².
+    pub fn of(mut entries: Vec<Vec<S>>, unknowns: usize) -> Self {
         let n = entries.len();
         let (row_scales, column_scales) = equilibrate(&mut entries);
         let (mut rows, mut columns): (Vec<usize>, Vec<usize>) = ((0..n).collect(), (0..n).collect());
-        let mut rank = n;
+        let (mut rank, mut constrains) = (n, true);
         for k in 0..n {
-            let (i, j, largest) = pivot(&entries, k);
+            let is_constraint = |i: usize, j: usize| rows[i] >= unknowns && columns[j] < unknowns;
+            let constraint = constrains.then(|| pivot(&entries, k, is_constraint));
+            let constraint = constraint.filter(|(.., largest)| *largest > negligible::<S>().max(GIVEN));
+            constrains = constraint.is_some();
+            let (i, j, largest) = constraint.unwrap_or_else(|| pivot(&entries, k, |i, _| rows[i] < unknowns));
             if largest.is_nan() || largest <= negligible::<S>() {
                 rank = k;
                 break;
@@ -86,12 +94,17 @@ impl<S: Scalar> Factors<S> {
     }
 }
 
-fn pivot<S: Scalar>(entries: &[Vec<S>], k: usize) -> (usize, usize, f64) {
+/// The largest entry from row and column k on among those that may be one.
+fn pivot<S: Scalar>(
+    entries: &[Vec<S>],
+    k: usize,
+    may_be: impl Fn(usize, usize) -> bool,
+) -> (usize, usize, f64) {
     let mut best = (k, k, 0.0);
     for (i, row) in entries.iter().enumerate().skip(k) {
         for (j, x) in row.iter().enumerate().skip(k) {
             let size = x.abs().to_f64();
-            if size > best.2 || size.is_nan() {
+            if may_be(i, j) && (size > best.2 || size.is_nan()) {
                 best = (i, j, size);
             }
         }

@@ -24,6 +24,7 @@ macro_rules! pushed {
 pushed!(Blow, w / (1 + (w * (t - 2)).powi(8)));
 pushed!(Barrier, -w / (1 + (w * (x - 2)).powi(8)));
 pushed!(Comb, w * sin(t).powi(32));
+pushed!(Rooted, w / ((1 + (w * (t - 2)).powi(2)) * sqrt(1 + (w * (t - 2)).powi(2))));
 
 /// ∫ du/(1 + u⁸) over all u.
 fn impulse() -> f64 {
@@ -48,6 +49,18 @@ fn a_blow_is_seen_however_short() {
             // The tails outside of the run are (7/w⁷)(1/1.3⁷ + 1/2⁷) at most.
             let found = rate(&Blow { w }, 0.0, 3.3, method);
             assert!((found - impulse()).abs() < 3e-7, "{} at {w}: {found}", method.name());
+        }
+    }
+}
+
+/// Its roots have no kinks: ∫ du/(1 + u²)^(3/2) = u/√(1 + u²).
+#[test]
+fn a_blow_with_a_root_is_seen() {
+    for method in MethodId::ALL {
+        for w in [10.0, 1e3, 1e4].into_iter().filter(|w| is_patient(method, *w)) {
+            let part = |u: f64| u / (1.0 + u * u).sqrt();
+            let (found, expected) = (rate(&Rooted { w }, 0.0, 3.3, method), part(1.3 * w) - part(-2.0 * w));
+            assert!((found - expected).abs() < 1e-6, "{} at {w}: {found}, not {expected}", method.name());
         }
     }
 }

@@ -5,7 +5,7 @@ use std::sync::atomic::Ordering;
 use super::paradox::Border;
 use super::record::{LastStep, Recording};
 use super::{PhaseRun, Termination, Touch};
-use crate::audit::work_of;
+use crate::audit::{Finding, Seam, work_of};
 use crate::contact::{ContactError, refuse_singular};
 use crate::event::detection::{AffineGuards, Guard, StepEvents, StepView, Unseen};
 use crate::event::root_isolation::GuardError;
@@ -79,7 +79,12 @@ impl<'a> PhaseRun<'a> {
                 self.note_energy(stepper.state());
             }
             let before = recording.t1();
-            self.step(recording, stepper)?;
+            if let Some(jump) = self.step(recording, stepper)? {
+                if self.step_back(recording, stepper) {
+                    continue;
+                }
+                return Ok(Termination::Seam(jump));
+            }
             match self.check_signals(recording, stepper) {
                 Some(Unseen::Drive(broken)) => return Ok(Termination::Drive(broken)),
                 Some(Unseen::Step) => continue,
@@ -225,14 +230,26 @@ impl<'a> PhaseRun<'a> {
         }
     }
 
-    /// Makes one step, projects its end onto the constraints and records it.
-    fn step(&mut self, recording: &mut Recording, stepper: &mut dyn PhaseStepper) -> Result<(), StepError> {
+    /// Makes one step, projects its end onto the constraints and records it; where that would be a jump, which.
+    fn step(
+        &mut self,
+        recording: &mut Recording,
+        stepper: &mut dyn PhaseStepper,
+    ) -> Result<Option<Finding>, StepError> {
         stepper.allow_step(recording.t1() - recording.t0());
         stepper.step()?;
-        let info = self.phase.info();
+        let (info, mut jump) = (self.phase.info(), None);
         if info.form == Form::Projected {
             self.phase.embed(stepper.state(), &mut self.state);
+            let ahead = Numbers::from_slice(&self.state);
             self.context.system().project(info.set, &mut self.state, self.context.scales.length);
+            let seam = Seam {
+                context: self.context,
+                t: stepper.time(),
+                tolerance: self.tolerance,
+                is_struck: false,
+            };
+            jump = seam.compare(&ahead, &self.state).into_iter().flatten().find(Finding::is_violation);
             let mut reduced = core::mem::take(&mut self.reduced);
             reduced.resize(info.entries, 0.0);
             self.phase.restrict(&self.state, &mut reduced);
@@ -245,7 +262,7 @@ impl<'a> PhaseRun<'a> {
         } else {
             stepper.dense(recording.next());
         }
-        Ok(())
+        Ok(jump)
     }
 
     /// Takes note of the work of the last step, and shows it to the observer.

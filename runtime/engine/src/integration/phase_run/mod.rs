@@ -10,7 +10,7 @@ pub(crate) use record::{LastStep, RecordedPhase};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use crate::audit::Work;
+use crate::audit::{Finding, Work};
 use crate::contact::ContactError;
 use crate::event::detection::{Broken, EventDetector, Guard, KnownAffineGuards, Signals, StepView};
 use crate::integrate::{Counts, DenseOutput, InitialValueProblem, StepError};
@@ -54,6 +54,8 @@ pub(crate) enum Termination {
     Failed(StepError),
     /// Where a drive is not smooth.
     Drive(Broken),
+    /// With a projection that would make the motion jump.
+    Seam(Finding),
     /// Before a singular position of the loop through these joints.
     Loop(Vec<String>),
     /// Before accelerations that are all but undetermined.
@@ -82,6 +84,8 @@ pub(crate) struct Outcome {
     pub(crate) end: Termination,
     pub(crate) t: f64,
     pub(crate) state: Vec<f64>,
+    /// The state as it was recorded, before its projection.
+    pub(crate) ended: Vec<f64>,
     pub(crate) reactions: Vec<f64>,
     pub(crate) counts: Counts,
     /// Open contacts below their bars, which they have come to from beyond the ends.
@@ -219,14 +223,16 @@ impl PhaseRun<'_> {
         recording.reduced(t, &mut reduced);
         let mut state = core::mem::take(&mut self.state);
         phase.embed(&reduced, &mut state);
+        let ended = state.clone();
         if !self.bridged {
             self.project(&*phase, &mut state);
         }
         let reactions = self.reactions(t, reduced);
         let end = match (end, &mut loops) {
-            (end @ (Termination::Failed(_) | Termination::Singular(_)), Some(loops)) => {
-                loops.diagnose(self.context, &state).map_or(end, Termination::Loop)
-            }
+            (
+                end @ (Termination::Failed(_) | Termination::Singular(_) | Termination::Seam(_)),
+                Some(loops),
+            ) => loops.diagnose(self.context, &state).map_or(end, Termination::Loop),
             (end, _) => end,
         };
         // What an event at the very end of the run leaves is kept as a phase of no duration.
@@ -240,6 +246,7 @@ impl PhaseRun<'_> {
             end,
             t,
             state,
+            ended,
             reactions,
             counts,
             passed: self.detector.passed(),

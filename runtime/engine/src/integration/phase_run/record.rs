@@ -33,6 +33,8 @@ pub(crate) struct RecordedPhase {
     /// Contacts that are held closed, and those that are no more.
     pub(crate) held: ContactSet,
     pub(crate) removed: ContactSet,
+    /// Whether it begins with an impulse.
+    pub(crate) is_struck: bool,
 }
 
 impl RecordedPhase {
@@ -161,6 +163,7 @@ impl Recording {
             end_state: start.clone(),
             held: ContactSet::EMPTY,
             removed: ContactSet::EMPTY,
+            is_struck: false,
         };
         Self { recorded, keeps, memory: 0, start }
     }

@@ -28,7 +28,7 @@ const SETTLED: [f64; 2] = [1e-14, 1e-7];
 ///
 /// Rounding ε of the gaps turns rates at a distance x from the singular position by ε/x².
 const POSITIONS: f64 = 1e-8;
-const RATES: f64 = 1e-6;
+pub(crate) const RATES: f64 = 1e-6;
 const GAPS: f64 = 1e-9;
 /// At a turning point rates are not what an energy determines.
 const TURNING: f64 = 1e-2;

@@ -19,6 +19,7 @@ use crate::model::{ContactSet, Layout};
 use crate::system::Equations;
 pub(crate) use bridge::Bridge;
 use bridge::Motion;
+pub(crate) use bridge::RATES as ACROSS;
 
 /// The loosest tolerance near a singular position: errors must still be small enough to tell the branches apart.
 const LOOSEST: f64 = 1e-10;

@@ -230,6 +230,7 @@ impl Driver<'_> {
         let n = rates.len();
         let rounding = self.rounding_of_the_way();
         self.state[n..2 * n].copy_from_slice(rates.as_slice());
+        self.is_struck = true;
         self.restore(touching, rounding)?;
         self.keep_last();
         (self.touching, self.sensed) = (touching, ContactSet::EMPTY);

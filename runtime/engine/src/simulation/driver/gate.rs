@@ -1,20 +1,32 @@
 //! What every motion satisfies, checked at the ends of phases and at impacts: it costs nothing per step.
 
 use super::Driver;
-use crate::audit::{Bounds, Finding, Place, Quantity, Work, energy_finding, gain};
+use crate::audit::{Bounds, Finding, Place, Quantity, Seam, Work, energy_finding, gain};
 use crate::error::RunCause;
 use crate::integrate::Counts;
 use crate::model::{ContactSet, Energy};
+use crate::simulation::Simulation;
+use crate::trajectory::LogEntry;
 
 impl Driver<'_> {
     /// Refuses the end of a phase that has left its contacts, or whose energy has changed by anything but work.
-    pub(super) fn refuse_drift(&self, counts: Counts, work: &Work) -> Result<(), RunCause> {
+    pub(super) fn refuse_drift(&self, counts: Counts, work: &Work, log: &[LogEntry]) -> Result<(), RunCause> {
         let place =
             Place { context: &self.setup.context, set: self.closed, absent: self.absent(), t: self.t };
-        let bounds = Bounds::of(self.setup.tolerance, counts.accepted + counts.rejected);
+        let bounds = Bounds::of(self.setup.tolerance, counts.accepted + counts.rejected).past(log);
         let now = self.setup.context.system().energy(&self.state);
         let kept = energy_finding(&self.setup.context, self.t, [&self.energy, &now], (work, &bounds));
         refuse(place.gaps(&self.state, &bounds).chain([kept]))
+    }
+
+    /// Refuses a phase that does not begin as the one before has ended.
+    pub(super) fn refuse_seam(&self) -> Result<(), RunCause> {
+        if self.ended.is_empty() {
+            return Ok(());
+        }
+        let Simulation { context, tolerance, .. } = self.setup;
+        let seam = Seam { context, t: self.t, tolerance: *tolerance, is_struck: self.is_struck };
+        refuse(seam.compare(&self.ended, &self.state).into_iter().flatten())
     }
 
     /// Refuses an impact, without an impulse from outside, that has gained more energy than its law has told.

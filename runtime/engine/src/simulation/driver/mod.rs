@@ -91,6 +91,9 @@ pub(crate) struct Driver<'a> {
     /// Kinetic and potential energy at the start of the phase, and the state there.
     energy: Energy<f64>,
     begun: Vec<f64>,
+    /// The state in which the phase before has ended, as it was recorded, and whether an impulse has acted since.
+    ended: Vec<f64>,
+    is_struck: bool,
     /// How many phases have begun since time last advanced.
     stalled: usize,
     /// How many impacts without collision since then.
@@ -152,6 +155,8 @@ impl<'a> Driver<'a> {
             taken: 0,
             energy: Energy { kinetic: 0.0, potential: 0.0 },
             begun: Vec::new(),
+            ended: Vec::new(),
+            is_struck: false,
             stalled: 0,
             wedged: 0,
         };
@@ -234,6 +239,7 @@ impl<'a> Driver<'a> {
             self.energy = self.setup.context.system().energy(&self.state);
             self.begun.clone_from(&self.state);
             self.bear_what_sinks()?;
+            self.refuse_seam()?;
             let outcome = self.advance();
             if let Next::Finished = self.apply_result(outcome)? {
                 return Ok(());
@@ -242,22 +248,36 @@ impl<'a> Driver<'a> {
     }
 
     fn apply_result(&mut self, outcome: Outcome) -> Result<Next, RunCause> {
-        let Outcome { mut recorded, touches, log, end, t, state, reactions, counts, passed, work, memory } =
-            outcome;
+        let Outcome {
+            mut recorded,
+            touches,
+            log,
+            end,
+            t,
+            state,
+            ended,
+            reactions,
+            counts,
+            passed,
+            work,
+            memory,
+        } = outcome;
         if let (Some(recorded), Termination::Event(guards)) = (&mut recorded, &end) {
             self.record_parted(recorded, guards);
         }
         (self.stalled, self.wedged) = if t > self.t { (0, 0) } else { (self.stalled + 1, self.wedged) };
-        (self.t, self.state) = (t, state);
+        (self.t, self.state, self.ended) = (t, state, ended);
         self.trajectory.end = t;
         self.keep_last();
         self.trajectory.statistics.add(counts);
         (self.reactions, self.passed) = (reactions, passed);
+        let logged = self.trajectory.log.len();
         self.trajectory.log.extend(log);
         for touch in touches {
             self.record_touch(touch);
         }
         if let Some(mut recorded) = recorded {
+            recorded.is_struck = core::mem::take(&mut self.is_struck);
             recorded.held = self.held;
             recorded.removed = self.removed.union(self.sunk).union(self.waiting());
             let guards = if let Termination::Event(guards) = &end { guards.clone() } else { Vec::new() };
@@ -269,9 +289,9 @@ impl<'a> Driver<'a> {
         }
         self.spend(counts, memory)?;
         self.refuse_left(&end)?;
-        let breaks = matches!(end, Termination::Failed(_) | Termination::Drive(_));
+        let breaks = matches!(end, Termination::Failed(_) | Termination::Drive(_) | Termination::Seam(_));
         if !breaks && !matches!(end, Termination::Singular(_) | Termination::Loop(_)) {
-            self.refuse_drift(counts, &work)?;
+            self.refuse_drift(counts, &work, &self.trajectory.log[logged..])?;
         }
         match end {
             Termination::Exhausted(of) => Err(self.exhausted(of)),
@@ -281,6 +301,7 @@ impl<'a> Driver<'a> {
                 self.refuse_hinges(&error)?;
                 Err(error.into())
             }
+            Termination::Seam(jump) => Err(RunCause::Invariant(jump)),
             Termination::Cancelled => Err(RunCause::Cancelled { t }),
             Termination::Loop(joints) => {
                 self.refuse_vanishing()?;

@@ -1,0 +1,45 @@
+//! Fig. 1b from rest at φ = π/2 − δ, where the gap rows of its feet differ by cos φ alone. The bars fall with
+//! φ″ = −(3/2) (g/l) cos φ/(1 + 6 λ) as φ → π/2, and A and E take λ g (1 − (5/3) l φ″/(g cos φ)) together.
+
+use core::f64::consts::FRAC_PI_2;
+
+use super::run;
+use crate::models;
+use liftoff_studio::RunSpec;
+use liftoff_studio::registry::{MotionError, RunOptions};
+use liftoff_verification::cases::event_summary::event_summary;
+use liftoff_verification::cases::{Case, expect};
+
+/// Below this the doubles of the angles tell δ so badly that the judge's motion from them is another.
+const TOLD: f64 = 1e-10;
+
+pub(super) fn cases() -> impl Iterator<Item = Case> {
+    (1..=15).map(|k| case(&format!("1e-{k}")))
+}
+
+fn case(text: &str) -> Case {
+    let (delta, lambda, g): (f64, f64, f64) = (text.parse().unwrap_or(f64::NAN), 0.5, 9.81);
+    let phi = FRAC_PI_2 - delta;
+    let foot = 0.5 * lambda * g * (1.0 + 2.5 / (1.0 + 6.0 * lambda));
+    // Reactions are even in δ.
+    let within = 1e-8 + 100.0 * delta * delta;
+    let expectations = vec![expect("N(A)", foot, within), expect("N(C)", 2.0 * g - 2.0 * foot, within)];
+    let spec = RunSpec::with(&[("m1", 1.0 - lambda), ("m2", lambda), ("l", 1.0), ("g", g)])
+        .start(&[("phi_inner", phi), ("phi_outer", phi), ("y", 0.0)])
+        .tolerance(1e-9)
+        .limit(60.0);
+    Case::text_and_numbers(
+        format!("starts.upright={text}"),
+        format!("zigzag from rest at φ = π/2 − {text}, half of the mass outside"),
+        "closed form",
+        ("open C; open A, E; close B, D", expectations),
+        move |by| {
+            let record = match delta >= TOLD {
+                true => run("zigzag", by, &spec)?,
+                false => models().find("zigzag")?.run_by(RunOptions::by(by), &spec)?,
+            };
+            let start = |name: &str| Ok::<f64, MotionError>(record.function(name)?(0.0));
+            Ok((event_summary(&record), vec![start("N(A)")?, start("N(C)")?]))
+        },
+    )
+}
