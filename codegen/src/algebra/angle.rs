@@ -39,6 +39,11 @@ impl Angle {
         self.quarters
     }
 
+    /// The same, −1 to 2: of numbers that differ by full turns the one that an angle stands for.
+    pub fn signed_quarters(&self) -> i64 {
+        if self.quarters == 3 { -1 } else { self.quarters.into() }
+    }
+
     /// The multiplier of a symbol, 0 where absent.
     pub fn coefficient(&self, symbol: Symbol) -> i16 {
         self.terms.as_ref().map_or(0, |terms| terms.get(symbol))

@@ -71,6 +71,13 @@ impl Kinematics {
         }
     }
 
+    /// The full turns that the difference of two directions has lost: quarter turns are kept modulo
+    /// four, and from −π/2 to π it is 3π/2.
+    pub fn lost_turns(&self, from: usize, to: usize) -> i64 {
+        let [from, to] = [from, to].map(|body| &self.directions[body]);
+        (to.signed_quarters() - from.signed_quarters() - (to - from).signed_quarters()) / 4
+    }
+
     /// d², of two points.
     pub fn squared_distance(&self, [a, b]: [usize; 2]) -> Series {
         let [x, y] = span(&self.points[a], &self.points[b]);

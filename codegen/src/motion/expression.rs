@@ -55,6 +55,16 @@ impl Expression {
         }
     }
 
+    /// Full turns more.
+    pub(super) fn plus_turns(self, turns: i64) -> Self {
+        let half = || Self::Angle(Angle::quarters(2));
+        match turns {
+            0 => self,
+            1.. => self.plus(half()).plus(half()),
+            _ => self.minus(half()).minus(half()),
+        }
+    }
+
     pub(super) fn apply(self, function: Function) -> Self {
         Self::Apply(function, Box::new(self))
     }
@@ -176,6 +186,10 @@ impl OpaqueTerms {
             };
             let value =
                 if constant == Angle::zero() { value } else { value.minus(Expression::Angle(constant)) };
+            let value = match &drive.driven {
+                Driven::Turn { from, body } => value.plus_turns(-kinematics.lost_turns(*from, *body)),
+                _ => value,
+            };
             OpaqueTerm::motion(format!("f{}", i + 1), value)
         });
         Self(opaque_terms.collect())

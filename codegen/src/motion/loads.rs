@@ -45,6 +45,8 @@ impl Loads {
         let (approach, distance) = (dot(&span, &span.each_ref().map(Series::rate)), dot(&span, &span));
         let distance = value(&(&distance + &apart(spring.switch))).sqrt();
         let name = &spring.name;
+        // Damping along a distance of zero has no direction.
+        let damping = spring.damping.as_ref().filter(|c| !c.is_zero());
         let mut tension = Series::zero();
         if let Some(k) = &spring.stiffness {
             let k = &opaque_terms.symbol(&format!("k_{name}"), of(k));
@@ -54,12 +56,12 @@ impl Loads {
             self.potential += switched(spring.switch, (k * &square).scale(Rational::new(1, 2)));
             tension += k * &stretch;
         }
-        if let Some(c) = &spring.damping {
+        if let Some(c) = damping {
             let c = &opaque_terms.symbol(&format!("c_{name}"), of(c));
             tension +=
                 c * &opaque_terms.symbol(&format!("ḋ_{name}"), value(&approach).over(distance.clone()));
         }
-        let ratio = match (&spring.stiffness, &spring.damping) {
+        let ratio = match (&spring.stiffness, damping) {
             (Some(k), None) if spring.length.is_zero() => opaque_terms.symbol(&format!("k_{name}"), of(k)),
             _ => opaque_terms.symbol(&format!("κ_{name}"), value(&tension).over(distance)),
         };
@@ -80,6 +82,10 @@ impl Loads {
         let name = torsion.name.replace(", ", "_");
         let of = |formula| Expression::of(formula, scene.system, scene.kinematics);
         let turn = Expression::Angle(turned.clone());
+        let turn = match torsion.from {
+            Some(from) => turn.plus_turns(scene.kinematics.lost_turns(from, torsion.body)),
+            None => turn,
+        };
         let rest = if torsion.angle.is_zero() { turn } else { turn.minus(of(&torsion.angle)) };
         let mut torque = Series::zero();
         if let Some(k) = &torsion.stiffness {

@@ -185,8 +185,7 @@ impl<'a> Lowering<'a> {
 
     /// An angle, or a length that stands for itself.
     pub fn angle(&mut self, angle: &Angle) -> Id {
-        let turns = i128::from(angle.quarter_turns());
-        let turns = Rational::new(if turns == 3 { -1 } else { turns }, 2);
+        let turns = Rational::new(angle.signed_quarters().into(), 2);
         let (turns, pi) = (self.program.ratio(turns), self.program.pi());
         let mut sum = self.program.mul(turns, pi);
         for &(symbol, k) in angle.terms() {

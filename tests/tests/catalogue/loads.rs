@@ -68,6 +68,81 @@ fn a_balance_under_a_growing_couple() {
     }
 }
 
+/// A point on a spring without a length of its own, whose ends meet.
+#[derive(BarSystem, Clone, Debug)]
+#[particle(P, mass = m)]
+#[ground(O = (0, 0))]
+#[spring(OP, stiffness = k, length = 0, damping = 0)]
+#[figure(P = (1, 0))]
+#[coordinate(x = x(P))]
+#[coordinate(y = y(P))]
+struct Drawn {
+    m: f64,
+    k: f64,
+}
+
+/// It starts where they do: x = (v/ω) sin ω t, ω² = k/m.
+#[test]
+fn a_spring_whose_ends_meet() {
+    let start = pose(&[("x", 0.0), ("y", 0.0), ("x'", 2.0), ("y'", 0.0)]);
+    let run = run(&Drawn { m: 1.0, k: 4.0 }, start, &["t = 2"]);
+    for t in [0.0, 0.5, 2.0] {
+        assert_abs_diff_eq!(at(&run, "x", t), (2.0 * t).sin(), epsilon = CLOSE);
+    }
+}
+
+/// Two bars about pins of their own, joined by a torsion spring; one is read from below, the other
+/// from the left.
+#[derive(BarSystem, Clone, Debug)]
+#[bar(OA, mass = m, length = l)]
+#[bar(PB, mass = m, length = l)]
+#[pin(O = (0, 0))]
+#[pin(P = (2 * l, 0))]
+#[torsion(OA, PB, stiffness = k, angle = a)]
+#[coordinate(phi = angle(OA), from = down)]
+#[coordinate(psi = angle(PB), from = left)]
+#[figure(A = (0, -l), B = (l, 0))]
+struct Wound {
+    m: f64,
+    l: f64,
+    k: f64,
+    a: f64,
+}
+
+/// Down is −π/2 and left is π: between them are three quarters of a turn, not less than none.
+#[test]
+fn a_torsion_spring_between_two_references() {
+    let (k, a) = (3.0, 4.5);
+    let run = run(&Wound { m: 1.2, l: 0.8, k, a }, pose(&[("phi", 0.1), ("psi", 0.2)]), &["t = 0.5"]);
+    for t in [0.0, 0.5] {
+        let wound = 1.5 * PI + at(&run, "psi", t) - at(&run, "phi", t) - a;
+        assert_abs_diff_eq!(at(&run, "torque(OA, PB)", t), -k * wound, epsilon = CLOSE);
+    }
+}
+
+/// The same bars turned against each other by a motor.
+#[derive(BarSystem, Clone, Debug)]
+#[bar(OA, mass = m, length = l)]
+#[bar(PB, mass = m, length = l)]
+#[pin(O = (0, 0))]
+#[pin(P = (2 * l, 0))]
+#[drive(angle(OA, PB) = 3 * pi / 2 + w * t)]
+#[coordinate(phi = angle(OA), from = down)]
+#[coordinate(psi = angle(PB), from = left)]
+#[figure(A = (0, -l), B = (l, 0))]
+struct Motor {
+    m: f64,
+    l: f64,
+    w: f64,
+}
+
+#[test]
+fn a_motor_between_two_references() {
+    let start = pose(&[("phi", 0.1), ("psi", 0.1), ("phi'", 0.0), ("psi'", 0.4)]);
+    let run = run(&Motor { m: 1.2, l: 0.8, w: 0.4 }, start, &["t = 0.5"]);
+    assert_abs_diff_eq!(at(&run, "psi", 0.5) - at(&run, "phi", 0.5), 0.2, epsilon = CLOSE);
+}
+
 /// Two bars welded at a right angle.
 #[derive(BarSystem, Clone, Debug)]
 #[gravity(g)]
