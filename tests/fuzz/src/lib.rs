@@ -7,6 +7,7 @@ pub mod campaign;
 pub mod declaration;
 pub mod expression;
 pub mod journal;
+pub mod metamorphic;
 pub mod run;
 pub mod subject;
 pub mod sweep;

@@ -8,6 +8,7 @@ use liftoff_fuzz::campaign::Campaign;
 use liftoff_fuzz::declaration::Declarations;
 use liftoff_fuzz::expression::Expressions;
 use liftoff_fuzz::journal::Journals;
+use liftoff_fuzz::metamorphic::Scenes;
 use liftoff_fuzz::run::Runs;
 use liftoff_fuzz::sweep::Sweeps;
 use liftoff_fuzz::worker::{self, Order};
@@ -32,6 +33,8 @@ enum Which {
     Sweep(Bounds),
     /// Journals of a sweep
     Journal(Bounds),
+    /// Scenes in equal forms, held to the laws of mechanics
+    Metamorphic(Bounds),
 }
 
 /// How long and how much.
@@ -73,6 +76,7 @@ fn main() -> ExitCode {
         Which::Expression(bounds) => run("expression", &Expressions::default(), 20_000, &bounds),
         Which::Sweep(bounds) => run("sweep", &Sweeps, 20_000, &bounds),
         Which::Journal(bounds) => run("journal", &Journals::default(), 20_000, &bounds),
+        Which::Metamorphic(bounds) => run("metamorphic", &Scenes, 200, &bounds),
     }
 }
 

@@ -1,0 +1,500 @@
+//! Equal forms of a scene: what they are, and how their motions correspond.
+
+use std::collections::BTreeMap;
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::fmt;
+
+use liftoff_tests::random::Source;
+
+use super::draw;
+use super::print;
+use super::scene::{
+    Body, Guide, Look, Place, Reference, Scene, Shape, Target, Vector, Wave, add, scale, turn,
+};
+
+/// How positions of the scene are those of its form: reflected at x = 0 or not, turned, shifted, in
+/// other units.
+#[derive(Clone, Copy, Debug)]
+pub struct Map {
+    pub is_reflected: bool,
+    pub angle: f64,
+    pub shift: Vector,
+    /// Of length, time and mass: a number of the form is so many times that of the scene.
+    pub units: [f64; 3],
+}
+
+impl Default for Map {
+    fn default() -> Self {
+        Self { is_reflected: false, angle: 0.0, shift: [0.0; 2], units: [1.0; 3] }
+    }
+}
+
+impl Map {
+    fn vector(&self, [x, y]: Vector) -> Vector {
+        turn(self.angle, [if self.is_reflected { -x } else { x }, y])
+    }
+
+    pub fn position(&self, at: Vector) -> Vector {
+        scale(self.units[0], add(self.vector(at), self.shift))
+    }
+
+    pub fn velocity(&self, of: Vector) -> Vector {
+        scale(self.units[0] / self.units[1], self.vector(of))
+    }
+
+    /// The unit of forces.
+    pub fn force(&self) -> f64 {
+        self.units[2] * self.units[0] / self.units[1].powi(2)
+    }
+}
+
+/// One way to declare a scene otherwise.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Change {
+    Reflected,
+    /// By an angle, and shifted.
+    Turned(f64, Vector),
+    /// Larger by these factors.
+    Units([f64; 3]),
+    /// Attributes in another order.
+    Order(u64),
+    /// Some bodies from their other ends.
+    Reversed(u64),
+    /// Bars as bodies, bodies as bars, uniform bars as point masses; corners as fixed points at
+    /// bars.
+    Looks(u64),
+    /// Angles counted from elsewhere.
+    References(u64),
+    /// Numbers as parameters.
+    Parameters,
+    /// With a copy of itself, or another scene, that nothing joins to it.
+    Beside(u64),
+    /// With equations of their own for so many sets of closed contacts.
+    Sets(usize),
+    /// Declared as symmetric.
+    Mirror,
+    /// Stopped after this part of its time, and started again.
+    Split(f64),
+}
+
+impl fmt::Display for Change {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(match self {
+            Self::Reflected => "reflected",
+            Self::Turned(..) => "turned",
+            Self::Units(_) => "units",
+            Self::Order(_) => "order",
+            Self::Reversed(_) => "reversed",
+            Self::Looks(_) => "looks",
+            Self::References(_) => "references",
+            Self::Parameters => "parameters",
+            Self::Beside(_) => "beside",
+            Self::Sets(_) => "sets",
+            Self::Mirror => "mirror",
+            Self::Split(_) => "split",
+        })
+    }
+}
+
+/// A scene with the words in which it is declared.
+#[derive(Clone, Debug)]
+pub struct Form {
+    pub scene: Scene,
+    pub map: Map,
+    order: Option<u64>,
+    are_parameters: bool,
+}
+
+impl Form {
+    pub fn of(scene: Scene) -> Self {
+        Self { scene, map: Map::default(), order: None, are_parameters: false }
+    }
+
+    /// The same after a change.
+    pub fn changed(self, change: Change) -> Self {
+        let Self { scene, map, order, are_parameters } = self;
+        let with = |scene: Scene| Self { scene, map, order, are_parameters };
+        match change {
+            Change::Reflected => Self { map: Map { is_reflected: true, ..map }, ..with(reflected(&scene)) },
+            Change::Turned(angle, shift) => {
+                Self { map: Map { angle, shift, ..map }, ..with(turned(&scene, angle, shift)) }
+            }
+            Change::Units(units) => Self { map: Map { units, ..map }, ..with(scaled(&scene, units)) },
+            Change::Order(seed) => Self { order: Some(seed), ..with(scene) },
+            Change::Parameters => Self { are_parameters: true, ..with(scene) },
+            Change::Reversed(seed) => with(reversed_some(scene, seed)),
+            Change::Looks(seed) => with(with_other_looks(scene, seed)),
+            Change::References(seed) => with(with_other_references(scene, seed)),
+            Change::Beside(seed) => with(beside(&scene, seed)),
+            Change::Sets(sets) => with(Scene { sets, ..scene }),
+            Change::Mirror => with(Scene { mirror: Some(0.0), ..scene }),
+            Change::Split(_) => with(scene),
+        }
+    }
+
+    /// Its file.
+    pub fn declare(&self) -> String {
+        let shuffle = |lines: &mut Vec<String>| {
+            if let Some(seed) = self.order {
+                let mut source = Source::new(seed);
+                (1..lines.len()).for_each(|k| lines.swap(k, source.below(k + 1)));
+            }
+        };
+        print::declare(&self.scene, self.are_parameters, shuffle)
+    }
+}
+
+/// Some changes that fit together, in the order in which they are made.
+pub fn draw_changes(scene: &Scene, source: &mut Source) -> Vec<Change> {
+    let is_symmetric = scene.points.keys().any(|name| name.ends_with('m'));
+    let mut seed = || (source.unit() * 2f64.powi(52)) as u64;
+    let seeds = [0; 5].map(|_: i32| seed());
+    match source.below(14) {
+        0 => return vec![Change::Beside(seeds[0])],
+        1 | 2 => return vec![Change::Split(source.range(0.1, 0.9))],
+        3..9 if is_symmetric => return vec![Change::Mirror],
+        _ => {}
+    }
+    let shift = [source.range(-3.0, 3.0), source.range(-3.0, 3.0)];
+    let angle = match source.below(5) {
+        0 => source.of(&[FRAC_PI_2, PI, -FRAC_PI_2]),
+        1 => 0.0,
+        _ => source.range(-3.1, 3.1),
+    };
+    let factor = |source: &mut Source| source.of(&[1.0, 2.0, 0.001, 1000.0, 0.3048, 60.0]);
+    let all = [
+        Change::Parameters,
+        Change::Looks(seeds[0]),
+        Change::References(seeds[1]),
+        Change::Reversed(seeds[2]),
+        Change::Reflected,
+        Change::Turned(angle, shift),
+        Change::Units([0; 3].map(|_: i32| factor(source))),
+        Change::Order(seeds[3]),
+        Change::Sets(if scene.sets == 64 { 0 } else { 8 }),
+    ];
+    let wanted = source.below(all.len());
+    let chosen = all.iter().enumerate().filter(|(k, _)| *k == wanted || source.chance(0.2));
+    chosen.map(|(_, change)| *change).collect()
+}
+
+/// Each position, velocity, line and direction of a scene.
+fn moved(scene: &Scene, place: impl Fn(Place) -> Place) -> Scene {
+    let mut scene = scene.clone();
+    let position = |at: &mut Vector| *at = place(Place { position: *at, velocity: [0.0; 2] }).position;
+    scene.points.values_mut().for_each(|known| *known = place(*known));
+    for support in &mut scene.supports {
+        match &mut support.shape {
+            Shape::Line { through, .. } => position(through),
+            Shape::Circle { centre, .. } => position(centre),
+            Shape::Bar { .. } => {}
+        }
+    }
+    for slider in &mut scene.sliders {
+        match &mut slider.guide {
+            Guide::Line { through, .. } => position(through),
+            Guide::Circle { centre, .. } => position(centre),
+        }
+    }
+    scene
+}
+
+/// The angles of lines, by reference.
+fn line_angles(scene: &mut Scene) -> impl Iterator<Item = &mut f64> {
+    let supports = scene.supports.iter_mut().filter_map(|support| match &mut support.shape {
+        Shape::Line { angle, .. } => Some(angle),
+        _ => None,
+    });
+    supports.chain(scene.sliders.iter_mut().filter_map(|slider| match &mut slider.guide {
+        Guide::Line { angle, .. } => Some(angle),
+        Guide::Circle { .. } => None,
+    }))
+}
+
+fn turned(scene: &Scene, by: f64, shift: Vector) -> Scene {
+    let place = |Place { position, velocity }| Place {
+        position: add(turn(by, position), shift),
+        velocity: turn(by, velocity),
+    };
+    let mut scene = moved(scene, place);
+    scene.gravity = turn(by, scene.gravity);
+    scene.bodies.iter_mut().for_each(|body| body.angle += by);
+    line_angles(&mut scene).for_each(|angle| *angle += by);
+    scene.forces.iter_mut().for_each(|force| force.along = turn(by, force.along));
+    scene
+        .torsions
+        .iter_mut()
+        .filter(|torsion| torsion.first.is_none())
+        .for_each(|torsion| torsion.angle += by);
+    for drive in &mut scene.drives {
+        if let Target::Angle(_) = drive.target {
+            drive.wave.mean += by;
+        }
+    }
+    scene
+}
+
+/// The image in the line x = 0.
+pub fn reflected(scene: &Scene) -> Scene {
+    let flip = |[x, y]: Vector| [-x, y];
+    let place = |Place { position, velocity }| Place { position: flip(position), velocity: flip(velocity) };
+    let mut scene = moved(scene, place);
+    scene.gravity = flip(scene.gravity);
+    for body in &mut scene.bodies {
+        body.angle = PI - body.angle;
+        body.rate = -body.rate;
+        body.centre[1] = -body.centre[1];
+        body.spots.iter_mut().for_each(|(_, at)| at[1] = -at[1]);
+    }
+    line_angles(&mut scene).for_each(|angle| *angle = -*angle);
+    scene.supports.iter_mut().for_each(|support| support.moving = support.moving.opposite());
+    for support in &mut scene.supports {
+        if let Shape::Bar { is_left, .. } = &mut support.shape {
+            *is_left = !*is_left;
+        }
+    }
+    scene.forces.iter_mut().for_each(|force| force.along = flip(force.along));
+    scene.couples.iter_mut().for_each(|couple| couple.wave = couple.wave.opposite());
+    for torsion in &mut scene.torsions {
+        torsion.angle = if torsion.first.is_none() { PI } else { 0.0 } - torsion.angle;
+    }
+    for drive in &mut scene.drives {
+        match drive.target {
+            Target::Angle(_) => {
+                drive.wave = drive.wave.opposite();
+                drive.wave.mean += PI;
+            }
+            Target::Between(..) => drive.wave = drive.wave.opposite(),
+            Target::Distance(_) => {}
+        }
+    }
+    scene
+}
+
+fn scaled(scene: &Scene, [length, time, mass]: [f64; 3]) -> Scene {
+    let (speed, force) = (length / time, mass * length / time.powi(2));
+    let place = |Place { position, velocity }| Place {
+        position: scale(length, position),
+        velocity: scale(speed, velocity),
+    };
+    let mut scene = moved(scene, place);
+    let wave = |wave: &mut Wave, unit: f64| {
+        wave.mean *= unit;
+        wave.amplitude *= unit;
+        wave.rate /= time;
+    };
+    scene.gravity = scale(length / time.powi(2), scene.gravity);
+    scene.limit *= time;
+    for body in &mut scene.bodies {
+        body.mass *= mass;
+        body.inertia *= mass * length.powi(2);
+        body.length *= length;
+        body.centre = scale(length, body.centre);
+        body.rate /= time;
+        body.spots.iter_mut().for_each(|(_, at)| *at = scale(length, *at));
+    }
+    scene.particles.iter_mut().chain(&mut scene.masses).for_each(|(_, own)| *own *= mass);
+    for support in &mut scene.supports {
+        support.radius *= length;
+        wave(&mut support.moving, speed);
+        if let Shape::Circle { radius, .. } = &mut support.shape {
+            *radius *= length;
+        }
+    }
+    for slider in &mut scene.sliders {
+        if let Guide::Circle { radius, .. } = &mut slider.guide {
+            *radius *= length;
+        }
+    }
+    scene.threads.iter_mut().for_each(|thread| thread.length *= length);
+    for spring in &mut scene.springs {
+        spring.length *= length;
+        spring.stiffness *= force / length;
+        spring.damping *= force / speed;
+    }
+    for torsion in &mut scene.torsions {
+        torsion.stiffness *= force * length;
+        torsion.damping *= force * length * time;
+    }
+    for load in &mut scene.forces {
+        wave(&mut load.wave, force);
+        load.drag *= force / speed;
+        load.until = load.until.map(|until| until * time);
+    }
+    scene.couples.iter_mut().for_each(|couple| wave(&mut couple.wave, force * length));
+    for drive in &mut scene.drives {
+        let unit = if matches!(drive.target, Target::Distance(_)) { length } else { 1.0 };
+        wave(&mut drive.wave, unit);
+    }
+    scene
+}
+
+fn reversed_some(mut scene: Scene, seed: u64) -> Scene {
+    let mut source = Source::new(seed);
+    let chosen: Vec<bool> = scene.bodies.iter().map(|_| source.chance(0.7)).collect();
+    for k in (0..chosen.len()).filter(|k| chosen[*k]) {
+        let Body { length, ends, angle, centre, spots, .. } = &mut scene.bodies[k];
+        let other = |[x, y]: Vector| [*length - x, -y];
+        *centre = other(*centre);
+        spots.iter_mut().for_each(|(_, at)| *at = other(*at));
+        ends.swap(0, 1);
+        let by = if *angle > 0.0 { -PI } else { PI };
+        *angle += by;
+        for support in &mut scene.supports {
+            match &mut support.shape {
+                Shape::Bar { body, is_left } if *body == k => *is_left = !*is_left,
+                _ => {}
+            }
+        }
+        for torsion in &mut scene.torsions {
+            torsion.angle += if torsion.second == k { by } else { 0.0 };
+            torsion.angle -= if torsion.first == Some(k) { by } else { 0.0 };
+        }
+        for drive in &mut scene.drives {
+            drive.wave.mean += match drive.target {
+                Target::Angle(body) if body == k => by,
+                Target::Between(first, _) if first == k => -by,
+                Target::Between(_, second) if second == k => by,
+                _ => 0.0,
+            };
+        }
+    }
+    scene
+}
+
+fn with_other_looks(mut scene: Scene, seed: u64) -> Scene {
+    let mut source = Source::new(seed);
+    for body in &mut scene.bodies {
+        let looks = match body.is_uniform() {
+            true => &[Look::Bar, Look::Body, Look::Masses][..],
+            false => &[Look::Bar, Look::Body],
+        };
+        body.look = source.of(looks);
+    }
+    if source.chance(0.7) {
+        let corners = std::mem::take(&mut scene.corners);
+        scene.grounds.extend(corners);
+    }
+    scene
+}
+
+fn with_other_references(mut scene: Scene, seed: u64) -> Scene {
+    let mut source = Source::new(seed);
+    for k in 0..scene.bodies.len() {
+        scene.bodies[k].reference = match k > 0 && source.chance(0.4) {
+            true => Reference::Body(source.below(k)),
+            false => Reference::Quarters(source.below(4) as i32 - 1),
+        };
+    }
+    scene
+}
+
+/// The same scene with other names and other numbers of bodies.
+fn renamed(scene: &Scene, name: impl Fn(&str) -> String, first_body: usize) -> Scene {
+    let mut scene = scene.clone();
+    let rename = |own: &mut String| *own = name(own);
+    for body in &mut scene.bodies {
+        rename(&mut body.name);
+        body.ends.iter_mut().for_each(rename);
+        body.spots.iter_mut().for_each(|(spot, _)| rename(spot));
+        if let Reference::Body(other) = &mut body.reference {
+            *other += first_body;
+        }
+    }
+    scene.particles.iter_mut().chain(&mut scene.masses).for_each(|(point, _)| rename(point));
+    let lists = [&mut scene.pins, &mut scene.grounds, &mut scene.corners];
+    lists.into_iter().flatten().for_each(rename);
+    scene.welds.iter_mut().flatten().for_each(|body| *body += first_body);
+    scene.sliders.iter_mut().for_each(|slider| rename(&mut slider.point));
+    for support in &mut scene.supports {
+        rename(&mut support.point);
+        if let Shape::Bar { body, .. } = &mut support.shape {
+            *body += first_body;
+        }
+    }
+    for thread in &mut scene.threads {
+        rename(&mut thread.name);
+        thread.path.iter_mut().for_each(rename);
+    }
+    for spring in &mut scene.springs {
+        rename(&mut spring.name);
+        spring.ends.iter_mut().for_each(rename);
+    }
+    for torsion in &mut scene.torsions {
+        torsion.second += first_body;
+        torsion.first = torsion.first.map(|body| body + first_body);
+    }
+    for force in &mut scene.forces {
+        rename(&mut force.name);
+        rename(&mut force.point);
+    }
+    for couple in &mut scene.couples {
+        rename(&mut couple.name);
+        couple.body += first_body;
+        couple.from = couple.from.map(|body| body + first_body);
+    }
+    for drive in &mut scene.drives {
+        match &mut drive.target {
+            Target::Angle(body) => *body += first_body,
+            Target::Between(first, second) => {
+                *first += first_body;
+                *second += first_body;
+            }
+            Target::Distance(ends) => ends.iter_mut().for_each(rename),
+        }
+    }
+    let points = std::mem::take(&mut scene.points);
+    scene.points = points.into_iter().map(|(own, place)| (name(&own), place)).collect::<BTreeMap<_, _>>();
+    scene
+}
+
+/// Both together.
+fn joined(one: &Scene, other: Scene) -> Scene {
+    let mut scene = one.clone();
+    scene.bodies.extend(other.bodies);
+    scene.particles.extend(other.particles);
+    scene.masses.extend(other.masses);
+    scene.pins.extend(other.pins);
+    scene.grounds.extend(other.grounds);
+    scene.corners.extend(other.corners);
+    scene.welds.extend(other.welds);
+    scene.sliders.extend(other.sliders);
+    scene.supports.extend(other.supports);
+    scene.threads.extend(other.threads);
+    scene.springs.extend(other.springs);
+    scene.torsions.extend(other.torsions);
+    scene.forces.extend(other.forces);
+    scene.couples.extend(other.couples);
+    scene.drives.extend(other.drives);
+    scene.points.extend(other.points);
+    scene
+}
+
+fn beside(scene: &Scene, seed: u64) -> Scene {
+    let mut source = Source::new(seed);
+    let other = if source.chance(0.4) { scene.clone() } else { draw::draw(&mut source) };
+    let other = renamed(&other, |name| format!("{name}z"), scene.bodies.len());
+    joined(scene, turned(&other, 0.0, [8.0, 0.0]))
+}
+
+/// A half and its image, which share the points on the line x = 0.
+pub fn with_image(half: &Scene) -> Scene {
+    let is_shared = |name: &str| half.points.get(name).is_some_and(|place| place.position[0] == 0.0);
+    let rename = |name: &str| if is_shared(name) { name.to_owned() } else { format!("{name}m") };
+    let mut half = half.clone();
+    // What acts on what is its own image is its own image, too.
+    half.supports.retain(|support| {
+        !is_shared(&support.point) || matches!(support.shape, Shape::Line { angle: 0.0, .. })
+    });
+    half.forces.iter_mut().filter(|force| is_shared(&force.point)).for_each(|force| force.along = [0.0, 1.0]);
+    half.threads.retain(|thread| !thread.path.iter().any(|point| is_shared(point)));
+    let mut image = renamed(&reflected(&half), rename, half.bodies.len());
+    image.supports.retain(|support| !is_shared(&support.point));
+    image.forces.retain(|force| !is_shared(&force.point));
+    let lists = [&mut image.pins, &mut image.grounds, &mut image.corners];
+    lists.into_iter().for_each(|list| list.retain(|name| !is_shared(name)));
+    image.sliders.retain(|slider| !is_shared(&slider.point));
+    image.masses.retain(|(point, _)| !is_shared(point));
+    image.particles.retain(|(point, _)| !is_shared(point));
+    joined(&half, image)
+}
