@@ -27,7 +27,7 @@ struct Sizes {
 }
 
 impl Sizes {
-    fn of(scene: &Scene, motion: &Motion) -> Self {
+    fn measure(scene: &Scene, motion: &Motion) -> Self {
         let time = motion.run.end_time();
         let rows: Vec<Row> = (0..=8).map(|k| motion.row(time * f64::from(k) / 8.0, false)).collect();
         let bodies = scene.bodies.iter().map(|body| body.length);
@@ -74,7 +74,7 @@ struct Difference {
 impl Pair<'_> {
     /// The differences of all rows and events, in the order of time.
     fn differences(&self, until: f64) -> Vec<Difference> {
-        let sizes = Sizes::of(self.scene, self.one);
+        let sizes = Sizes::measure(self.scene, self.one);
         let mut all = self.differences_of_events(&sizes, until);
         let events: Vec<f64> = self.one.run.events().iter().map(|event| event.t).collect();
         for k in 0..=ROWS {
@@ -248,9 +248,9 @@ fn neighbours(form: &Form) -> Vec<Motion> {
         }
     }
     let others = [
-        Motion::at(&nudged, TOLERANCE, None),
-        Motion::at(form, TOLERANCE / 50.0, None),
-        Motion::at(form, TOLERANCE * 50.0, None),
+        Motion::run_from(&nudged, TOLERANCE, None),
+        Motion::run_from(form, TOLERANCE / 50.0, None),
+        Motion::run_from(form, TOLERANCE * 50.0, None),
     ];
     others.into_iter().flatten().collect()
 }

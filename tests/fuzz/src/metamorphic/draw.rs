@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use liftoff_tests::random::Source;
 
-use super::form;
+use super::image;
 use super::scene::{
     Body, Couple, Drive, Force, Guide, Look, Place, Reference, Scene, Shape, Slider, Spring, Support, Target,
     Thread, Torsion, Vector, Wave, add, direction, left, norm, scale, subtract,
@@ -19,18 +19,18 @@ fn short(source: &mut Source, low: f64, high: f64) -> f64 {
 pub fn draw(source: &mut Source) -> Scene {
     match source.chance(0.15) {
         true => symmetric(source),
-        false => Draft::of(source, false).scene,
+        false => Draft::draw(source, false).scene,
     }
 }
 
 /// A half on the right of the line x = 0, its image, and what joins them.
 fn symmetric(source: &mut Source) -> Scene {
     loop {
-        let half = Draft::of(source, true).scene;
+        let half = Draft::draw(source, true).scene;
         let root = half.bodies.first().map(|body| body.ends[0].clone());
         let on_line = |name: &String| root.as_ref() == Some(name) && half.points[name].position[0] == 0.0;
         if half.points.iter().all(|(name, place)| place.position[0] > 0.02 || on_line(name)) {
-            let mut scene = form::with_image(&half);
+            let mut scene = image::add_image(&half);
             let free: Vec<String> =
                 half.points.keys().filter(|name| !half.is_fixed(name) && !on_line(name)).cloned().collect();
             if source.chance(0.3) && !free.is_empty() {
@@ -56,7 +56,7 @@ struct Draft<'a> {
 }
 
 impl<'a> Draft<'a> {
-    fn of(source: &'a mut Source, is_half: bool) -> Self {
+    fn draw(source: &'a mut Source, is_half: bool) -> Self {
         // Few have equations of their own, since to derive them takes longer than to run them.
         let sets = source.of(&[2, 2, 2, 64]);
         let scene = Scene { limit: short(source, 0.6, 2.5), sets, ..Scene::default() };
@@ -511,7 +511,7 @@ impl<'a> Draft<'a> {
             }
             _ => Target::Angle(0),
         };
-        let value = self.scene.target_value(&target);
+        let value = self.scene.measure_target(&target);
         let amplitude = short(self.source, 0.05, 0.3);
         let wave = Wave {
             mean: value + amplitude,

@@ -1,12 +1,12 @@
 //! Equal forms of a scene: what they are, and how their motions correspond.
 
-use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::fmt;
 
 use liftoff_tests::random::Source;
 
 use super::draw;
+use super::image::{join, line_angles, move_places, reflect, rename};
 use super::print;
 use super::scene::{
     Body, Guide, Look, Place, Reference, Scene, Shape, Target, Vector, Wave, add, scale, turn,
@@ -106,26 +106,26 @@ pub struct Form {
 }
 
 impl Form {
-    pub fn of(scene: Scene) -> Self {
+    pub fn new(scene: Scene) -> Self {
         Self { scene, map: Map::default(), order: None, are_parameters: false }
     }
 
     /// The same after a change.
-    pub fn changed(self, change: Change) -> Self {
+    pub fn apply(self, change: Change) -> Self {
         let Self { scene, map, order, are_parameters } = self;
         let with = |scene: Scene| Self { scene, map, order, are_parameters };
         match change {
-            Change::Reflected => Self { map: Map { is_reflected: true, ..map }, ..with(reflected(&scene)) },
+            Change::Reflected => Self { map: Map { is_reflected: true, ..map }, ..with(reflect(&scene)) },
             Change::Turned(angle, shift) => {
-                Self { map: Map { angle, shift, ..map }, ..with(turned(&scene, angle, shift)) }
+                Self { map: Map { angle, shift, ..map }, ..with(turn_scene(&scene, angle, shift)) }
             }
-            Change::Units(units) => Self { map: Map { units, ..map }, ..with(scaled(&scene, units)) },
+            Change::Units(units) => Self { map: Map { units, ..map }, ..with(scale_units(&scene, units)) },
             Change::Order(seed) => Self { order: Some(seed), ..with(scene) },
             Change::Parameters => Self { are_parameters: true, ..with(scene) },
-            Change::Reversed(seed) => with(reversed_some(scene, seed)),
-            Change::Looks(seed) => with(with_other_looks(scene, seed)),
-            Change::References(seed) => with(with_other_references(scene, seed)),
-            Change::Beside(seed) => with(beside(&scene, seed)),
+            Change::Reversed(seed) => with(reverse_some(scene, seed)),
+            Change::Looks(seed) => with(change_looks(scene, seed)),
+            Change::References(seed) => with(change_references(scene, seed)),
+            Change::Beside(seed) => with(put_beside(&scene, seed)),
             Change::Sets(sets) => with(Scene { sets, ..scene }),
             Change::Mirror => with(Scene { mirror: Some(0.0), ..scene }),
             Change::Split(_) => with(scene),
@@ -178,45 +178,12 @@ pub fn draw_changes(scene: &Scene, source: &mut Source) -> Vec<Change> {
     chosen.map(|(_, change)| *change).collect()
 }
 
-/// Each position, velocity, line and direction of a scene.
-fn moved(scene: &Scene, place: impl Fn(Place) -> Place) -> Scene {
-    let mut scene = scene.clone();
-    let position = |at: &mut Vector| *at = place(Place { position: *at, velocity: [0.0; 2] }).position;
-    scene.points.values_mut().for_each(|known| *known = place(*known));
-    for support in &mut scene.supports {
-        match &mut support.shape {
-            Shape::Line { through, .. } => position(through),
-            Shape::Circle { centre, .. } => position(centre),
-            Shape::Bar { .. } => {}
-        }
-    }
-    for slider in &mut scene.sliders {
-        match &mut slider.guide {
-            Guide::Line { through, .. } => position(through),
-            Guide::Circle { centre, .. } => position(centre),
-        }
-    }
-    scene
-}
-
-/// The angles of lines, by reference.
-fn line_angles(scene: &mut Scene) -> impl Iterator<Item = &mut f64> {
-    let supports = scene.supports.iter_mut().filter_map(|support| match &mut support.shape {
-        Shape::Line { angle, .. } => Some(angle),
-        _ => None,
-    });
-    supports.chain(scene.sliders.iter_mut().filter_map(|slider| match &mut slider.guide {
-        Guide::Line { angle, .. } => Some(angle),
-        Guide::Circle { .. } => None,
-    }))
-}
-
-fn turned(scene: &Scene, by: f64, shift: Vector) -> Scene {
+fn turn_scene(scene: &Scene, by: f64, shift: Vector) -> Scene {
     let place = |Place { position, velocity }| Place {
         position: add(turn(by, position), shift),
         velocity: turn(by, velocity),
     };
-    let mut scene = moved(scene, place);
+    let mut scene = move_places(scene, place);
     scene.gravity = turn(by, scene.gravity);
     scene.bodies.iter_mut().for_each(|body| body.angle += by);
     line_angles(&mut scene).for_each(|angle| *angle += by);
@@ -234,50 +201,13 @@ fn turned(scene: &Scene, by: f64, shift: Vector) -> Scene {
     scene
 }
 
-/// The image in the line x = 0.
-pub fn reflected(scene: &Scene) -> Scene {
-    let flip = |[x, y]: Vector| [-x, y];
-    let place = |Place { position, velocity }| Place { position: flip(position), velocity: flip(velocity) };
-    let mut scene = moved(scene, place);
-    scene.gravity = flip(scene.gravity);
-    for body in &mut scene.bodies {
-        body.angle = PI - body.angle;
-        body.rate = -body.rate;
-        body.centre[1] = -body.centre[1];
-        body.spots.iter_mut().for_each(|(_, at)| at[1] = -at[1]);
-    }
-    line_angles(&mut scene).for_each(|angle| *angle = -*angle);
-    scene.supports.iter_mut().for_each(|support| support.moving = support.moving.opposite());
-    for support in &mut scene.supports {
-        if let Shape::Bar { is_left, .. } = &mut support.shape {
-            *is_left = !*is_left;
-        }
-    }
-    scene.forces.iter_mut().for_each(|force| force.along = flip(force.along));
-    scene.couples.iter_mut().for_each(|couple| couple.wave = couple.wave.opposite());
-    for torsion in &mut scene.torsions {
-        torsion.angle = if torsion.first.is_none() { PI } else { 0.0 } - torsion.angle;
-    }
-    for drive in &mut scene.drives {
-        match drive.target {
-            Target::Angle(_) => {
-                drive.wave = drive.wave.opposite();
-                drive.wave.mean += PI;
-            }
-            Target::Between(..) => drive.wave = drive.wave.opposite(),
-            Target::Distance(_) => {}
-        }
-    }
-    scene
-}
-
-fn scaled(scene: &Scene, [length, time, mass]: [f64; 3]) -> Scene {
+fn scale_units(scene: &Scene, [length, time, mass]: [f64; 3]) -> Scene {
     let (speed, force) = (length / time, mass * length / time.powi(2));
     let place = |Place { position, velocity }| Place {
         position: scale(length, position),
         velocity: scale(speed, velocity),
     };
-    let mut scene = moved(scene, place);
+    let mut scene = move_places(scene, place);
     let wave = |wave: &mut Wave, unit: f64| {
         wave.mean *= unit;
         wave.amplitude *= unit;
@@ -329,7 +259,7 @@ fn scaled(scene: &Scene, [length, time, mass]: [f64; 3]) -> Scene {
     scene
 }
 
-fn reversed_some(mut scene: Scene, seed: u64) -> Scene {
+fn reverse_some(mut scene: Scene, seed: u64) -> Scene {
     let mut source = Source::new(seed);
     let chosen: Vec<bool> = scene.bodies.iter().map(|_| source.chance(0.7)).collect();
     for k in (0..chosen.len()).filter(|k| chosen[*k]) {
@@ -362,7 +292,7 @@ fn reversed_some(mut scene: Scene, seed: u64) -> Scene {
     scene
 }
 
-fn with_other_looks(mut scene: Scene, seed: u64) -> Scene {
+fn change_looks(mut scene: Scene, seed: u64) -> Scene {
     let mut source = Source::new(seed);
     for body in &mut scene.bodies {
         let looks = match body.is_uniform() {
@@ -378,7 +308,7 @@ fn with_other_looks(mut scene: Scene, seed: u64) -> Scene {
     scene
 }
 
-fn with_other_references(mut scene: Scene, seed: u64) -> Scene {
+fn change_references(mut scene: Scene, seed: u64) -> Scene {
     let mut source = Source::new(seed);
     for k in 0..scene.bodies.len() {
         scene.bodies[k].reference = match k > 0 && source.chance(0.4) {
@@ -389,112 +319,9 @@ fn with_other_references(mut scene: Scene, seed: u64) -> Scene {
     scene
 }
 
-/// The same scene with other names and other numbers of bodies.
-fn renamed(scene: &Scene, name: impl Fn(&str) -> String, first_body: usize) -> Scene {
-    let mut scene = scene.clone();
-    let rename = |own: &mut String| *own = name(own);
-    for body in &mut scene.bodies {
-        rename(&mut body.name);
-        body.ends.iter_mut().for_each(rename);
-        body.spots.iter_mut().for_each(|(spot, _)| rename(spot));
-        if let Reference::Body(other) = &mut body.reference {
-            *other += first_body;
-        }
-    }
-    scene.particles.iter_mut().chain(&mut scene.masses).for_each(|(point, _)| rename(point));
-    let lists = [&mut scene.pins, &mut scene.grounds, &mut scene.corners];
-    lists.into_iter().flatten().for_each(rename);
-    scene.welds.iter_mut().flatten().for_each(|body| *body += first_body);
-    scene.sliders.iter_mut().for_each(|slider| rename(&mut slider.point));
-    for support in &mut scene.supports {
-        rename(&mut support.point);
-        if let Shape::Bar { body, .. } = &mut support.shape {
-            *body += first_body;
-        }
-    }
-    for thread in &mut scene.threads {
-        rename(&mut thread.name);
-        thread.path.iter_mut().for_each(rename);
-    }
-    for spring in &mut scene.springs {
-        rename(&mut spring.name);
-        spring.ends.iter_mut().for_each(rename);
-    }
-    for torsion in &mut scene.torsions {
-        torsion.second += first_body;
-        torsion.first = torsion.first.map(|body| body + first_body);
-    }
-    for force in &mut scene.forces {
-        rename(&mut force.name);
-        rename(&mut force.point);
-    }
-    for couple in &mut scene.couples {
-        rename(&mut couple.name);
-        couple.body += first_body;
-        couple.from = couple.from.map(|body| body + first_body);
-    }
-    for drive in &mut scene.drives {
-        match &mut drive.target {
-            Target::Angle(body) => *body += first_body,
-            Target::Between(first, second) => {
-                *first += first_body;
-                *second += first_body;
-            }
-            Target::Distance(ends) => ends.iter_mut().for_each(rename),
-        }
-    }
-    let points = std::mem::take(&mut scene.points);
-    scene.points = points.into_iter().map(|(own, place)| (name(&own), place)).collect::<BTreeMap<_, _>>();
-    scene
-}
-
-/// Both together.
-fn joined(one: &Scene, other: Scene) -> Scene {
-    let mut scene = one.clone();
-    scene.bodies.extend(other.bodies);
-    scene.particles.extend(other.particles);
-    scene.masses.extend(other.masses);
-    scene.pins.extend(other.pins);
-    scene.grounds.extend(other.grounds);
-    scene.corners.extend(other.corners);
-    scene.welds.extend(other.welds);
-    scene.sliders.extend(other.sliders);
-    scene.supports.extend(other.supports);
-    scene.threads.extend(other.threads);
-    scene.springs.extend(other.springs);
-    scene.torsions.extend(other.torsions);
-    scene.forces.extend(other.forces);
-    scene.couples.extend(other.couples);
-    scene.drives.extend(other.drives);
-    scene.points.extend(other.points);
-    scene
-}
-
-fn beside(scene: &Scene, seed: u64) -> Scene {
+fn put_beside(scene: &Scene, seed: u64) -> Scene {
     let mut source = Source::new(seed);
     let other = if source.chance(0.4) { scene.clone() } else { draw::draw(&mut source) };
-    let other = renamed(&other, |name| format!("{name}z"), scene.bodies.len());
-    joined(scene, turned(&other, 0.0, [8.0, 0.0]))
-}
-
-/// A half and its image, which share the points on the line x = 0.
-pub fn with_image(half: &Scene) -> Scene {
-    let is_shared = |name: &str| half.points.get(name).is_some_and(|place| place.position[0] == 0.0);
-    let rename = |name: &str| if is_shared(name) { name.to_owned() } else { format!("{name}m") };
-    let mut half = half.clone();
-    // What acts on what is its own image is its own image, too.
-    half.supports.retain(|support| {
-        !is_shared(&support.point) || matches!(support.shape, Shape::Line { angle: 0.0, .. })
-    });
-    half.forces.iter_mut().filter(|force| is_shared(&force.point)).for_each(|force| force.along = [0.0, 1.0]);
-    half.threads.retain(|thread| !thread.path.iter().any(|point| is_shared(point)));
-    let mut image = renamed(&reflected(&half), rename, half.bodies.len());
-    image.supports.retain(|support| !is_shared(&support.point));
-    image.forces.retain(|force| !is_shared(&force.point));
-    let lists = [&mut image.pins, &mut image.grounds, &mut image.corners];
-    lists.into_iter().for_each(|list| list.retain(|name| !is_shared(name)));
-    image.sliders.retain(|slider| !is_shared(&slider.point));
-    image.masses.retain(|(point, _)| !is_shared(point));
-    image.particles.retain(|(point, _)| !is_shared(point));
-    joined(&half, image)
+    let other = rename(&other, |name| format!("{name}z"), scene.bodies.len());
+    join(scene, turn_scene(&other, 0.0, [8.0, 0.0]))
 }

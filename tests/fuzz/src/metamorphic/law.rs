@@ -108,7 +108,7 @@ impl Law<'_> {
     }
 
     /// Angular velocity and acceleration of a body, by its ends.
-    fn turning(&self, row: &Row, body: &Body) -> [f64; 2] {
+    fn compute_turning(&self, row: &Row, body: &Body) -> [f64; 2] {
         let [a, b] = [0, 1].map(|k| self.place(row, &body.ends[k]));
         let arm = subtract(b[0], a[0]);
         let square = dot(arm, arm);
@@ -121,11 +121,11 @@ impl Law<'_> {
     }
 
     /// Position, velocity and acceleration of a place in a body's frame.
-    fn at(&self, row: &Row, body: &Body, local: Vector) -> [Vector; 3] {
+    fn place_in_body(&self, row: &Row, body: &Body, local: Vector) -> [Vector; 3] {
         let a = self.place(row, &body.ends[0]);
         let e = scale(1.0 / body.length, subtract(self.place(row, &body.ends[1])[0], a[0]));
         let arm = add(scale(local[0], e), scale(local[1], left(e)));
-        let [rate, acceleration] = self.turning(row, body);
+        let [rate, acceleration] = self.compute_turning(row, body);
         let turned = left(arm);
         [
             add(a[0], arm),
@@ -134,14 +134,14 @@ impl Law<'_> {
         ]
     }
 
-    fn touch(&self, row: &Row, support: &Support) -> Touch {
+    fn find_touch(&self, row: &Row, support: &Support) -> Touch {
         let [at, velocity, _] = self.place(row, &support.point);
         let rim = |normal: Vector| scale(-support.radius, normal);
         let spin = self
             .scene
             .bodies_at(&support.point)
             .next()
-            .map(|(k, _)| self.turning(row, &self.scene.bodies[k])[0]);
+            .map(|(k, _)| self.compute_turning(row, &self.scene.bodies[k])[0]);
         let fixed = |gap: f64, normal, tangent| {
             let slip = add(velocity, scale(spin.unwrap_or(0.0), left(rim(normal))));
             let (gap, place) = (gap - support.radius, add(at, rim(normal)));
@@ -165,7 +165,7 @@ impl Law<'_> {
                 let normal = scale(if *is_left { 1.0 } else { -1.0 }, left(e));
                 let along = dot(e, subtract(at, first));
                 let foot = add(first, scale(along, e));
-                let [_, carried, _] = self.at(row, body, [along, 0.0]);
+                let [_, carried, _] = self.place_in_body(row, body, [along, 0.0]);
                 let is_within = (0.0..=body.length).contains(&along);
                 let slip = subtract(velocity, carried);
                 let (gap, under) = (dot(normal, subtract(at, first)), Some((*k, foot)));
@@ -190,7 +190,7 @@ impl Law<'_> {
 
     /// Adds a force at a place of a body.
     fn push_body(&self, into: &mut DVector<f64>, row: &Row, body: usize, at: Vector, force: Vector) {
-        let centre = self.at(row, &self.scene.bodies[body], self.scene.bodies[body].centre)[0];
+        let centre = self.place_in_body(row, &self.scene.bodies[body], self.scene.bodies[body].centre)[0];
         into[3 * body] += force[0];
         into[3 * body + 1] += force[1];
         into[3 * body + 2] += cross(subtract(at, centre), force);
@@ -214,7 +214,7 @@ impl Law<'_> {
         }
     }
 
-    fn guide(&self, row: &Row, point: &str, guide: &Guide) -> (f64, Vector) {
+    fn measure_guide(&self, row: &Row, point: &str, guide: &Guide) -> (f64, Vector) {
         let at = self.place(row, point)[0];
         match guide {
             Guide::Line { angle, through } => {
@@ -229,13 +229,13 @@ impl Law<'_> {
     }
 
     /// Changes of momentum for velocities (k = 1) or forces of inertia for accelerations (k = 2).
-    fn inertial(&self, row: &Row, k: usize) -> DVector<f64> {
+    fn compute_inertial_forces(&self, row: &Row, k: usize) -> DVector<f64> {
         let mut into = DVector::zeros(self.size());
         for (i, body) in self.scene.bodies.iter().enumerate() {
-            let force = scale(body.mass, self.at(row, body, body.centre)[k]);
+            let force = scale(body.mass, self.place_in_body(row, body, body.centre)[k]);
             into[3 * i] += force[0];
             into[3 * i + 1] += force[1];
-            into[3 * i + 2] += body.inertia * self.turning(row, body)[k - 1];
+            into[3 * i + 2] += body.inertia * self.compute_turning(row, body)[k - 1];
         }
         for (point, mass) in self.scene.particles.iter().chain(&self.scene.masses) {
             self.push(&mut into, row, point, scale(*mass, self.place(row, point)[k]));
@@ -244,7 +244,7 @@ impl Law<'_> {
     }
 
     /// Loads, springs and dampers; and their power, without that of springs and gravity.
-    fn loads(&self, row: &Row) -> (DVector<f64>, f64) {
+    fn compute_loads(&self, row: &Row) -> (DVector<f64>, f64) {
         let (scene, mut into, mut power) = (self.scene, DVector::zeros(self.size()), 0.0);
         for (i, body) in scene.bodies.iter().enumerate() {
             into[3 * i] += body.mass * scene.gravity[0];
@@ -264,7 +264,7 @@ impl Law<'_> {
             power -= spring.damping * rate * rate;
         }
         for torsion in &scene.torsions {
-            let (angle, rate) = self.torsion(row, torsion.first, torsion.second);
+            let (angle, rate) = self.measure_torsion(row, torsion.first, torsion.second);
             let torque = -torsion.stiffness * (angle - torsion.angle) - torsion.damping * rate;
             into[3 * torsion.second + 2] += torque;
             torsion.first.iter().for_each(|first| into[3 * first + 2] -= torque);
@@ -281,7 +281,7 @@ impl Law<'_> {
         }
         for couple in &scene.couples {
             let value = couple.wave.value(row.t);
-            let rate = |k: usize| self.turning(row, &scene.bodies[k])[0];
+            let rate = |k: usize| self.compute_turning(row, &scene.bodies[k])[0];
             into[3 * couple.body + 2] += value;
             power += value * rate(couple.body);
             if let Some(from) = couple.from {
@@ -293,15 +293,15 @@ impl Law<'_> {
     }
 
     /// The angle between two bodies, counted through, and its rate.
-    fn torsion(&self, row: &Row, first: Option<usize>, second: usize) -> (f64, f64) {
+    fn measure_torsion(&self, row: &Row, first: Option<usize>, second: usize) -> (f64, f64) {
         let bodies = &self.scene.bodies;
-        let rate = |k: usize| self.turning(row, &bodies[k])[0];
-        let [angle, pace] = [bodies[second].angle + self.turned(row, second), rate(second)];
-        first.map_or((angle, pace), |k| (angle - bodies[k].angle - self.turned(row, k), pace - rate(k)))
+        let rate = |k: usize| self.compute_turning(row, &bodies[k])[0];
+        let [angle, pace] = [bodies[second].angle + self.measure_turn(row, second), rate(second)];
+        first.map_or((angle, pace), |k| (angle - bodies[k].angle - self.measure_turn(row, k), pace - rate(k)))
     }
 
     /// By how much a body has turned since the start: by its ends, and by a coordinate how often.
-    fn turned(&self, row: &Row, body: usize) -> f64 {
+    fn measure_turn(&self, row: &Row, body: usize) -> f64 {
         let welded = self.scene.welds.iter().find(|[_, second]| *second == body);
         let counted = row.turns.get(&welded.map_or(body, |[first, _]| *first)).copied().unwrap_or(0.0);
         let own = &self.scene.bodies[body];
@@ -310,10 +310,10 @@ impl Law<'_> {
     }
 
     /// Reactions that outputs have; and the power of what moves and of friction.
-    fn reactions(&self, row: &Row) -> (DVector<f64>, [f64; 2]) {
+    fn compute_reactions(&self, row: &Row) -> (DVector<f64>, [f64; 2]) {
         let (scene, mut into, mut driven, mut lost) = (self.scene, DVector::zeros(self.size()), 0.0, 0.0);
         for (support, contact) in scene.supports.iter().zip(&row.contacts) {
-            let touch = self.touch(row, support);
+            let touch = self.find_touch(row, support);
             let friction = contact.friction.map_or(0.0, |[force, _]| force);
             let force = add(scale(contact.normal, touch.normal), scale(friction, touch.tangent));
             self.push_at(&mut into, row, &support.point, (touch.place, force));
@@ -331,7 +331,7 @@ impl Law<'_> {
             }
         }
         for (slider, force) in scene.sliders.iter().zip(&row.sliders) {
-            let (_, normal) = self.guide(row, &slider.point, &slider.guide);
+            let (_, normal) = self.measure_guide(row, &slider.point, &slider.guide);
             self.push(&mut into, row, &slider.point, scale(*force, normal));
         }
         for (drive, force) in scene.drives.iter().zip(&row.drives) {
@@ -354,7 +354,7 @@ impl Law<'_> {
     }
 
     /// What joints can bear: columns of forces between bodies, of pins and welds.
-    fn joints(&self, row: &Row) -> Vec<DVector<f64>> {
+    fn list_joints(&self, row: &Row) -> Vec<DVector<f64>> {
         let mut columns = Vec::new();
         for point in self.scene.points.keys() {
             let bodies: Vec<usize> = self.scene.bodies_at(point).map(|(k, _)| k).collect();
@@ -383,7 +383,7 @@ impl Law<'_> {
     }
 
     /// What is left of forces that joints cannot bear, relative to moments by lengths.
-    fn unborne(&self, forces: &DVector<f64>, mut columns: Vec<DVector<f64>>) -> f64 {
+    fn compute_unborne(&self, forces: &DVector<f64>, mut columns: Vec<DVector<f64>>) -> f64 {
         let mut forces = forces.clone();
         let rescale = |vector: &mut DVector<f64>| {
             (0..self.scene.bodies.len()).for_each(|k| vector[3 * k + 2] /= self.length);
@@ -409,11 +409,11 @@ impl Law<'_> {
     /// What holds in any row between events.
     fn check_row(&self, row: &Row) -> Result<(), Finding> {
         let t = row.t;
-        let inertial = self.inertial(row, 2);
-        let (loads, _) = self.loads(row);
-        let (reactions, _) = self.reactions(row);
+        let inertial = self.compute_inertial_forces(row, 2);
+        let (loads, _) = self.compute_loads(row);
+        let (reactions, _) = self.compute_reactions(row);
         let size = inertial.amax() + loads.amax() + reactions.amax() + self.force_scale(row);
-        let left_over = self.unborne(&(&inertial - &loads - &reactions), self.joints(row));
+        let left_over = self.compute_unborne(&(&inertial - &loads - &reactions), self.list_joints(row));
         small(t, left_over, ROUNDING * size, || "Newton's equations".to_owned())?;
         self.check_joints(row)?;
         self.check_contacts(row, size)
@@ -441,7 +441,7 @@ impl Law<'_> {
                 .into_iter()
                 .chain(body.spots.iter().map(|(n, at)| (n, *at)))
             {
-                let expected = self.at(row, body, local);
+                let expected = self.place_in_body(row, body, local);
                 let off = (0..3).map(|k| norm(subtract(self.place(row, name)[k], expected[k])));
                 let [off, rate, _] = [0, 1, 2].map(|k| off.clone().nth(k).unwrap_or(0.0));
                 small(t, off, bound, || format!("{name} on {}", body.name))?;
@@ -449,14 +449,14 @@ impl Law<'_> {
             }
         }
         for slider in &self.scene.sliders {
-            small(t, self.guide(row, &slider.point, &slider.guide).0, bound, || {
+            small(t, self.measure_guide(row, &slider.point, &slider.guide).0, bound, || {
                 format!("slider {}", slider.point)
             })?;
         }
         for drive in &self.scene.drives {
             let value = match &drive.target {
-                Target::Angle(body) => self.torsion(row, None, *body).0,
-                Target::Between(first, second) => self.torsion(row, Some(*first), *second).0,
+                Target::Angle(body) => self.measure_torsion(row, None, *body).0,
+                Target::Between(first, second) => self.measure_torsion(row, Some(*first), *second).0,
                 Target::Distance([a, b]) => norm(subtract(self.place(row, b)[0], self.place(row, a)[0])),
             };
             small(t, value - drive.wave.value(t), MOTION * (1.0 + value.abs()), || "drive".to_owned())?;
@@ -473,7 +473,7 @@ impl Law<'_> {
         let t = row.t;
         let far = MOTION * self.length;
         for (support, contact) in self.scene.supports.iter().zip(&row.contacts) {
-            let Touch { gap, tangent, slip, is_within, .. } = self.touch(row, support);
+            let Touch { gap, tangent, slip, is_within, .. } = self.find_touch(row, support);
             let name = &support.point;
             small(t, gap - contact.gap, ROUNDING * (self.length + gap.abs()), || {
                 format!("gap of {name} is {gap:e}")
@@ -590,7 +590,7 @@ impl Law<'_> {
                 });
             }
         }
-        let power = |row: &Row| self.loads(row).1 + self.reactions(row).1.iter().sum::<f64>();
+        let power = |row: &Row| self.compute_loads(row).1 + self.compute_reactions(row).1.iter().sum::<f64>();
         let work: f64 = rows.iter().map(|(row, w)| w * power(row)).sum();
         let [before, after] = [first, last].map(|row| row.energies[0] + row.energies[1]);
         let size = first.energies[0].abs() + first.energies[1].abs() + last.energies[1].abs() + work.abs();
@@ -664,15 +664,15 @@ impl Law<'_> {
             let moved = norm(subtract(after.points[name][0], place[0]));
             small(t, moved, MOTION * self.length, || format!("{name} jumps in an impact"))?;
         }
-        let mut change = self.inertial(&after, 1) - self.inertial(&before, 1);
-        let mut columns = self.joints(&before);
+        let mut change = self.compute_inertial_forces(&after, 1) - self.compute_inertial_forces(&before, 1);
+        let mut columns = self.list_joints(&before);
         let told: BTreeMap<&str, [f64; 2]> =
             event.impulses.iter().map(|one| (one.label, [one.value, one.friction.unwrap_or(0.0)])).collect();
         let scene = self.scene;
         let mut size = change.amax();
         let mut unknown: Vec<DVector<f64>> = Vec::new();
         for (k, support) in scene.supports.iter().enumerate() {
-            let touch = self.touch(&before, support);
+            let touch = self.find_touch(&before, support);
             let column = |force: Vector| {
                 let mut column = DVector::zeros(self.size());
                 self.push_at(&mut column, &before, &support.point, (touch.place, force));
@@ -718,7 +718,7 @@ impl Law<'_> {
         }
         for slider in &scene.sliders {
             let mut column = DVector::zeros(self.size());
-            let (_, normal) = self.guide(&before, &slider.point, &slider.guide);
+            let (_, normal) = self.measure_guide(&before, &slider.point, &slider.guide);
             self.push(&mut column, &before, &slider.point, normal);
             columns.push(column);
         }
@@ -731,11 +731,11 @@ impl Law<'_> {
             unit.sliders.fill(0.0);
             unit.drives.fill(0.0);
             unit.drives[k] = 1.0;
-            columns.push(self.reactions(&unit).0);
+            columns.push(self.compute_reactions(&unit).0);
         }
         columns.extend(unknown);
         let bound = MOTION * 10.0 * (size + self.mass() * self.speed);
-        small(t, self.unborne(&change, columns), bound, || {
+        small(t, self.compute_unborne(&change, columns), bound, || {
             format!("momentum at {} of {:?}", event.kind, event.supports)
         })?;
         self.check_restitution(event, &before, &after, &told)
@@ -766,7 +766,7 @@ impl Law<'_> {
         let bound = RESTITUTION * self.speed;
         for support in &self.scene.supports {
             let [approach, parting] = [before, after].map(|row| {
-                let touch = self.touch(row, support);
+                let touch = self.find_touch(row, support);
                 dot(touch.normal, touch.slip)
             });
             let struck = told.get(support.point.as_str()).is_some_and(|[value, _]| *value > 0.0);

@@ -8,6 +8,7 @@
 mod compare;
 mod draw;
 mod form;
+mod image;
 mod law;
 mod motion;
 mod print;
@@ -40,7 +41,7 @@ pub struct Case {
 
 impl fmt::Display for Case {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        f.write_str(&Form::of(self.scene.clone()).declare())?;
+        f.write_str(&Form::new(self.scene.clone()).declare())?;
         writeln!(f, "// limit {:?}", self.scene.limit)?;
         for changes in &self.changes {
             writeln!(f, "// {changes:?}")?;
@@ -51,7 +52,7 @@ impl fmt::Display for Case {
 
 impl Case {
     fn form(&self, changes: &[Change]) -> Form {
-        changes.iter().fold(Form::of(self.scene.clone()), |form, change| form.changed(*change))
+        changes.iter().fold(Form::new(self.scene.clone()), |form, change| form.apply(*change))
     }
 }
 
@@ -70,8 +71,8 @@ impl Subject for Scenes {
     }
 
     fn check(&self, case: &Case) -> Result<Fate, Finding> {
-        let form = Form::of(case.scene.clone());
-        let motion = match Motion::of(&form) {
+        let form = Form::new(case.scene.clone());
+        let motion = match Motion::run_form(&form) {
             Ok(motion) => motion,
             Err(Refusal::Declaration(_)) => return Ok(vec!["refused: declaration"]),
             Err(Refusal::Start(_)) => return Ok(vec!["refused: start"]),
@@ -91,7 +92,7 @@ impl Subject for Scenes {
         for changes in [&Vec::new()].into_iter().chain(&case.changes) {
             let form = case.form(changes);
             text += &format!("--- {}\n{}", names(changes), form.declare());
-            match Motion::of(&form) {
+            match Motion::run_form(&form) {
                 Err(refusal) => text += &format!("{refusal}\n"),
                 Ok(motion) => {
                     let run = &motion.run;
@@ -135,7 +136,7 @@ fn check_form(
     let [is_beside, is_mirrored] = [Change::Beside(0), Change::Mirror].map(|kind| {
         changes.iter().any(|change| std::mem::discriminant(change) == std::mem::discriminant(&kind))
     });
-    let found = match Motion::at(&other, motion::TOLERANCE, state) {
+    let found = match Motion::run_from(&other, motion::TOLERANCE, state) {
         Ok(found) => found,
         Err(Refusal::Start(text))
             if from > 0.0 && text.contains("penetrated") && case.scene.has_bars_as_ground() =>

@@ -87,7 +87,7 @@ pub struct ContactRow {
 }
 
 /// The start of a scene as coordinates and rates of its model.
-fn start(scene: &Scene, coordinates: &[liftoff::model::Coordinate]) -> Vec<(String, f64)> {
+fn list_start(scene: &Scene, coordinates: &[liftoff::model::Coordinate]) -> Vec<(String, f64)> {
     let mut start = Vec::new();
     for name in coordinates.iter().map(|coordinate| coordinate.name) {
         let value = match name.split_at(1) {
@@ -117,12 +117,12 @@ fn start(scene: &Scene, coordinates: &[liftoff::model::Coordinate]) -> Vec<(Stri
 
 impl Motion {
     /// The run of a form from its start.
-    pub fn of(form: &Form) -> Result<Self, Refusal> {
-        Self::at(form, TOLERANCE, None)
+    pub fn run_form(form: &Form) -> Result<Self, Refusal> {
+        Self::run_from(form, TOLERANCE, None)
     }
 
     /// By another tolerance, or from another start.
-    pub fn at(form: &Form, tolerance: f64, from: Option<Vec<(String, f64)>>) -> Result<Self, Refusal> {
+    pub fn run_from(form: &Form, tolerance: f64, from: Option<Vec<(String, f64)>>) -> Result<Self, Refusal> {
         let text = form.declare();
         let models = source::models(&text).map_err(|mistakes| {
             Refusal::Declaration(
@@ -131,17 +131,17 @@ impl Motion {
         })?;
         let model = &models[0];
         let scene = &form.scene;
-        let start = from.unwrap_or_else(|| start(scene, model.layout().coordinates));
+        let start = from.unwrap_or_else(|| list_start(scene, model.layout().coordinates));
         let spec = RunSpec { start, limit: Some(scene.limit), ..model.default_run() }.tolerance(tolerance);
         let simulation = model.simulation(&spec).map_err(|error| Refusal::Start(error.to_string()))?;
         let run = simulation.budget(BUDGET).run().map_err(|error| match error.cause() {
             RunCause::Start(cause) => Refusal::Start(cause.to_string()),
             cause => Refusal::Stopped(cause.to_string(), error.trajectory().end_time()),
         })?;
-        Self::read(scene, run).map_err(|text| Refusal::Declaration(format!("output: {text}")))
+        Self::with_outputs(scene, run).map_err(|text| Refusal::Declaration(format!("output: {text}")))
     }
 
-    fn read(scene: &Scene, run: Trajectory) -> Result<Self, String> {
+    fn with_outputs(scene: &Scene, run: Trajectory) -> Result<Self, String> {
         let parse = |text: String| run.output(&text).map_err(|error| error.to_string());
         let mut points = BTreeMap::new();
         for name in

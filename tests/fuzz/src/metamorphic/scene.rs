@@ -299,7 +299,7 @@ impl Scene {
 
 impl Scene {
     /// What is prescribed, as it is at the start.
-    pub fn target_value(&self, target: &Target) -> f64 {
+    pub fn measure_target(&self, target: &Target) -> f64 {
         match target {
             Target::Angle(body) => self.bodies[*body].angle,
             Target::Between(first, second) => self.bodies[*second].angle - self.bodies[*first].angle,
