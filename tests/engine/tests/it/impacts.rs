@@ -258,7 +258,8 @@ fn an_impact_at_the_start_has_a_side_before_it() {
     assert_eq!(instants.iter().map(|instant| instant.is_before).collect::<Vec<_>>()[..2], [true, false]);
     let values = |text: &str| {
         let output = run.output(text).unwrap();
-        [instants[0], instants[1]].map(|instant| run.value_at(&output, instant))
+        // But for the rounding of the impulse.
+        [instants[0], instants[1]].map(|instant| (1e12 * run.value_at(&output, instant)).round() / 1e12)
     };
     assert_eq!(values("y'"), [-4.0, 2.0]);
     assert_eq!(values("x'"), [3.0, 3.0]);
