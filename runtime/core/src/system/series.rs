@@ -22,7 +22,7 @@ pub trait SeriesEquations: Send + Sync {
     /// The full equations along a motion, where there are contacts, whose decisions ask for them; else nothing of them is
     /// compiled.
     fn equations(&self, state: &[TimeSeries]) -> Option<Equations<TimeSeries>>;
-    /// The same to more orders.
+    /// The same to more orders; of models that depend on time alone, as compiling it takes long.
     fn long_equations(&self, state: &[LongTimeSeries]) -> Option<Equations<LongTimeSeries>>;
     /// Positions of the points along a motion, x then y of each.
     fn points(&self, state: &[TimeSeries], points: &mut [TimeSeries]);
@@ -37,7 +37,7 @@ impl<M: BarSystem> SeriesEquations for Lifted<M, TimeSeries> {
     }
 
     fn long_equations(&self, state: &[LongTimeSeries]) -> Option<Equations<LongTimeSeries>> {
-        if const { M::LAYOUT.contacts.is_empty() } {
+        if const { M::LAYOUT.contacts.is_empty() || !M::LAYOUT.timed } {
             return None;
         }
         let parameter = |i: usize| Jet::constant(self.parameters.as_ref()[i].coefficient(0));

@@ -8,8 +8,15 @@ pub type State = [f64; 6];
 /// Closed contacts, C and E.
 pub type Closed = [bool; 2];
 
-/// M, the generalised forces, rows of C and E and their accelerations without accelerations of the coordinates.
-fn equations(&[a, b, _, p, q, _]: &State) -> ([[f64; 3]; 3], [f64; 3], [[f64; 3]; 2], [f64; 2]) {
+/// M q̈ = force + rowsᵀ N, and the accelerations rows q̈ + bias of C and E.
+struct Equations {
+    mass: [[f64; 3]; 3],
+    force: [f64; 3],
+    rows: [[f64; 3]; 2],
+    bias: [f64; 2],
+}
+
+fn equations(&[a, b, _, p, q, _]: &State) -> Equations {
     let ((sa, ca), (sb, cb)) = (a.sin_cos(), b.sin_cos());
     let both = (a + b).cos();
     let mass = [
@@ -25,12 +32,13 @@ fn equations(&[a, b, _, p, q, _]: &State) -> ([[f64; 3]; 3], [f64; 3], [[f64; 3]
         0.25 * (-sb * outer[0] - cb * outer[1]),
         0.5 * (inner[1] + outer[1]),
     ];
-    (mass, force, [[0.0, 0.0, 1.0], [ca, -cb, 1.0]], [0.0, sb * q * q - sa * p * p])
+    let rows = [[0.0, 0.0, 1.0], [ca, -cb, 1.0]];
+    Equations { mass, force, rows, bias: [0.0, sb * q * q - sa * p * p] }
 }
 
 /// Accelerations, and reactions of the half: of C half of what bears there, of E all.
 pub fn solve(state: &State, closed: Closed) -> ([f64; 3], [f64; 2]) {
-    let (mass, force, rows, bias) = equations(state);
+    let Equations { mass, force, rows, bias } = equations(state);
     // [M −Jᵀ; J 0] with the force 0 of an open contact for its row.
     let mut system = [[0.0; 6]; 5];
     for i in 0..3 {
