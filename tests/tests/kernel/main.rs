@@ -151,9 +151,9 @@ impacts! {
     random_impacts_0_to_499: 0..500, Vocabulary::ALL, [4000, 400, 100];
     #[ignore = "`.ci/long promises derivations` tries it"]
     random_impacts_500_to_999: 500..1000, Vocabulary::ALL, [4000, 400, 100];
-    rough_impacts_1000_to_1199: 1000..1200, ROUGH, [700, 500, 30];
+    rough_impacts_1000_to_1199: 1000..1200, ROUGH, [900, 550, 55];
     #[ignore = "`.ci/long promises derivations` tries it"]
-    rough_impacts_1200_to_1399: 1200..1400, ROUGH, [700, 500, 30];
+    rough_impacts_1000_to_1399: 1000..1400, ROUGH, [1500, 1200, 100];
 }
 
 #[test]
