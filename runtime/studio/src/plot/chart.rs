@@ -116,32 +116,46 @@ impl Chart {
             axes.line(svg, &self.x.range.map(|x| [x, 0.0]), Pen::of(Colour::Black, 1.0));
         }
         self.curves.iter().for_each(|curve| curve.draw(svg, &axes));
-        let mut written: Vec<Box2> = Vec::new();
+        let mut taken = Taken { lines: self.lines(&axes), words: Vec::new() };
         for mark in &self.marks {
             axes.dots(svg, &[mark.at], 4.0, Fill::Colour(Colour::Black));
             let at = |place| axes.span_of_word(mark.at, place, &mark.label);
-            let free = |place: &&(i32, i32)| self.is_free(&axes, at(**place), &written);
+            let free = |place: &&(i32, i32)| taken.leaves(&axes, at(**place));
             let place = *PLACES.iter().find(free).unwrap_or(&PLACES[0]);
             axes.word(svg, mark.at, place, &mark.label);
-            written.push(at(place));
+            taken.words.push(at(place));
         }
     }
 
-    /// Whether a word in a box is within the axes, over no curve, not over the line at zero and over no other word.
-    fn is_free(&self, axes: &Axes, word: Box2, written: &[Box2]) -> bool {
-        let zero = self.x.range.map(|x| axes.at([x, 0.0]));
+    /// The curves and the line at zero, where something is written beside them.
+    fn lines(&self, axes: &Axes) -> Vec<Vec<Px>> {
+        if self.marks.is_empty() {
+            return Vec::new();
+        }
+        let curves = self.curves.iter().flat_map(|curve| {
+            let places: Vec<Px> = curve.points.iter().map(|&point| axes.at(point)).collect();
+            places.split(|place| !is_finite(place)).map(<[Px]>::to_vec).collect::<Vec<_>>()
+        });
+        curves.chain([self.x.range.map(|x| axes.at([x, 0.0])).to_vec()]).collect()
+    }
+}
+
+/// What words must not stand over.
+struct Taken {
+    lines: Vec<Vec<Px>>,
+    words: Vec<Box2>,
+}
+
+impl Taken {
+    /// Whether a word in a box is within the axes, over no line and over no other word.
+    fn leaves(&self, axes: &Axes, word: Box2) -> bool {
         // Over the axes' tops there is room, below the lower one stand its labels.
         let room =
             Box2 { least: add(axes.frame.least, [1.0, -16.0]), most: add(axes.frame.most, [6.0, -1.0]) };
-        let crosses = |curve: &Curve| {
-            let places: Vec<Px> = curve.points.iter().map(|&point| axes.at(point)).collect();
-            places.split(|place| !is_finite(place)).any(|run| !word.inside(run).is_empty())
-        };
         room.holds(word.least)
             && room.holds(word.most)
-            && word.inside(&zero).is_empty()
-            && !self.curves.iter().any(crosses)
-            && !written.iter().any(|other| other.overlaps(word))
+            && self.lines.iter().all(|line| word.inside(line).is_empty())
+            && !self.words.iter().any(|other| other.overlaps(word))
     }
 }
 
