@@ -50,21 +50,18 @@ pub(super) fn positions(
 /// from where the nominal figure is, which may be singular.
 fn with_driven(assembly: &AssemblyProblem<'_>, given: &[Option<f64>]) -> Vec<Option<f64>> {
     let (layout, nominal) = (assembly.layout(), &assembly.context.model.nominal);
-    let mut known = given.to_vec();
+    let (mut known, rows) = (given.to_vec(), assembly.rows(nominal));
     let drives = layout.joints.iter().enumerate().filter(|(_, joint)| joint.is_drive());
     for row in drives.map(|(joint, _)| layout.contacts.len() + joint) {
-        let rows = assembly.rows(nominal);
-        let is_closed = |q: &[f64]| {
-            assembly.rows(q).gap()[row].abs() <= assembly.closed_below(q, row) * assembly.unit(row)
-        };
+        let is_closed = |q: &[f64], gap: f64| gap.abs() <= assembly.closed_below(q, row) * assembly.unit(row);
         let unknowns: Vec<usize> = (0..nominal.len()).filter(|&i| rows.jacobian(row)[i] != 0.0).collect();
         if let [i] = unknowns[..]
             && known[i].is_none()
-            && !is_closed(nominal)
+            && !is_closed(nominal, rows.gap()[row])
         {
             let mut moved = nominal.clone();
             moved[i] -= rows.gap()[row] / rows.jacobian(row)[i];
-            known[i] = Some(moved[i]).filter(|_| is_closed(&moved));
+            known[i] = Some(moved[i]).filter(|_| is_closed(&moved, assembly.rows(&moved).gap()[row]));
         }
     }
     known

@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::model::Layout;
 use crate::scalar::Jet;
-use crate::system::{self, MOST_TIME_ORDERS, Model, TIME_ORDERS};
+use crate::system::{self, Model, TIME_ORDERS};
 
 /// Taylor coefficients of M, f, J and b, by order.
 pub(crate) struct Equations {
@@ -21,14 +21,18 @@ impl Equations {
     pub(crate) fn along(model: &Model, state: &[f64], accelerations: &[DVector<f64>]) -> Self {
         let (layout, series) = (model.layout(), &model.series);
         let found = if accelerations.len() < TIME_ORDERS {
-            let equations = series.equations(&motion(layout, state, accelerations));
-            equations.map(|equations| Self::of(model, &equations, (TIME_ORDERS, |x, k| x.coefficient(k))))
+            Self::expanded(model, series.equations(&motion(layout, state, accelerations)))
         } else {
-            let equations = series.long_equations(&motion(layout, state, accelerations));
-            equations
-                .map(|equations| Self::of(model, &equations, (MOST_TIME_ORDERS, |x, k| x.coefficient(k))))
+            Self::expanded(model, series.long_equations(&motion(layout, state, accelerations)))
         };
         found.unwrap_or_else(|| Self::of(model, &model.system.equations(state), (1, |x, _| *x)))
+    }
+
+    fn expanded<const ORDERS: usize>(
+        model: &Model,
+        equations: Option<system::Equations<Jet<f64, ORDERS>>>,
+    ) -> Option<Self> {
+        equations.map(|equations| Self::of(model, &equations, (ORDERS, |x, k| x.coefficient(k))))
     }
 
     fn of<S: Copy>(
