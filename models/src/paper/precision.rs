@@ -52,13 +52,13 @@ pub fn figures(rows: &[WorkPrecisionRow]) -> Result<Vec<CaptionedFigure>, Report
 }
 
 /// What is measured, said once.
-const NORM: &str = ". Time: the least of several runs that record nothing but their events. State: the largest deviation of a \
+const NORM: &str = "Time: the least of several runs that record nothing but their events. State: the largest deviation of a \
                     coordinate or rate at the end, in natural units of the model, angles in radians. Events: the largest deviation \
                     of a time, in natural times √(l/g). Both against a motion in double-double";
 
 fn figure(chart: Chart, first: bool) -> Result<CaptionedFigure, ReportError> {
     let description = format!("{} against {}, tolerances from 1e-3 to 1e-14", chart.y.name, chart.x.name);
-    let norm = if first { format!("{NORM}{}", machine()) } else { String::new() };
+    let norm = if first { format!(" {NORM}{}.", machine()) } else { String::new() };
     let title = match chart.x.name.starts_with("time") {
         true => "Error against run time",
         false => "Error against evaluations",
@@ -66,7 +66,7 @@ fn figure(chart: Chart, first: bool) -> Result<CaptionedFigure, ReportError> {
     Ok(CaptionedFigure {
         anchor: if first { "precision" } else { "" },
         title,
-        caption: format!("One point for each tolerance 10⁻³ … 10⁻¹⁴{norm}."),
+        caption: format!("One point for each tolerance 10⁻³ … 10⁻¹⁴.{norm}"),
         svg: Figure { description, size: (860, 440) }.charts(&[chart]),
     })
 }
