@@ -106,8 +106,9 @@ fn draw(seed: &mut u64) -> f64 {
     (*seed >> 11) as f64 / (1_u64 << 53) as f64
 }
 
-/// Some tents side by side, each of two equal bars, AB and BC, CD and DE, whose feet are hinged to those of the next, and factors
-/// of δ: the rows of all feet are one but for the cosines of the bars' angles.
+/// Some tents side by side, each of two equal bars, AB and BC, CD and DE, whose feet are hinged to
+/// those of the next, and factors of δ: the rows of all feet are one but for the cosines of the
+/// bars' angles.
 fn tents(count: usize, seed: &mut u64) -> (String, Vec<(String, f64)>) {
     let names: Vec<char> = ('A'..='Z').take(2 * count + 1).collect();
     let (mut text, mut figure, mut starts, mut x) =
@@ -136,8 +137,8 @@ fn tents(count: usize, seed: &mut u64) -> (String, Vec<(String, f64)>) {
     (text, starts)
 }
 
-/// Of any model whose contacts all but depend on each other the judge finds the same motion. While all feet stand, reactions and
-/// angles per δ are those of any other small δ.
+/// Of any model whose contacts all but depend on each other the judge finds the same motion. While
+/// all feet stand, reactions and angles per δ are those of any other small δ.
 #[test]
 fn random_tents_fall_as_the_judge_finds() {
     const LIMIT: f64 = 0.3;

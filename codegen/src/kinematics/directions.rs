@@ -157,7 +157,8 @@ fn name(system: &System, solved: &Solved, settled: Vec<Settled>) -> Directions {
     Directions { coordinates, dependent, directions, settled }
 }
 
-/// A declared angle by its value; none where that has a constant which is no whole multiple of parameters.
+/// A declared angle by its value; none where that has a constant which is no whole multiple of
+/// parameters.
 fn dependent(
     system: &System,
     independent: &[Coordinate],

@@ -39,7 +39,8 @@ impl Coordinate {
     }
 }
 
-/// A declared angle that follows coordinates: `quarters` π/2 + Σ factor parameter + Σ factor coordinate.
+/// A declared angle that follows coordinates: `quarters` π/2 + Σ factor parameter + Σ factor
+/// coordinate.
 #[derive(Clone, Debug)]
 pub struct DependentAngle {
     /// What is declared.

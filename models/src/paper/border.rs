@@ -13,7 +13,8 @@ pub fn find_border(sweep: &Sweep<'_>, width: f64) -> Result<f64, ReportError> {
     Ok(f64::midpoint(first.below, first.above))
 }
 
-/// The least φ(0), all `angles` equal, from which a support of the model opens before the bars lie level.
+/// The least φ(0), all `angles` equal, from which a support of the model opens before the bars lie
+/// level.
 pub fn find_least_start(
     model: &str,
     angles: &[&str],

@@ -1,4 +1,5 @@
-//! Which points of Fig. 1b reach the floor first after lift-off: B and D, or for light outer bars those that have left it.
+//! Which points of Fig. 1b reach the floor first after lift-off: B and D, or for light outer bars
+//! those that have left it.
 
 use super::ReportError;
 use super::border::find_border;
@@ -38,7 +39,8 @@ impl Scheme {
         Ok(later.iter().find(strikes).and_then(|event| coordinate(&run, &event.state, self.angle)))
     }
 
-    /// The mass ratio at which C and D reach the floor at once, with the inner bars level; C does first below it.
+    /// The mass ratio at which C and D reach the floor at once, with the inner bars level; C does
+    /// first below it.
     fn find_level(self, tolerance: f64) -> Result<f64, ReportError> {
         let model = models().find(self.model)?;
         let sweep = Sweep::of(model)

@@ -1,5 +1,6 @@
-//! Fig. 1b from rest at φ = π/2 − δ, where the gap rows of its feet differ by cos φ alone. The bars fall with
-//! φ″ = −(3/2) (g/l) cos φ/(1 + 6 λ) as φ → π/2, and A and E take λ g (1 − (5/3) l φ″/(g cos φ)) together.
+//! Fig. 1b from rest at φ = π/2 − δ, where the gap rows of its feet differ by cos φ alone. The bars
+//! fall with φ″ = −(3/2) (g/l) cos φ/(1 + 6 λ) as φ → π/2, and A and E take λ g (1 − (5/3) l φ″/(g
+//! cos φ)) together.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -10,7 +11,8 @@ use liftoff_studio::registry::{MotionError, RunOptions};
 use liftoff_verification::cases::event_summary::event_summary;
 use liftoff_verification::cases::{Case, expect};
 
-/// Below this the doubles of the angles tell δ so badly that the judge's motion from them is another.
+/// Below this the doubles of the angles tell δ so badly that the judge's motion from them is
+/// another.
 const TOLD: f64 = 1e-10;
 
 pub(super) fn cases() -> impl Iterator<Item = Case> {

@@ -1,4 +1,5 @@
-//! Four bars released almost upright: their contacts with the floor depend on each other but for cos φ.
+//! Four bars released almost upright: their contacts with the floor depend on each other but for
+//! cos φ.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -25,8 +26,8 @@ const ZIGZAG: &str = "
     #[mirror(x = 0)]
     struct Zigzag { m1: f64, m2: f64, l: f64, g: f64 }";
 
-/// δ = π/2 − φ after a time by Runge and Kutta's method, from the energy of a fall in which all angles are equal,
-/// (1/3 + 2 λ cos² δ) δ″ = 2 λ sin δ cos δ δ′² + g/(2 l) sin δ.
+/// δ = π/2 − φ after a time by Runge and Kutta's method, from the energy of a fall in which all
+/// angles are equal, (1/3 + 2 λ cos² δ) δ″ = 2 λ sin δ cos δ δ′² + g/(2 l) sin δ.
 fn fall(lambda: f64, delta: f64, t: f64) -> f64 {
     const STEPS: usize = 20_000;
     let h = t / STEPS as f64;

@@ -1,5 +1,5 @@
-//! Mistakes are found at their place, all of a declaration at once, as the compiler prints them of the same files
-//! (`ui.rs`, which starts compilers and is run by `.ci/long ui`).
+//! Mistakes are found at their place, all of a declaration at once, as the compiler prints them of
+//! the same files (`ui.rs`, which starts compilers and is run by `.ci/long ui`).
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -54,7 +54,8 @@ fn is_derived(attributes: &[syn::Attribute]) -> bool {
         .any(|it| it.path().is_ident("derive") && it.to_token_stream().to_string().contains("BarSystem"))
 }
 
-/// The mistakes among what the compiler has printed: `error: MESSAGE`, then ` --> FILE:LINE:COLUMN`.
+/// The mistakes among what the compiler has printed: `error: MESSAGE`, then ` -->
+/// FILE:LINE:COLUMN`.
 fn parse_printed(text: &str) -> BTreeSet<Mistake> {
     let blocks = text.split("\n\n").filter_map(|block| block.strip_prefix("error: "));
     let parse = |block: &str| {

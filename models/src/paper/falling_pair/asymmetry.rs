@@ -12,7 +12,8 @@ use liftoff_studio::sweep::Sweep;
 const MODEL: &str = "falling-pair-full";
 /// How far D is down at the start, l.
 pub(in crate::paper) const DROP: f64 = 0.005;
-/// How far beside the middle: the first falls in, the second does not. Beyond the border, fine strips of both kinds alternate.
+/// How far beside the middle: the first falls in, the second does not. Beyond the border, fine
+/// strips of both kinds alternate.
 const BESIDE: &str = "x=0.007:0.007069807:2";
 
 /// Where the first strip of starts ends that fall in.

@@ -8,8 +8,8 @@ use liftoff_studio::explain::conditions::{Piece, Request, conditions};
 use liftoff_studio::html::escaped;
 use std::f64::consts::FRAC_PI_2;
 
-/// A contact set, with a start from rest if it has one, and the paper's equations for it; those of the paper are for one bar
-/// of mass 1 in Fig. 1a.
+/// A contact set, with a start from rest if it has one, and the paper's equations for it; those of
+/// the paper are for one bar of mass 1 in Fig. 1a.
 struct Set {
     layout: &'static Layout,
     title: &'static str,
@@ -88,7 +88,8 @@ fn set(set: &Set) -> String {
     )
 }
 
-/// The equations of a contact set; on the way from rest φ̇², φ̈ and N as functions of the angle too.
+/// The equations of a contact set; on the way from rest φ̇², φ̈ and N as functions of the angle
+/// too.
 fn derive_lines(Set { layout, closed, start, .. }: &Set) -> Vec<String> {
     let derived = equations(layout);
     let mut lines: Vec<String> = Vec::new();

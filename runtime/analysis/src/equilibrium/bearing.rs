@@ -37,8 +37,8 @@ pub struct Load {
 /// What a joint or a drive transmits, with the name of that as an output.
 pub type JointForce = (&'static str, f64);
 
-/// The loads of the contacts of a set, and what joints and drives transmit where all shares give the same; none if they cannot hold
-/// the system at rest.
+/// The loads of the contacts of a set, and what joints and drives transmit where all shares give
+/// the same; none if they cannot hold the system at rest.
 pub(super) fn loads(
     subject: &Subject,
     set: ContactSet,

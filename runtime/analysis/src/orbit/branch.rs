@@ -5,10 +5,11 @@
 //! P(x, p) = x + s,    tᵀ (z − z₀ − h t) = 0
 //! ```
 //!
-//! On the way a fold is where t has no part along p, a branch point where the determinant of both equations changes its sign (Keller), a
-//! flip where a multiplier is −1, a torus where a complex pair has modulus 1; each is
-//! located along h by regula falsi (Illinois: Dowell and Jarratt, BIT 11, 1971). A branch ends where the sequence of events of a turn
-//! changes, as at grazing: it is followed up to there by bisection.
+//! On the way a fold is where t has no part along p, a branch point where the determinant of both
+//! equations changes its sign (Keller), a flip where a multiplier is −1, a torus where a complex
+//! pair has modulus 1; each is located along h by regula falsi (Illinois: Dowell and Jarratt, BIT
+//! 11, 1971). A branch ends where the sequence of events of a turn changes, as at grazing: it is
+//! followed up to there by bisection.
 
 use core::fmt;
 

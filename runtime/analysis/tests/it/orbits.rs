@@ -338,7 +338,8 @@ fn a_juggled_ball_has_the_fold_and_the_flip_of_its_closed_form() {
         let bent = 2.0 * g * (1.0 + e * e) / (1.0 + e).powi(2);
         let found = point.orbit.parameters[1];
         assert_eq!(kind, Special::Branch);
-        // Where branches cross, orbits are told apart by the third root of what they may miss themselves by.
+        // Where branches cross, orbits are told apart by the third root of what they may miss
+        // themselves by.
         assert!((found * w / floor.hypot(bent / w) - 1.0).abs() < 1e-3, "{found}");
     });
 }

@@ -174,7 +174,8 @@ struct Held {
     g: f64,
 }
 
-/// What the hinge of a beam bears is its weight without what the spring does: the moments about A and the sums of both forces.
+/// What the hinge of a beam bears is its weight without what the spring does: the moments about A
+/// and the sums of both forces.
 #[test]
 fn joint_forces_at_rest_are_those_of_statics() {
     let (m, l, k, g) = (2.0, 1.5, 40.0, 9.81);

@@ -18,7 +18,8 @@ const DIGITS: usize = 7;
 const EVENT: usize = 1;
 /// More rows than this are a slip of the keyboard.
 const MOST: usize = 1_000_000;
-/// What stands beside the values before an impact or an impulse; those after it are in its own line.
+/// What stands beside the values before an impact or an impulse; those after it are in its own
+/// line.
 const BEFORE: &str = "before";
 /// Lines of a table that are written at once.
 const AT_ONCE: usize = 4096;
@@ -154,7 +155,8 @@ pub fn values_at(rows: &[Row], t: f64, is_before: bool) -> Vec<f64> {
     row.map_or_else(Vec::new, |row| row.values.clone())
 }
 
-/// Whether velocities jump after an event at the same time, so that what is read then is the motion before that.
+/// Whether velocities jump after an event at the same time, so that what is read then is the motion
+/// before that.
 pub fn precedes_jump(events: &[liftoff::Event], k: usize) -> bool {
     let is_now = |event: &&liftoff::Event| event.t == events[k].t;
     let jumps = |event: &liftoff::Event| event.before.is_some();

@@ -46,8 +46,8 @@ pub(super) fn positions(
     found.ok_or_else(|| diagnose(assembly, given))
 }
 
-/// What is given with the coordinates that drives prescribe: such a row is linear in one of them. The others follow on their path, not
-/// from where the nominal figure is, which may be singular.
+/// What is given with the coordinates that drives prescribe: such a row is linear in one of them.
+/// The others follow on their path, not from where the nominal figure is, which may be singular.
 fn with_driven(assembly: &AssemblyProblem<'_>, given: &[Option<f64>]) -> Vec<Option<f64>> {
     let (layout, nominal) = (assembly.layout(), &assembly.context.model.nominal);
     let (mut known, rows) = (given.to_vec(), assembly.rows(nominal));

@@ -110,8 +110,8 @@ impl Given {
         }
     }
 
-    /// Solves the equations of dependent angles, Σ factor coordinate = right, one after the other as soon as all coordinates but
-    /// one are known.
+    /// Solves the equations of dependent angles, Σ factor coordinate = right, one after the other
+    /// as soon as all coordinates but one are known.
     fn solve(&mut self, layout: &Layout, equations: &mut Vec<Equation<'_>>) -> Result<(), StartError> {
         while !equations.is_empty() {
             let open = |equation: &Equation<'_>, given: &Self| -> Vec<Term> {

@@ -102,8 +102,9 @@ impl Bounds {
         Self { passages: log.into_iter().filter(is_passage).count() as f64, ..self }
     }
 
-    /// The energy is quadratic in the rates: some local errors for each step, and for each step across a singular position of
-    /// a loop what that leaves of them; a tenth of it is no error of steps, whatever the tolerance.
+    /// The energy is quadratic in the rates: some local errors for each step, and for each step
+    /// across a singular position of a loop what that leaves of them; a tenth of it is no error of
+    /// steps, whatever the tolerance.
     pub(crate) fn energy(&self) -> f64 {
         let of_steps = 100.0 * self.error * (10.0 + self.steps);
         of_steps.min(LARGEST.max(10.0 * self.error)) + 2.0 * ACROSS * self.passages
@@ -115,7 +116,8 @@ impl Bounds {
         1e4 * self.error
     }
 
-    /// Positions within ten local errors leave those of a fold, and rates there, unknown by the square root.
+    /// Positions within ten local errors leave those of a fold, and rates there, unknown by the
+    /// square root.
     pub(crate) fn jump(&self) -> f64 {
         (10.0 * self.error).sqrt()
     }

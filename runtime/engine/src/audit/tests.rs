@@ -140,7 +140,8 @@ fn velocities_jump_at_impacts_alone() {
     assert_eq!(broken(&run.audit()), [Quantity::Kick]);
 }
 
-/// So many steps at so coarse a tolerance might each err as they will: more than a tenth of the energy is no error of theirs.
+/// So many steps at so coarse a tolerance might each err as they will: more than a tenth of the
+/// energy is no error of theirs.
 #[test]
 fn bounds_of_energies_say_something() {
     let energy = |tolerance: f64, steps: u64| Bounds::of(tolerance, steps).energy();

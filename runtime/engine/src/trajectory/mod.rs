@@ -330,7 +330,8 @@ impl Trajectory {
         &self.impulses
     }
 
-    /// Coordinates and rates of a state, then dependent angles and their rates, as [`Layout::names_of_motion`] names them.
+    /// Coordinates and rates of a state, then dependent angles and their rates, as
+    /// [`Layout::names_of_motion`] names them.
     pub fn with_dependent(&self, state: &[f64]) -> Vec<f64> {
         self.layout().motion(self.parameters(), state)
     }

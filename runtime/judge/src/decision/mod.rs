@@ -116,7 +116,8 @@ impl<'a, S: Scalar> Round<'a, S> {
         Ok(())
     }
 
-    /// All that are undecided closed, if each of them pushes: by their own rows, which are known where W is rounding.
+    /// All that are undecided closed, if each of them pushes: by their own rows, which are known
+    /// where W is rounding.
     fn all_bear(&self, k: usize, bearing: &[usize], problem: &Problem<S>) -> Option<Outcome<S>> {
         let scene = self.expansion.scene;
         let kkt = Kkt::of(scene, &self.expansion.series, scene.slots(&[bearing, &self.open].concat()));

@@ -196,7 +196,8 @@ impl<'a> Follower<'a> {
         }
     }
 
-    /// Counts the work of an expansion to so many terms, by a factor less where it is only evaluated.
+    /// Counts the work of an expansion to so many terms, by a factor less where it is only
+    /// evaluated.
     fn spend(&mut self, terms: usize) {
         self.motion.work += (self.scene.tape.size() * terms * self.terms) as u64;
     }

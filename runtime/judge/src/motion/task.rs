@@ -104,8 +104,8 @@ pub struct Motion {
     pub end: Vec<DoubleDouble>,
     /// Why it ends before it should.
     pub stopped: Option<NotJudged>,
-    /// What it took: for each expansion the operations of the scene times the square of the terms. A clock would judge otherwise on
-    /// another machine.
+    /// What it took: for each expansion the operations of the scene times the square of the terms.
+    /// A clock would judge otherwise on another machine.
     pub work: u64,
 }
 

@@ -19,13 +19,15 @@ pub(crate) struct Factors<S> {
 }
 
 const PASSES: usize = 4;
-/// Constraints that differ by this, relative to their entries, differ by the rounding of what was given in doubles.
+/// Constraints that differ by this, relative to their entries, differ by the rounding of what was
+/// given in doubles.
 const GIVEN: f64 = 2.0 * f64::EPSILON;
 
 impl<S: Scalar> Factors<S> {
-    /// Factorises a matrix by rows: `unknowns` equations with a mass matrix, then constraints on these unknowns alone. Pivots
-    /// are taken from the constraints first: where these all but depend on each other, by δ, what follows is known to ε/δ,
-    /// with pivots of the mass matrix to ε/δ².
+    /// Factorises a matrix by rows: `unknowns` equations with a mass matrix, then constraints on
+    /// these unknowns alone. Pivots are taken from the constraints first: where these all but
+    /// depend on each other, by δ, what follows is known to ε/δ, with pivots of the mass matrix to
+    /// ε/δ².
     pub fn of(mut entries: Vec<Vec<S>>, unknowns: usize) -> Self {
         let n = entries.len();
         let (row_scales, column_scales) = equilibrate(&mut entries);

@@ -1,5 +1,5 @@
-//! Error against run time and against evaluations, drawn: all axes logarithmic, panels for the final state and for the
-//! events of each system, our methods solid and other tools dashed.
+//! Error against run time and against evaluations, drawn: all axes logarithmic, panels for the
+//! final state and for the events of each system, our methods solid and other tools dashed.
 
 use super::WorkPrecisionRow;
 use crate::plot::{Axis, Chart, Colour, Curve, Figure};

@@ -200,8 +200,8 @@ impl Reference {
         Some(self.time_difference(time, DoubleDouble::new(t, 0.0)))
     }
 
-    /// The error of a final state: the largest deviation of a coordinate or rate in natural units of the model, angles in
-    /// radians.
+    /// The error of a final state: the largest deviation of a coordinate or rate in natural units
+    /// of the model, angles in radians.
     pub fn state_error(&self, state: &[f64]) -> f64 {
         let state: Vec<_> = state.iter().map(|&x| DoubleDouble::new(x, 0.0)).collect();
         self.difference(&state)

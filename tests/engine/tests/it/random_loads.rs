@@ -300,7 +300,8 @@ pulled_as_power!(Fourth, 4);
 pulled_as_power!(Fifth, 5);
 pulled_as_power!(Eighth, 8);
 
-/// However high the power of time by which a load begins, the contact opens at once: x = f tⁿ⁺² / m (n + 1)(n + 2).
+/// However high the power of time by which a load begins, the contact opens at once: x = f tⁿ⁺² / m
+/// (n + 1)(n + 2).
 #[test]
 fn what_is_pulled_off_slowly_opens_at_once() {
     fn check<M: BarSystem>(block: M, power: i32) {

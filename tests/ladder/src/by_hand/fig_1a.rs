@@ -2,7 +2,8 @@
 
 use crate::GRAVITY;
 
-/// Rates of φ and of its rate on the corners: T = A φ̇², A = ¼ (4/3 + sec⁴ φ − 2 sec φ), V = −g (tan φ − sin φ).
+/// Rates of φ and of its rate on the corners: T = A φ̇², A = ¼ (4/3 + sec⁴ φ − 2 sec φ), V = −g
+/// (tan φ − sin φ).
 pub fn held(&[phi, w]: &[f64; 2]) -> [f64; 2] {
     let (tan, sec) = (phi.tan(), 1.0 / phi.cos());
     let mass = 0.5 * (4.0 / 3.0 + sec.powi(4) - 2.0 * sec);

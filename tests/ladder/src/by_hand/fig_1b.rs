@@ -1,4 +1,5 @@
-//! The paper's Fig. 1b with every support on its own, l = 1, bars of mass ½: the right half, φ_inner, φ_outer, rise of C.
+//! The paper's Fig. 1b with every support on its own, l = 1, bars of mass ½: the right half,
+//! φ_inner, φ_outer, rise of C.
 
 use crate::GRAVITY;
 
@@ -24,7 +25,8 @@ fn equations(&[a, b, _, p, q, _]: &State) -> Equations {
         [-0.25 * both, 1.0 / 6.0, -0.25 * cb],
         [0.75 * ca, -0.25 * cb, 1.0],
     ];
-    // Centres of CD and DE: what their accelerations have besides those of the coordinates, and gravity.
+    // Centres of CD and DE: what their accelerations have besides those of the coordinates, and
+    // gravity.
     let inner = [0.5 * ca * p * p, 0.5 * sa * p * p - GRAVITY];
     let outer = [ca * p * p + 0.5 * cb * q * q, sa * p * p - 0.5 * sb * q * q - GRAVITY];
     let force = [
@@ -82,7 +84,8 @@ pub fn rates(state: &State, closed: Closed) -> State {
     [p, q, v, a, b, c]
 }
 
-/// The least of what must not be less than 0: reactions of closed contacts, gaps of open ones, the height of B and D.
+/// The least of what must not be less than 0: reactions of closed contacts, gaps of open ones, the
+/// height of B and D.
 pub fn margin(state: &State, closed: Closed) -> f64 {
     least(state, closed).1
 }

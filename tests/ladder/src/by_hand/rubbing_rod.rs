@@ -18,8 +18,9 @@ pub fn forces(state: &[f64; 2]) -> [f64; 2] {
     [0.5 * (spin * c - w * w * s), GRAVITY - 0.5 * (spin * s + w * w * c)]
 }
 
-/// Rates of φ, the foot's x, and their rates while it slides one way (`sense` is the sign of ẋ), R = −sense μ N:
-/// (1/12 + ¼ sin φ (sin φ + sense μ cos φ)) φ̈ = ½ (g − ½ φ̇² cos φ) (sin φ + sense μ cos φ).
+/// Rates of φ, the foot's x, and their rates while it slides one way (`sense` is the sign of ẋ), R
+/// = −sense μ N: (1/12 + ¼ sin φ (sin φ + sense μ cos φ)) φ̈ = ½ (g − ½ φ̇² cos φ) (sin φ + sense μ
+/// cos φ).
 pub fn slide(sense: f64, &[phi, _, w, u]: &[f64; 4]) -> [f64; 4] {
     let (s, c) = phi.sin_cos();
     let arm = s + sense * FRICTION * c;
@@ -28,7 +29,8 @@ pub fn slide(sense: f64, &[phi, _, w, u]: &[f64; 4]) -> [f64; 4] {
     [w, u, spin, -sense * FRICTION * normal - 0.5 * (spin * c - w * w * s)]
 }
 
-/// The times and states φ, x, and their rates where the foot slips, where it turns back, and of the end.
+/// The times and states φ, x, and their rates where the foot slips, where it turns back, and of the
+/// end.
 pub fn run(start: [f64; 2], end: f64) -> Vec<(f64, [f64; 4])> {
     let margin = |state: &[f64; 2]| {
         let [tangential, normal] = forces(state);

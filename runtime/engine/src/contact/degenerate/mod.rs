@@ -188,7 +188,8 @@ impl Ladder {
         state: &[f64],
         trials: Option<&Trials>,
     ) -> Result<ContactSet, LcpError> {
-        // A load of time alone begins in any order; what rests on the same motion is not worth more of them.
+        // A load of time alone begins in any order; what rests on the same motion is not worth more
+        // of them.
         let orders = if self.layout.timed { MOST_TIME_ORDERS } else { TIME_ORDERS };
         for _ in 0..orders {
             let (layout, acting) = (model.layout(), &self.acting);

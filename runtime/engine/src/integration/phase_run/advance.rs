@@ -127,7 +127,8 @@ impl<'a> PhaseRun<'a> {
         self.signals.find_break_near(self.context, t).map(Termination::Drive)
     }
 
-    /// What the last step has not seen of loads and drives; it is rejected then in favour of a shorter one.
+    /// What the last step has not seen of loads and drives; it is rejected then in favour of a
+    /// shorter one.
     fn check_signals(&mut self, recording: &mut Recording, stepper: &mut dyn PhaseStepper) -> Option<Unseen> {
         let signals = &mut self.signals;
         let dense = recording.last().filter(|_| !signals.is_empty())?;
@@ -230,7 +231,8 @@ impl<'a> PhaseRun<'a> {
         }
     }
 
-    /// Makes one step, projects its end onto the constraints and records it; where that would be a jump, which.
+    /// Makes one step, projects its end onto the constraints and records it; where that would be a
+    /// jump, which.
     fn step(
         &mut self,
         recording: &mut Recording,

@@ -91,7 +91,8 @@ pub(crate) struct Driver<'a> {
     /// Kinetic and potential energy at the start of the phase, and the state there.
     energy: Energy<f64>,
     begun: Vec<f64>,
-    /// The state in which the phase before has ended, as it was recorded, and whether an impulse has acted since.
+    /// The state in which the phase before has ended, as it was recorded, and whether an impulse
+    /// has acted since.
     ended: Vec<f64>,
     is_struck: bool,
     /// How many phases have begun since time last advanced.
