@@ -32,6 +32,7 @@ mod jacobian;
 mod jumps;
 mod load_sharing;
 mod low_flights;
+mod lowest_points;
 mod methods;
 mod nonsmooth;
 mod observed;

@@ -8,7 +8,8 @@ use super::switch::Role;
 use crate::audit::Work;
 use crate::contact::friction::{Grip, single};
 use crate::contact::{
-    ContactError, ContactProblem, ContactSolution, decide, hinges, joint_names, labels, nondegenerate,
+    ContactError, ContactProblem, ContactSolution, decide, find_least_gaps, hinges, joint_names, labels,
+    nondegenerate,
 };
 use crate::error::{RunCause, StartError};
 use crate::event::detection::{Bounds, ContactStatus, EventDetector, Signals};
@@ -38,6 +39,7 @@ impl Driver<'_> {
     ) -> Result<(), RunCause> {
         self.touching = self.touching.difference(self.parted()).union(self.guides());
         let held = self.held.difference(self.removed);
+        self.touching = self.touching.difference(self.least_gaps(held));
         let most_trials = Some(self.setup.budget.trials);
         let slips = &self.known_slips(located)[..];
         let context = &self.setup.context;
@@ -108,6 +110,12 @@ impl Driver<'_> {
         let bound = self.relative_bound() * self.setup.context.scales.length;
         let dependent = dependent.difference(self.layout().drives());
         dependent.iter().filter(|&i| equations.gap()[i] > bound).collect()
+    }
+
+    /// Contacts that may open and hold nothing: their gaps are least here.
+    fn least_gaps(&self, held: ContactSet) -> ContactSet {
+        let kept = held.union(self.guides()).union(self.touching.intersection(self.layout().drives()));
+        find_least_gaps(&self.setup.context, &self.state, (self.touching.difference(kept), kept))
     }
 
     pub(super) fn contact_error(&self, source: ContactError) -> RunCause {
