@@ -50,10 +50,12 @@ macro_rules! kernels {
 }
 
 kernels! {
-    bars_0_to_999: 0..1000, BARS;
+    bars_0_to_499: 0..500, BARS;
     #[ignore = "`.ci/long promises derivations` tries it"]
-    bars_1000_to_1999: 1000..2000, BARS;
-    vocabulary_0_to_999: 0..1000, ALL;
+    bars_500_to_1999: 500..2000, BARS;
+    vocabulary_0_to_499: 0..500, ALL;
+    #[ignore = "`.ci/long promises derivations` tries it"]
+    vocabulary_500_to_999: 500..1000, ALL;
     #[ignore = "`.ci/long promises derivations` tries it"]
     vocabulary_1000_to_1999: 1000..2000, ALL;
     #[ignore = "`.ci/long promises derivations` tries it"]
@@ -148,7 +150,9 @@ macro_rules! impacts {
 }
 
 impacts! {
-    random_impacts_0_to_499: 0..500, Vocabulary::ALL, [4000, 400, 100];
+    random_impacts_0_to_249: 0..250, Vocabulary::ALL, [2000, 200, 50];
+    #[ignore = "`.ci/long promises derivations` tries it"]
+    random_impacts_250_to_499: 250..500, Vocabulary::ALL, [2000, 200, 50];
     #[ignore = "`.ci/long promises derivations` tries it"]
     random_impacts_500_to_999: 500..1000, Vocabulary::ALL, [4000, 400, 100];
     rough_impacts_1000_to_1199: 1000..1200, ROUGH, [900, 550, 55];
