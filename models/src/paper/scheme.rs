@@ -113,7 +113,8 @@ fn line(points: Vec<[f64; 2]>, colour: Colour, width: u32) -> Stroke {
     Stroke::solid(points, colour, 1.0, width)
 }
 
-fn arc(centre: [f64; 2], [from, to]: [f64; 2], radius: f64) -> Stroke {
+/// The arc of an angle at a point.
+pub(super) fn arc(centre: [f64; 2], [from, to]: [f64; 2], radius: f64) -> Stroke {
     let point = |k: u32| {
         let (sin, cos) = (from + (to - from) * f64::from(k) / 24.0).sin_cos();
         [centre[0] + radius * cos, centre[1] + radius * sin]

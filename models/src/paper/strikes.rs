@@ -124,7 +124,7 @@ impl Strikes {
             }],
         };
         let sheet =
-            Figure { description: "Angle at the first strike over the mass ratio".into(), size: (860, 420) };
+            Figure { description: "Angle at the first strike over the mass ratio".into(), size: (560, 480) };
         Ok(CaptionedFigure {
             anchor: "strikes",
             title: "Fig. 1b: what strikes first",

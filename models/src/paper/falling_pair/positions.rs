@@ -4,6 +4,7 @@ use super::Runs;
 use crate::paper::ReportError;
 use crate::paper::figure::{CaptionedFigure, decimals, path, superposed};
 use crate::paper::reading::{at, equal_steps, places, range};
+use crate::paper::scheme::arc;
 use liftoff_studio::plot::{Axis, Colour, Figure, Label, LegendLine, Stroke, Superposition};
 
 pub(in crate::paper) const BARS: [&str; 3] = ["A", "D", "B"];
@@ -19,7 +20,11 @@ impl Runs {
         strokes.push(line(vec![[-self.l / 2.0, 0.0], centre, hinge], Colour::Green, 1));
         strokes.push(line(vec![hinge, [0.0, 0.0]], Colour::Green, 1));
         strokes.push(line(bars.clone(), Colour::Blue, 3));
-        let angle = at(&self.fall, "phi", open)?.to_degrees();
+        let phi = at(&self.fall, "phi", open)?;
+        let level = [hinge[0] + 0.5 * self.l, hinge[1]];
+        strokes.push(line(vec![hinge, level], Colour::Black, 1));
+        strokes.push(arc(hinge, [0.0, phi], 0.25 * self.l));
+        let angle = phi.to_degrees();
         let drop = decimals(-hinge[1], 4);
         let write = |at, text: &str, offset| Label { at, text: text.into(), offset };
         let superposition = Superposition {
@@ -32,7 +37,7 @@ impl Runs {
                 write(bars[2], "B", (8, -8)),
                 write(centre, "P₁", (0, 16)),
                 write([0.0, hinge[1] / 2.0], &format!("{drop} l"), (6, -24)),
-                write(hinge, &format!("φ₁ = {angle:.3}°"), (26, 4)),
+                write(hinge, &format!("φ₁ = {angle:.3}°"), (78, -14)),
             ],
             dots: vec![end, hinge, bars[2], centre],
             legend: Vec::new(),
