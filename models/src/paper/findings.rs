@@ -110,12 +110,18 @@ fn sizes(pair: &falling_pair::Runs, tolerance: f64) -> Result<Finding, ReportErr
 
 fn not_symmetric(asymmetry: &Asymmetry) -> Finding {
     let text = format!(
-        "The fall of Fig. 1a is symmetric only from a symmetric start. From rest with D {DROP} <i>l</i> down          (<code>falling-pair-full</code>) both bars fall in while D is less than {:.10} <i>l</i> beside the middle. From 0.01 <i>l</i>          beside it D slides off over a corner{}. Between, strips of starts that fall in and that slide off alternate.",
+        "The fall of Fig. 1a is symmetric only from a symmetric start. From rest with D {DROP} <i>l</i> down \
+         (<code>falling-pair-full</code>) both bars fall in while D is less than {:.10} <i>l</i> beside the middle. \
+         From 0.01 <i>l</i> beside it D slides off over a corner{}. Between, strips of starts that fall in and that slide off alternate. \
+         Where the ends A and B land on the ground beside the gap, nothing slides off: from 0.01 <i>l</i> both bars come to lie flat{}.",
         asymmetry.border,
         asymmetry.slides_off.map_or_else(String::new, |phi| format!(
             ", with one bar flat on it and the other turned up by {} rad",
             decimals(-phi, 3)
         )),
+        asymmetry
+            .lies_flat
+            .map_or_else(String::new, |x| format!(", D {} <i>l</i> beside the middle", decimals(x, 4))),
     );
     Finding { anchor: "beside", title: "Fig. 1a, not quite symmetric", text }
 }
