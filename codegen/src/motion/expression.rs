@@ -56,7 +56,7 @@ impl Expression {
     }
 
     /// Full turns more.
-    pub(super) fn plus_turns(self, turns: i64) -> Self {
+    pub fn plus_turns(self, turns: i64) -> Self {
         let half = || Self::Angle(Angle::quarters(2));
         match turns {
             0 => self,
@@ -93,11 +93,11 @@ impl Expression {
         self.apply(Function::Sqrt)
     }
 
-    /// The same with other values and angles.
-    pub fn map(&self, value: &dyn Fn(&Quotient) -> Quotient, angle: &dyn Fn(&Angle) -> Angle) -> Self {
+    /// The same with other values, and expressions in place of angles.
+    pub fn map(&self, value: &dyn Fn(&Quotient) -> Quotient, angle: &dyn Fn(&Angle) -> Self) -> Self {
         match self {
             Self::Value(quotient) => Self::Value(value(quotient)),
-            Self::Angle(turn) => Self::Angle(angle(turn)),
+            Self::Angle(turn) => angle(turn),
             Self::Time => Self::Time,
             Self::Apply(function, inner) => inner.map(value, angle).apply(*function),
             Self::Join(operator, a, b) => a.map(value, angle).join(*operator, b.map(value, angle)),

@@ -150,3 +150,19 @@ pub(super) fn turned(angle: &Angle, elimination: &Elimination) -> Angle {
         Value::Length(_) | Value::Rate(_) => angle.clone(),
     }
 }
+
+/// An angle with everything eliminated replaced, and the full turns that it has lost by that: as a
+/// number it stands for the sum of what the coordinates stand for.
+pub(super) fn turned_by_all(angle: &Angle, eliminated: &[Elimination]) -> (Angle, i64) {
+    let quarters = |elimination: &Elimination| match &elimination.value {
+        Value::Angle(value) => {
+            let coordinate = Symbol::coordinate(elimination.coordinate);
+            i64::from(angle.coefficient(coordinate)) * value.signed_quarters()
+        }
+        Value::Length(_) | Value::Rate(_) => 0,
+    };
+    let all = angle.signed_quarters() + eliminated.iter().map(quarters).sum::<i64>();
+    let found = eliminated.iter().fold(angle.clone(), |angle, elimination| turned(&angle, elimination));
+    let lost_turns = (all - found.signed_quarters()) / 4;
+    (found, lost_turns)
+}

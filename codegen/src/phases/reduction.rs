@@ -1,9 +1,9 @@
 //! Reduced equations of a contact set from the full ones and the eliminated coordinates.
 
-use super::elimination::{Elimination, Value, substitute_all, turned};
+use super::elimination::{Elimination, Value, substitute_all, turned_by_all};
 use super::{Phase, Sliding};
 use crate::algebra::{Angle, Quotient, Rational, Series, Symbol};
-use crate::motion::{ClosedSet, Dense, Motion, OpaqueTerm};
+use crate::motion::{ClosedSet, Dense, Expression, Motion, OpaqueTerm};
 
 /// A phase with an expression of more terms than this is left to the projected form.
 pub(super) const TERMS: usize = 200;
@@ -116,7 +116,10 @@ impl Substitution<'_> {
 
     fn opaque_term(&self, opaque_term: &OpaqueTerm) -> OpaqueTerm {
         let value = |quotient: &Quotient| substitute_all(quotient, self.eliminated);
-        let angle = |angle: &Angle| self.eliminated.iter().fold(angle.clone(), |a, e| turned(&a, e));
+        let angle = |angle: &Angle| {
+            let (angle, lost_turns) = turned_by_all(angle, self.eliminated);
+            Expression::Angle(angle).plus_turns(lost_turns)
+        };
         let orders = opaque_term.orders.iter().map(|expression| expression.map(&value, &angle)).collect();
         OpaqueTerm { name: opaque_term.name.clone(), orders }
     }
