@@ -64,14 +64,14 @@ impl Scales {
         Self { length, time, mass, has_bars, figure, gravity, stretch, has_time, damped }
     }
 
-    /// The scales of a run from these coordinates and rates.
-    pub fn starting_at(self, layout: &Layout, positions: &[f64], rates: &[f64]) -> Self {
+    /// The scales of a run from these coordinates and rates, but for its time.
+    pub fn sized_at(self, layout: &Layout, positions: &[f64], rates: &[f64]) -> Self {
         let flight = self.flight(layout, rates);
         let slack = self.stretch.map(|length| {
             let known = flight.filter(|height| *height > f64::EPSILON * length);
             known.map_or(length, |height| length.min(height))
         });
-        let sized = match size(layout, positions).or(slack) {
+        match size(layout, positions).or(slack) {
             Some(length) if !self.has_bars => {
                 let high = flight.filter(|height| *height > HIGH * length);
                 let length = high.map_or(length, |height| length.max(height.min(self.figure)));
@@ -79,8 +79,17 @@ impl Scales {
                 Self { length, time, ..self }
             }
             _ => self,
-        };
-        sized.at_rate(sized.fastest(layout, rates))
+        }
+    }
+
+    /// The scales of a run from these rates. What drives accelerate, in natural lengths or radians,
+    /// counts where nothing else tells the time: their rates may be what rounding makes of zero.
+    pub fn starting_at(self, layout: &Layout, rates: &[f64], driven: f64) -> Self {
+        let fastest = self.fastest(layout, rates);
+        if self.has_time {
+            return self.at_rate(fastest);
+        }
+        Self { has_time: fastest > 0.0, ..self.at_rate(fastest.max(driven.sqrt())) }
     }
 
     /// The scales of a motion that may have become much faster since its start.
@@ -91,9 +100,10 @@ impl Scales {
         Self { time: self.time.min(1.0 / fastest), ..self }
     }
 
-    /// The scales of a run whose drives alone tell the time, by the rates that they give at its start.
-    pub fn driven_at(self, layout: &Layout, rates: &[f64]) -> Self {
-        if self.has_time { self } else { self.at_rate(self.fastest(layout, rates)) }
+    /// The scales of a run whose drives alone tell the time, by the rates that they give at its start
+    /// and what they accelerate there.
+    pub fn driven_at(self, layout: &Layout, rates: &[f64], driven: f64) -> Self {
+        if self.has_time { self } else { self.at_rate(self.fastest(layout, rates).max(driven.sqrt())) }
     }
 
     /// The largest rate, in natural lengths or radians.

@@ -137,7 +137,8 @@ impl Simulation {
         self.measure(&pose)?;
         let mut start = self.complete(&pose)?;
         let (layout, n) = (self.layout(), self.layout().coordinates.len());
-        let scales = self.context.scales.driven_at(layout, &start.state[n..2 * n]);
+        let driven = self.driven_acceleration(&start.state[..n], &self.context.scales);
+        let scales = self.context.scales.driven_at(layout, &start.state[n..2 * n], driven);
         if scales.time != self.context.scales.time {
             self.set_scales(scales);
             start = self.complete(&pose)?;
@@ -398,8 +399,23 @@ impl Simulation {
     fn measure(&mut self, pose: &Pose) -> Result<(), StartError> {
         let [positions, rates] = pose.values(self.model())?;
         let natural = scales_of(self.model()).unwrap_or(self.context.scales);
-        self.set_scales(natural.starting_at(self.layout(), &positions, &rates));
+        let sized = natural.sized_at(self.layout(), &positions, &rates);
+        let driven = self.driven_acceleration(&positions, &sized);
+        self.set_scales(sized.starting_at(self.layout(), &rates, driven));
         Ok(())
+    }
+
+    /// The largest ∂²g/∂t² at the start, in natural lengths or radians: what drives accelerate, and
+    /// grounds that move.
+    fn driven_acceleration(&self, positions: &[f64], scales: &Scales) -> f64 {
+        let layout = self.layout();
+        if !layout.timed {
+            return 0.0;
+        }
+        let at_rest = layout.state_at(&[positions, &vec![0.0; positions.len()]].concat(), self.begin);
+        let equations = self.context.system().equations(&at_rest);
+        let natural = |row: usize| (equations.bias()[row] / layout.unit(row, scales.length)).abs();
+        (0..layout.rows()).map(natural).filter(|it| it.is_finite()).fold(0.0, f64::max)
     }
 
     fn set_scales(&mut self, scales: Scales) {

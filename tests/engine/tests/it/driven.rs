@@ -49,3 +49,36 @@ fn a_drive_that_ends_stops_the_run() {
         }
     }
 }
+
+/// A crank that a drive swings, and nothing else tells the time.
+#[derive(BarSystem)]
+#[bar(OA, mass = m, length = l)]
+#[pin(O = (0, 0))]
+#[figure(A = (l, 0))]
+#[coordinate(phi = angle(OA), from = right)]
+#[drive(phi = b * sin(w * t - p))]
+struct Swung {
+    m: f64,
+    l: f64,
+    b: f64,
+    w: f64,
+    p: f64,
+}
+
+/// It starts where it turns round: b ω cos(π/2) is 6e-17 of ω, not the rate that tells the time.
+#[test]
+fn a_drive_that_starts_where_it_turns_round_tells_the_time() {
+    for w in [2f64.powi(-30), 1.0, 2f64.powi(30)] {
+        let model = Swung { m: 1.0, l: 1.0, b: 0.3, w, p: core::f64::consts::FRAC_PI_2 };
+        for rate in [Some(0.0), None] {
+            let start = Pose::at("phi", -0.3);
+            let start = rate.map_or(start.clone(), |rate| start.with("phi'", rate));
+            let simulation = Simulation::new(&model).unwrap().start(start).unwrap().limit(3.0 / w);
+            let natural = simulation.scales().time * w;
+            assert!((0.1..10.0).contains(&natural), "{w}: {natural}");
+            let run = simulation.run().unwrap();
+            let phi = run.value(&run.output("phi").unwrap(), 2.0 / w);
+            assert!((phi + 0.3 * 2f64.cos()).abs() < 1e-9, "{w} {phi}");
+        }
+    }
+}
