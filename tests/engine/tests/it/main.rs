@@ -48,6 +48,7 @@ mod singular_starts;
 mod slips;
 mod split;
 mod starts;
+mod stops;
 mod switched_loads;
 mod switches;
 mod threads;

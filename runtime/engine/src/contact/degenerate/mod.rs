@@ -305,13 +305,18 @@ impl Ladder {
         .of(self.layout)
     }
 
-    /// Contacts that no order decides stay closed with zero reaction.
+    /// Contacts that no order decides stay closed with zero reaction; they bear only what friction
+    /// does not hold.
     fn decision(&self, layout: &Layout) -> ContactSolution {
         let contacts = layout.contacts.len();
         let undecided = self.open_question.iter().chain(&self.pledged);
         let rubbing = self.rubbing.iter().filter(|rubbing| rubbing.mode != Mode::Open);
-        let rubbing: Vec<usize> = rubbing.map(|rubbing| rubbing.contact).collect();
-        let rows: Vec<usize> = self.closed.iter().chain(undecided).chain(&rubbing).copied().collect();
+        let normals: Vec<usize> = rubbing.clone().map(|rubbing| rubbing.contact).collect();
+        let sticks = |mode: &Mode| matches!(mode, Mode::Stick | Mode::Guide { sense: None, .. });
+        let sticking = rubbing.filter(|rubbing| sticks(&rubbing.mode));
+        let tangents: Vec<usize> = sticking.map(|rubbing| rubbing.frictional.tangent).collect();
+        let held = self.closed.iter().chain(&normals).chain(&tangents);
+        let rows: Vec<usize> = held.chain(undecided).copied().collect();
         let is_contact = |row: &usize| *row < contacts;
         let slipping = |set: ContactSet| self.rubbing.iter().fold(set, |set, rubbing| rubbing.slip(set));
         ContactSolution {
@@ -325,7 +330,8 @@ impl Ladder {
 
     /// Independent rows among some, joints and those that bear at the lowest order before others.
     fn independent(&self, rows: &[usize]) -> Vec<usize> {
-        let least = self.first.as_ref().filter(|_| !self.unique);
+        let is_shared = !self.unique || !(self.rubbing.is_empty() || self.open_question.is_empty());
+        let least = self.first.as_ref().filter(|_| is_shared);
         let least = least.and_then(|(problem, _)| problem.least_constraint().ok());
         least.map_or_else(|| rows.to_vec(), |least| least.independent(rows))
     }
