@@ -207,3 +207,27 @@ fn what_depends_on_others_upright_does_not_sink() {
         }
     }
 }
+
+/// A bar that fits between its pin and a wall in one position alone.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(OA, mass = m, length = l)]
+#[pin(O = (0, 0))]
+#[support(A = wall(l), facing = right)]
+#[figure(A = (l, 0))]
+#[coordinate(phi = angle(OA), from = right)]
+struct Wedged {
+    m: f64,
+    l: f64,
+    g: f64,
+}
+
+/// Its gap is −l (1 − cos φ): no reaction along it bears the weight, which is told or holds it.
+#[test]
+fn a_bar_without_room_ends_in_an_error_or_rests() {
+    let wedged = Wedged { m: 1.0, l: 2.0, g: 10.0 };
+    let start = Pose::at("phi", 0.0).with("phi'", 0.0);
+    let run = Simulation::new(&wedged).unwrap().start(start).unwrap().limit(1.0).run();
+    let trajectory = run.unwrap_or_else(|error| error.into_trajectory());
+    assert!(trajectory.final_state()[0].abs() < 1e-3, "{:?}", trajectory.final_state());
+}

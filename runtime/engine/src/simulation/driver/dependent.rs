@@ -107,6 +107,10 @@ impl Driver<'_> {
         let n = layout.coordinates.len();
         let columns = DMatrix::from_fn(n, rows.len(), |i, k| entry(rows[k], i));
         let own = DVector::from_fn(n, |i, _| entry(contact, i));
+        if rows.is_empty() {
+            let left = own.amax();
+            return (DVector::zeros(0), left);
+        }
         let inverse = columns.clone().pseudo_inverse(SLIGHT * ASIDE);
         let parts = inverse.map_or_else(|_| DVector::zeros(rows.len()), |inverse| inverse * &own);
         let left = (own - columns * &parts).amax();
