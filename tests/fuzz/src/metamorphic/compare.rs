@@ -15,6 +15,9 @@ const CHAOTIC: f64 = 1e-3;
 const MARGIN: f64 = 100.0;
 /// By how much the numbers of a neighbour differ.
 const NUDGE: f64 = 1e-10;
+/// Times beside an event, relative to it.
+const BEFORE: f64 = 1.0 - 1e-6;
+const AFTER: f64 = 1.0 + 1e-6;
 /// Rows of a comparison.
 const ROWS: usize = 24;
 
@@ -150,7 +153,8 @@ impl Pair<'_> {
                     other.remove(k);
                     all.push(Difference { t: *t, value, what: format!("time of {kind} {name}") });
                 }
-                None if self.bears_nothing(self.one, name, *t, sizes) => {}
+                None if self.is_idle(self.one, name, t * BEFORE, sizes)
+                    || self.is_idle(self.other, name, (t - self.from) * unit * AFTER, sizes) => {}
                 None => all.push(Difference {
                     t: *t,
                     value: f64::INFINITY,
@@ -159,7 +163,9 @@ impl Pair<'_> {
             }
         }
         for (t, kind, name) in other.iter().filter(|(t, ..)| *t < until - CHAOTIC * sizes.time) {
-            if self.bears_nothing(self.other, name, (t - self.from) * unit, sizes) {
+            if self.is_idle(self.other, name, (t - self.from) * unit * BEFORE, sizes)
+                || self.is_idle(self.one, name, t * AFTER, sizes)
+            {
                 continue;
             }
             all.push(Difference {
@@ -171,12 +177,12 @@ impl Pair<'_> {
         all
     }
 
-    /// Whether a contact has no load before an event: whether it is closed there is a matter of
-    /// rounding.
-    fn bears_nothing(&self, motion: &Motion, name: &str, t: f64, sizes: &Sizes) -> bool {
+    /// Whether a contact touches without a load, before an event or after one that the other motion
+    /// has: whether it is closed there is a matter of rounding.
+    fn is_idle(&self, motion: &Motion, name: &str, t: f64, sizes: &Sizes) -> bool {
         let unit = if std::ptr::eq(motion, self.one) { 1.0 } else { self.map.force() };
-        let before = motion.row(t * (1.0 - 1e-6), false);
-        let contact = before.contacts.iter().find(|contact| contact.name == name);
+        let row = motion.row(t, false);
+        let contact = row.contacts.iter().find(|contact| contact.name == name);
         contact.is_some_and(|contact| {
             contact.normal.abs() < AT_ONCE * sizes.force * unit && contact.gap.abs() < AT_ONCE * sizes.length
         })

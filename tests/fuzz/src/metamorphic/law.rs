@@ -782,7 +782,13 @@ impl Law<'_> {
             let is_alone =
                 event.kind == EventKind::Impact && event.supports.len() == 1 && event.note.is_none();
             let others = told.values().filter(|[value, _]| *value != 0.0).count();
-            if is_alone && is_newton && others == 1 && !self.is_undecided(event.t) && approach < -bound {
+            let is_blocked = self.is_on_circle(&support.point) && {
+                let touch = self.find_touch(after, support);
+                let slip = dot(touch.tangent, touch.slip) - support.moving.value(event.t);
+                slip.abs() < RESTITUTION * self.speed
+            };
+            let is_asked = is_alone && is_newton && others == 1 && !is_blocked;
+            if is_asked && !self.is_undecided(event.t) && approach < -bound {
                 let expected = -support.restitution * approach;
                 small(event.t, parting - expected, bound, || {
                     format!("restitution of {}: {approach:e} to {parting:e}", support.point)
@@ -797,6 +803,16 @@ impl Law<'_> {
             return wrong(event.t, || format!("an impact gains energy: {had:e} to {has:e}"));
         }
         Ok(())
+    }
+
+    /// Whether a point moves along a circle alone: on a moving ground it has one velocity without
+    /// slip, and once friction holds it there no impulse gives it another.
+    fn is_on_circle(&self, point: &str) -> bool {
+        self.scene.bodies_at(point).any(|(k, _)| {
+            let body = &self.scene.bodies[k];
+            let spots = body.spots.iter().map(|(name, _)| name);
+            body.ends.iter().chain(spots).any(|name| name != point && self.scene.is_fixed(name))
+        })
     }
 
     /// Whether the run says that the law of restitution does not decide an impact.
