@@ -1,11 +1,15 @@
-//! Groups of contacts that the mass matrix does not couple are struck apart: where the Delassus matrix W = J M̂⁻¹ Jᵀ, M̂⁻¹ with the
-//! two-sided rows taken in, has no entries between the rows of two contacts, neither knows of the other. Each group has its own
-//! law; what changes the rates without contacts, impulses from outside and two-sided rows that take hold, is counted once.
+//! Groups of contacts that the mass matrix does not couple are struck apart, and decided apart: where the Delassus matrix
+//! W = J M̂⁻¹ Jᵀ, M̂⁻¹ with the two-sided rows taken in, has no entries between the rows of two contacts, neither knows of the
+//! other. Each group has its own law; what changes the rates without contacts, impulses from outside and two-sided rows that
+//! take hold, is counted once.
+
+use std::collections::BTreeSet;
 
 use nalgebra::DVector;
 
 use super::impact::Stages;
 use super::impulse::{Collision, CollisionError, Group, Outcome, Row};
+use super::least_constraint::LeastConstraint;
 use super::trials::Trials;
 
 impl Collision {
@@ -44,21 +48,7 @@ impl Collision {
         let Some(least) = (if contacts.len() < 2 { None } else { self.at_rest() }) else {
             return vec![contacts];
         };
-        let directions =
-            least.free_directions(&self.two_sided(), &rows.iter().map(|(row, _)| *row).collect::<Vec<_>>());
-        let of = |row: usize| rows.iter().find(|(it, _)| *it == row).map_or(row, |(_, of)| *of);
-        let mut groups: Vec<Vec<usize>> = contacts.into_iter().map(|contact| vec![contact]).collect();
-        for (k, (a, one)) in directions.iter().enumerate() {
-            for (b, other) in &directions[k + 1..] {
-                let place = |contact: usize| groups.iter().position(|group| group.contains(&contact));
-                let (Some(first), Some(second)) = (place(of(*a)), place(of(*b))) else { continue };
-                if first != second && Self::are_coupled(one, other) {
-                    let joined = groups.remove(first.max(second));
-                    groups[first.min(second)].extend(joined);
-                }
-            }
-        }
-        groups
+        least.find_groups(&self.two_sided(), &rows)
     }
 
     fn join_groups(
@@ -113,8 +103,32 @@ impl Collision {
     }
 }
 
+impl LeastConstraint {
+    /// Contacts in groups that nothing couples but through others of their group, each group in ascending order; of the rows along
+    /// which they act, (row, contact).
+    pub(super) fn find_groups(&self, fixed: &[usize], rows: &[(usize, usize)]) -> Vec<Vec<usize>> {
+        let acting: Vec<usize> = rows.iter().map(|(row, _)| *row).collect();
+        let directions = self.free_directions(fixed, &acting);
+        let of = |row: usize| rows.iter().find(|(it, _)| *it == row).map_or(row, |(_, of)| *of);
+        let contacts: BTreeSet<usize> = rows.iter().map(|(_, contact)| *contact).collect();
+        let mut groups: Vec<Vec<usize>> = contacts.into_iter().map(|contact| vec![contact]).collect();
+        for (k, (a, one)) in directions.iter().enumerate() {
+            for (b, other) in &directions[k + 1..] {
+                let place = |contact: usize| groups.iter().position(|group| group.contains(&contact));
+                let (Some(first), Some(second)) = (place(of(*a)), place(of(*b))) else { continue };
+                if first != second && Collision::are_coupled(one, other) {
+                    let joined = groups.remove(first.max(second));
+                    groups[first.min(second)].extend(joined);
+                }
+            }
+        }
+        groups.iter_mut().for_each(|group| group.sort_unstable());
+        groups
+    }
+}
+
 /// Adds what a group has changed; where it is the only one that has, its value as it is.
-fn add_change(sum: &DVector<f64>, before: &DVector<f64>, after: &DVector<f64>) -> DVector<f64> {
+pub(super) fn add_change(sum: &DVector<f64>, before: &DVector<f64>, after: &DVector<f64>) -> DVector<f64> {
     DVector::from_fn(
         sum.len(),
         |i, _| {

@@ -5,6 +5,8 @@
 //! without a sign, are those of `|A y − r| → min`, by the method of Lawson and Hanson (*Solving Least Squares Problems*, 1974,
 //! chapter 23). Admissible ones exist where the least value is zero.
 
+use std::collections::BTreeSet;
+
 use nalgebra::{DMatrix, DVector};
 
 use super::modes::{Choice, Condition, Mode};
@@ -34,10 +36,9 @@ impl Problem<'_> {
         }
         let n = self.kkt.n;
         let (_, determined) = equations.least_norm(&equations.right, n).ok_or(LcpError::Singular)?;
-        let (edges, signed) = self.edges(chosen, closed);
-        let one_sided: Vec<bool> = (0..n).map(|_| false).chain(signed).collect();
+        let (edges, signed): (Vec<Edge>, Vec<bool>) = self.edges(chosen, closed);
         let place = |row: usize| closed.rows.iter().position(|&other| other == row);
-        let mut matrix = DMatrix::zeros(equations.index.len(), one_sided.len());
+        let mut matrix = DMatrix::zeros(equations.index.len(), n + edges.len());
         matrix.columns_mut(0, n).copy_from(&equations.matrix.columns(0, n));
         for (k, edge) in edges.iter().enumerate() {
             for &(row, part) in edge {
@@ -45,7 +46,9 @@ impl Problem<'_> {
                 matrix.column_mut(n + k).axpy(part, &column, 1.0);
             }
         }
-        let Some(y) = least_squares(&matrix, &equations.right, &one_sided) else { return Ok(None) };
+        let of_edges = edges.iter().zip(signed).map(|(edge, signed)| (n + edge[0].0, signed));
+        let entries: Vec<(usize, bool)> = (0..n).map(|i| (i, false)).chain(of_edges).collect();
+        let Some(y) = self.least_squares(&matrix, equations, &entries) else { return Ok(None) };
         if !self.kkt.are_met(equations, &(&equations.right - &matrix * &y)) {
             return Ok(None);
         }
@@ -57,6 +60,28 @@ impl Problem<'_> {
             }
         }
         Ok(Some(Trial { unique: false, determined, ..self.trial(closed, &x) }))
+    }
+
+    /// y of least `|A y − r|` in each part of the system for itself, lest the rounding of one is what moves another; an entry of y
+    /// belongs to a coordinate or row, and may be ≥ 0.
+    fn least_squares(
+        &self,
+        a: &DMatrix<f64>,
+        equations: &Equations,
+        entries: &[(usize, bool)],
+    ) -> Option<DVector<f64>> {
+        let parts = &self.kkt.parts;
+        let mut y = DVector::zeros(entries.len());
+        for part in entries.iter().map(|(of, _)| parts[*of]).collect::<BTreeSet<_>>() {
+            let columns: Vec<usize> = (0..entries.len()).filter(|&j| parts[entries[j].0] == part).collect();
+            let rows = equations.index.iter().enumerate().filter(|(_, of)| parts[**of] == part);
+            let rows: Vec<usize> = rows.map(|(i, _)| i).collect();
+            let one_sided: Vec<bool> = columns.iter().map(|&j| entries[j].1).collect();
+            let own = a.select_rows(&rows).select_columns(&columns);
+            let found = least_squares(&own, &equations.right.select_rows(&rows), &one_sided)?;
+            columns.iter().zip(found.iter()).for_each(|(&j, found)| y[j] = *found);
+        }
+        Some(y)
     }
 
     /// The edges of all multipliers with whether each has a sign.

@@ -2,10 +2,12 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::enumeration::FEW;
 use super::modes::{Bound, Choice, Condition, Frictional, Mode, Sense};
 use super::problem::{Problem, Trial, Unit};
 use crate::contact::complementarity::{LcpError, LcpRows, Solution};
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
+use crate::contact::groups::add_change;
 
 /// Two accelerations are one up to this, relative to the larger one and to what the forces alone would cause.
 const SAME: f64 = 1e-8;
@@ -95,6 +97,17 @@ pub(super) struct Candidate {
     pub(super) trial: Trial,
 }
 
+/// What some of the contacts do: one choice of each, in the order of the problem's units.
+pub(super) struct Decision {
+    chosen: Vec<usize>,
+    trial: Trial,
+    /// The choices of all motions.
+    solutions: Vec<Vec<usize>>,
+    taken: usize,
+    reason: Reason,
+    complete: bool,
+}
+
 impl EquilibratedKkt {
     /// The motion with friction, its modes found among those that the contacts may have.
     pub(crate) fn solve_with_friction(
@@ -103,8 +116,11 @@ impl EquilibratedKkt {
     ) -> Result<FrictionSolution, FrictionError> {
         self.couple(question.contacts);
         let problem = Problem::new(self, question);
-        let (found, complete) = problem.candidates()?;
-        problem.decide(found, complete)
+        let decision = match problem.decide_groups()? {
+            Some(decision) => decision,
+            None => problem.decide_alone()?,
+        };
+        Ok(problem.conclude(decision))
     }
 
     /// The same with the solutions alone whose accelerations are not zero.
@@ -116,7 +132,7 @@ impl EquilibratedKkt {
         let problem = Problem::new(self, question);
         let mut found = problem.enumerate()?;
         found.retain(|it| (0..self.n).any(|i| it.trial.a[i].abs() > SAME * SIZE * self.tolerance[i]));
-        problem.decide(found, true)
+        Ok(problem.conclude(problem.decide(found, true)?))
     }
 }
 
@@ -134,36 +150,104 @@ impl Problem<'_> {
         }
     }
 
-    pub(super) fn decide(
-        &self,
-        found: Vec<Candidate>,
-        complete: bool,
-    ) -> Result<FrictionSolution, FrictionError> {
+    /// The decisions of groups of contacts that nothing couples, each with all others open; `None` where all are coupled, or where a
+    /// group does not determine its motion without the others.
+    fn decide_groups(&self) -> Result<Option<Decision>, FrictionError> {
+        let groups = self.find_groups()?;
+        let apart = |group: &Vec<usize>| self.with_units(group).decide_alone();
+        let decisions = match groups.len() {
+            0 | 1 => return Ok(None),
+            _ => groups.iter().map(apart).collect::<Result<Vec<Decision>, _>>(),
+        };
+        let free = self.with_units(&[]).attempt(&[])?.filter(|free| free.determined);
+        match (free, decisions) {
+            (None, _) | (_, Err(FrictionError::Singular)) => Ok(None),
+            (Some(free), decisions) => Ok(Some(self.join(&free, &groups, &decisions?))),
+        }
+    }
+
+    fn find_groups(&self) -> Result<Vec<Vec<usize>>, FrictionError> {
+        if self.units.len() < 2 {
+            return Ok(Vec::new());
+        }
+        let rows = &self.question.rows;
+        let of_unit = |(k, unit): (usize, &Unit)| {
+            let acting = [unit.normal].into_iter().chain(unit.tangent).chain(rows.tied_to(&[unit.normal]));
+            acting.map(|row| (row, k)).collect::<Vec<_>>()
+        };
+        let acting: Vec<_> = self.units.iter().enumerate().flat_map(of_unit).collect();
+        Ok(self.kkt.least_constraint()?.find_groups(&rows.rows(&[]), &acting))
+    }
+
+    /// Motions of groups as one: each changes what no contact at all would do.
+    fn join(&self, free: &Trial, groups: &[Vec<usize>], decisions: &[Decision]) -> Decision {
+        let put = |mut all: Vec<usize>, group: &[usize], chosen: &[usize]| {
+            group.iter().zip(chosen).for_each(|(&unit, &k)| all[unit] = k);
+            all
+        };
+        let mut chosen = vec![0; self.units.len()];
+        let (mut solutions, mut taken, mut complete) = (vec![chosen.clone()], 0, true);
+        for (group, it) in groups.iter().zip(decisions) {
+            chosen = put(chosen, group, &it.chosen);
+            let all = &it.solutions;
+            let counted = all.len() * solutions.len() <= FEW;
+            let (own, place) = if counted { (&all[..], it.taken) } else { (&all[it.taken..=it.taken], 0) };
+            let with =
+                |known: &Vec<usize>| own.iter().map(|own| put(known.clone(), group, own)).collect::<Vec<_>>();
+            taken = taken * own.len() + place;
+            solutions = solutions.iter().flat_map(with).collect();
+            complete &= counted && it.complete;
+        }
+        let joined = |of: fn(&Trial) -> &DVector<f64>| {
+            let changed = decisions.iter().map(|it| of(&it.trial));
+            changed.fold(of(free).clone(), |sum, changed| add_change(&sum, of(free), changed))
+        };
+        let trial = Trial {
+            a: joined(|trial| &trial.a),
+            reactions: joined(|trial| &trial.reactions),
+            unique: free.unique && decisions.iter().all(|it| it.trial.unique),
+            determined: decisions.iter().all(|it| it.trial.determined),
+        };
+        let reason = decisions.iter().map(|it| it.reason).find(|reason| *reason != Reason::Only);
+        Decision { chosen, trial, solutions, taken, reason: reason.unwrap_or(Reason::Only), complete }
+    }
+
+    fn decide_alone(&self) -> Result<Decision, FrictionError> {
+        let (found, complete) = self.candidates()?;
+        self.decide(found, complete)
+    }
+
+    pub(super) fn decide(&self, found: Vec<Candidate>, complete: bool) -> Result<Decision, FrictionError> {
         let distinct = self.distinct(found);
         let (taken, reason) = self.choose(&distinct).ok_or(FrictionError::Inconsistent)?;
-        let solutions = distinct.iter().map(|candidate| self.modes(&candidate.chosen)).collect();
-        let Candidate { chosen, trial, .. } = &distinct[taken];
-        let modes = self.modes(chosen);
-        let slides = modes.iter().any(|mode| mode.sense().is_some());
-        if !trial.determined && !slides {
-            return Err(FrictionError::Singular);
+        let solutions = distinct.iter().map(|candidate| candidate.chosen.clone()).collect();
+        let Candidate { chosen, trial, .. } = distinct[taken].clone();
+        let slides = self.modes(&chosen).iter().any(|mode| mode.sense().is_some());
+        match trial.determined || slides {
+            true => Ok(Decision { chosen, trial, solutions, taken, reason, complete }),
+            false => Err(FrictionError::Singular),
         }
+    }
+
+    pub(super) fn conclude(&self, decision: Decision) -> FrictionSolution {
+        let Decision { chosen, trial, solutions, taken, reason, complete } = decision;
+        let modes = self.modes(&chosen);
         let contacts = self.question.contacts.iter().zip(&self.units).zip(&modes);
         let next = contacts.map(|((contact, unit), mode)| Frictional {
-            choices: self.left_open(unit, *mode, trial),
+            choices: self.left_open(unit, *mode, &trial),
             ..contact.clone()
         });
-        let solution = self.finish(&modes, trial);
-        Ok(FrictionSolution {
+        let solution = self.finish(&modes, &trial);
+        FrictionSolution {
             next: next.collect(),
             determined: solution.unique || trial.determined && self.is_determined(&modes),
             solution,
             modes: modes[..self.question.contacts.len()].to_vec(),
-            solutions,
+            solutions: solutions.iter().map(|chosen| self.modes(chosen)).collect(),
             taken,
             reason,
             complete,
-        })
+        }
     }
 
     pub(super) fn modes(&self, chosen: &[usize]) -> Vec<Mode> {

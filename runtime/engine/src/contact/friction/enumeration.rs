@@ -6,7 +6,7 @@ use super::problem::{Problem, Trial};
 use crate::contact::complementarity::LcpError;
 
 /// Up to this many combinations all are tried at once.
-const FEW: usize = 1024;
+pub(super) const FEW: usize = 1024;
 /// More are tried only where pivoting finds no solution, and no more than these.
 const MOST: usize = 1 << 16;
 

@@ -19,6 +19,7 @@ const FREE: f64 = 1e-6;
 const LOCATED: f64 = 1e3;
 
 /// A contact of either kind with its modes.
+#[derive(Clone)]
 pub(super) struct Unit {
     pub(super) normal: usize,
     /// The row along which friction acts.
@@ -108,6 +109,12 @@ impl<'a> Problem<'a> {
         });
         let units = with_friction.chain(smooth).collect();
         Self { kkt, question, units }
+    }
+
+    /// The same with some of the contacts, all others open.
+    pub(super) fn with_units(&self, places: &[usize]) -> Self {
+        let Self { kkt, question, ref units } = *self;
+        Self { kkt, question, units: places.iter().map(|&k| units[k].clone()).collect() }
     }
 
     /// Rows and columns of some modes, one for each contact.

@@ -1,5 +1,6 @@
 //! The law of friction against brute force, closed forms and Lemke against enumeration.
 
+mod apart;
 mod borders;
 mod closed_forms;
 mod coupled;

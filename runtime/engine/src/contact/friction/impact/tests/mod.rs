@@ -5,3 +5,4 @@ mod closed_forms;
 mod limits;
 mod paths;
 mod random;
+mod rest;
