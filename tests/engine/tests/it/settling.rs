@@ -77,3 +77,46 @@ fn many_flights_end_at_their_time() {
         assert!(error.abs() < 1e-9, "{tolerance:e}: {error:e}");
     }
 }
+
+/// A bar on a pin, its end above a floor with friction.
+#[derive(BarSystem)]
+#[gravity(10)]
+#[bar(OA, mass = 2.21, length = 1.36)]
+#[pin(O = (-0.54, 0.62))]
+#[support(A = floor(-0.14), friction = 0.14, restitution = 0.3)]
+#[coordinate(phi = angle(OA), from = right)]
+#[figure(A = (0.81, 0.48))]
+struct Flap {}
+
+/// The same with a particle that it does not touch.
+#[derive(BarSystem)]
+#[gravity(10)]
+#[bar(OA, mass = 2.21, length = 1.36)]
+#[particle(P, mass = 0.9)]
+#[pin(O = (-0.54, 0.62))]
+#[support(A = floor(-0.14), friction = 0.14, restitution = 0.3)]
+#[support(P = floor(-0.14), friction = 0.14, restitution = 0.3)]
+#[coordinate(phi = angle(OA), from = right)]
+#[coordinate(x = x(P))]
+#[coordinate(y = y(P))]
+#[figure(A = (0.81, 0.48), P = (2.3, 0.23))]
+struct FlapBeside {}
+
+/// Where the bar rests its end cannot slip: the floor bears with any friction within the cone, and nothing happens to the contact. The
+/// bar falls and comes to rest as it does alone.
+#[test]
+fn a_bar_on_a_pin_rests_without_slip_beside_another_body_too() {
+    let alone = Simulation::new(&Flap {}).unwrap().limit(2.0).run().unwrap();
+    let beside = Simulation::new(&FlapBeside {}).unwrap().limit(2.0).run().unwrap();
+    let told = |run: &Trajectory| {
+        let own = run.events().iter().filter(|event| event.supports.contains(&"A"));
+        own.map(|event| (event.t, event.kind)).collect::<Vec<_>>()
+    };
+    let (alone, beside) = (told(&alone), told(&beside));
+    let rests = |(_, kind): &(f64, EventKind)| !matches!(kind, EventKind::Impact | EventKind::Settle);
+    assert!(!alone.iter().any(rests) && alone.last().unwrap().1 == EventKind::Settle, "{alone:?}");
+    assert_eq!(alone.len(), beside.len());
+    for ((t, kind), other) in alone.iter().zip(&beside) {
+        assert!((t - other.0).abs() < 1e-8 && *kind == other.1, "{t} {kind:?} {other:?}");
+    }
+}

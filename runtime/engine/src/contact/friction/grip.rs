@@ -60,10 +60,7 @@ impl Grip {
         let sticks = |contact: usize| closed.contains(contact) && closed.slip(contact) == Slip::Stick;
         let mut grip = Self::default();
         // Hinges bear by their forces, which are no rows: each contact beside them has its own limit, by the reactions that move the system.
-        if layout.has_hinges()
-            || closed.len() < 2
-            || !layout.frictions.iter().any(|friction| sticks(friction.contact))
-        {
+        if layout.has_hinges() || !layout.frictions.iter().any(|friction| sticks(friction.contact)) {
             return grip;
         }
         let rows = bent_rows(system, state, closed, &slips(system, state));
