@@ -216,6 +216,9 @@ impl<'d> Reader<'d> {
         if name == "sqrt" {
             return Some(self.read(argument)?.power(Rational::HALF));
         }
+        if name == "abs" {
+            return self.read(argument);
+        }
         self.need(argument, NONE);
         Some(Value::known(NONE))
     }

@@ -11,7 +11,7 @@ use crate::limits;
 use crate::syntax;
 
 const FORMS: &str =
-    "expected a number, a parameter, `pi`, + − * /, `sqrt(…)`, `sin(…)`, `cos(…)` or `.powi(n)`";
+    "expected a number, a parameter, `pi`, + − * /, `sqrt(…)`, `sin(…)`, `cos(…)`, `abs(…)` or `.powi(n)`";
 
 impl Scope<'_> {
     /// The value of an expression.
@@ -100,6 +100,12 @@ impl Scope<'_> {
                 let value = self.value(argument)?;
                 let negative = || syn::Error::new_spanned(argument, "the root of a negative number");
                 self.constants.sqrt(&value).ok_or_else(negative)
+            }
+            "abs" => {
+                let value = self.value(argument)?;
+                let square = self.constants.multiply(&value, &value);
+                let negative = || syn::Error::new_spanned(argument, "the root of a negative number");
+                self.constants.sqrt(&square).ok_or_else(negative)
             }
             _ => Err(self.refuse(argument, at)),
         }

@@ -13,7 +13,7 @@ use crate::limits;
 use crate::syntax::{plain, unknown};
 
 const FORMS: &str = "expected a number, a parameter, `t`, a coordinate, `rate(phi)`, `x(P)`, `y(P)`, `vx(P)`, `vy(P)`, \
-                     + − * /, `sqrt(…)`, `sin(…)`, `cos(…)`, `tan(…)` or `.powi(n)`";
+                     + − * /, `sqrt(…)`, `sin(…)`, `cos(…)`, `tan(…)`, `abs(…)` or `.powi(n)`";
 
 /// What expressions may read.
 pub(super) struct Readable<'a> {
@@ -228,6 +228,12 @@ impl Reader<'_, '_, '_> {
             "sin" => Function::Sin,
             "cos" => Function::Cos,
             "tan" => Function::Tan,
+            // √(x x) is |x|: its kink is found where x changes its sign.
+            "abs" => {
+                let argument = self.read(argument)?;
+                let square = self.apply(Function::Power(2), argument, whole)?;
+                return self.apply(Function::Sqrt, square, whole);
+            }
             _ => return self.refuse(argument, at),
         };
         let argument = self.read(argument)?;

@@ -19,7 +19,7 @@ fn of(expression: &str) -> (System, Series) {
 #[test]
 fn values_are_those_of_the_same_arithmetic() {
     let [m, l, g, a] = VALUES;
-    let cases: [(&str, f64); 12] = [
+    let cases: [(&str, f64); 13] = [
         ("m * l * l / 12", m * l * l / 12.0),
         ("-(m - 2 * l) + 0.125", -(m - 2.0 * l) + 0.125),
         ("2.5e-3 * m + 1e2", 2.5e-3 * m + 100.0),
@@ -31,6 +31,7 @@ fn values_are_those_of_the_same_arithmetic() {
         ("sin(a) * cos(2 * a)", a.sin() * (2.0 * a).cos()),
         ("cos(pi / 6 - a)", (core::f64::consts::FRAC_PI_6 - a).cos()),
         ("sin(a / 3 + g * m)", (a / 3.0 + g * m).sin()),
+        ("abs(l - 5 * m) * (-a).abs()", (l - 5.0 * m).abs() * a.abs()),
         ("pi * l.sqrt()", core::f64::consts::PI * l.sqrt()),
     ];
     for (expression, expected) in cases {

@@ -151,9 +151,15 @@ fn motion_is_read_by_name() {
 }
 
 #[test]
+fn a_magnitude_is_the_root_of_a_square() {
+    assert_eq!(formula("abs(rate(phi))").1, formula("sqrt(rate(phi).powi(2))").1);
+    assert_eq!(formula("(x(C) - l).abs()").1, formula("sqrt((x(C) - l).powi(2))").1);
+}
+
+#[test]
 fn mistakes_in_loads_are_told() {
     let forms = "expected a number, a parameter, `t`, a coordinate, `rate(phi)`, `x(P)`, `y(P)`, `vx(P)`, `vy(P)`, \
-                 + − * /, `sqrt(…)`, `sin(…)`, `cos(…)`, `tan(…)` or `.powi(n)`";
+                 + − * /, `sqrt(…)`, `sin(…)`, `cos(…)`, `tan(…)`, `abs(…)` or `.powi(n)`";
     let cases = [
         ("#[force(X = (m, 0))]", "there is no point `X`; declared: `A`, `B`, `C`"),
         (

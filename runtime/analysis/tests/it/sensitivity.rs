@@ -196,6 +196,49 @@ fn sticking_and_slipping_have_the_derivatives_of_their_differences() {
     .check();
 }
 
+/// The belt with friction that falls with the speed of the slip either way.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[particle(P, mass = m)]
+#[ground(O = (0, 0))]
+#[spring(OP, stiffness = k)]
+#[support(P = floor, friction = mu / (1 + c * abs(v)), static = mu_s, moving = w)]
+#[coordinate(x = x(P))]
+#[coordinate(y = y(P))]
+#[figure(P = (1, 0))]
+struct FallingFriction {
+    m: f64,
+    g: f64,
+    k: f64,
+    mu: f64,
+    mu_s: f64,
+    w: f64,
+    c: f64,
+}
+
+/// Of |v| derivatives are there while the block sticks, and are those of the side where it slips.
+#[test]
+fn friction_by_the_magnitude_of_slip_has_the_derivatives_of_its_differences() {
+    Case {
+        values: vec![
+            ("m", 1.3),
+            ("g", 9.0),
+            ("k", 20.0),
+            ("mu", 0.3),
+            ("mu_s", 0.5),
+            ("w", 0.4),
+            ("c", 0.7),
+            ("x", 1.05),
+        ],
+        model: |p| FallingFriction { m: p[0], g: p[1], k: p[2], mu: p[3], mu_s: p[4], w: p[5], c: p[6] },
+        simulate: |model, p| {
+            let start = Pose::at("x", p[7]).with("y", 0.0).with("x'", p[5]);
+            Simulation::new(model).unwrap().start(start).unwrap().limit(3.0).tolerance(1e-13)
+        },
+    }
+    .check();
+}
+
 /// Impacts of both ends by Newton's law, the rates of the start among the variables.
 #[test]
 fn a_bar_that_bounces_has_the_derivatives_of_its_differences() {

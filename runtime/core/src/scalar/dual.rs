@@ -109,7 +109,9 @@ impl<S: Real, const N: usize> Real for Dual<S, N> {
     #[inline(never)]
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();
-        self.chain(root, S::ratio(1, 2) / root)
+        let slope = S::ratio(1, 2) / root;
+        // √(x x) at x = 0: what does not change the radicand at zero does not change the root.
+        Self::new(root, self.gradient.map(|dx| if dx.is_zero() { dx } else { dx * slope }))
     }
 
     #[inline(never)]

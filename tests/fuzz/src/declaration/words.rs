@@ -2,7 +2,7 @@
 
 use liftoff_tests::random::Source;
 
-const WORDS: [&str; 92] = [
+const WORDS: [&str; 93] = [
     "liftoff",
     "budget",
     "constant",
@@ -74,6 +74,7 @@ const WORDS: [&str; 92] = [
     "sin",
     "cos",
     "tan",
+    "abs",
     "sqrt",
     "powi",
     "pi",
