@@ -320,8 +320,13 @@ fn change_references(mut scene: Scene, seed: u64) -> Scene {
 }
 
 fn put_beside(scene: &Scene, seed: u64) -> Scene {
+    let other = rename(&draw_other(scene, seed), |name| format!("{name}z"), scene.bodies.len());
+    join(scene, turn_scene(&other, 0.0, [8.0, 0.0]))
+}
+
+/// What [`Change::Beside`] puts beside a scene: a copy of it, or another one.
+pub fn draw_other(scene: &Scene, seed: u64) -> Scene {
     let mut source = Source::new(seed);
     let other = if source.chance(0.4) { scene.clone() } else { draw::draw(&mut source) };
-    let other = rename(&other, |name| format!("{name}z"), scene.bodies.len());
-    join(scene, turn_scene(&other, 0.0, [8.0, 0.0]))
+    Scene { limit: scene.limit, gravity: scene.gravity, ..other }
 }

@@ -21,7 +21,7 @@ use liftoff_tests::random::Source;
 use crate::subject::Fate;
 use crate::{Finding, Subject};
 use compare::Pair;
-use form::{Change, Form, draw_changes};
+use form::{Change, Form, draw_changes, draw_other};
 use motion::{Motion, Refusal};
 use scene::Scene;
 
@@ -112,6 +112,18 @@ impl Subject for Scenes {
     }
 }
 
+/// A scene that is refused beside another is refused alone.
+fn check_alone(case: &Case, changes: &[Change], refusal: &Refusal) -> Result<&'static str, Finding> {
+    for change in changes {
+        if let Change::Beside(seed) = change
+            && Motion::run_form(&Form::new(draw_other(&case.scene, *seed))).is_ok()
+        {
+            return Err(Finding(format!("both run alone: {refusal}")));
+        }
+    }
+    Ok("not compared: the scene beside is refused")
+}
+
 fn check_form(
     case: &Case,
     form: &Form,
@@ -149,7 +161,7 @@ fn check_form(
         Err(Refusal::Stopped(_, t)) if t / other.map.units[1] + from >= motion.undecided_from() => {
             return Ok("not compared: it stops where the motion is undecided");
         }
-        Err(_) if is_beside => return Ok("not compared: the scene beside is refused"),
+        Err(refusal) if is_beside => return check_alone(case, changes, &refusal),
         Err(Refusal::Declaration(_)) if is_mirrored => return Ok("not compared: mirror refused"),
         Err(refusal) => return Err(Finding(format!("refused: {refusal}"))),
     };
