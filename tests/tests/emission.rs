@@ -3,6 +3,7 @@
 use core::fmt::Write;
 
 use liftoff::model::BarSystem;
+use liftoff_codegen::algebra::Symbol;
 use liftoff_codegen::program::{Cost, Id};
 use liftoff_codegen::{Analysis, analyse};
 use liftoff_compiled::{FallingPair, Pendulum, models};
@@ -107,4 +108,56 @@ fn a_pair_on_its_corners_costs_no_more_than_by_hand() {
     let costs = costs(FallingPair::LAYOUT.declaration);
     let (_, derived) = costs.iter().find(|(closed, _)| closed == "P, Q").unwrap();
     assert!(derived.weight() <= by_hand.weight(), "{derived}, by hand {by_hand}");
+}
+
+/// By hand φ̈ = −(3 g / 2 l) sin φ: the mass cancels, and nothing is divided in a call.
+#[test]
+fn what_cancels_is_no_operation() {
+    let by_hand = Cost { multiplications: 1, angles: 1, ..Cost::default() };
+    let costs = costs(Pendulum::LAYOUT.declaration);
+    assert_eq!(costs[0].1, by_hand, "{}", costs[0].1);
+    let code = phases(Pendulum::LAYOUT.declaration);
+    assert!(code.contains("k.three_halves_g_over_l"), "{code}");
+}
+
+/// What parameters determine is named after what it is; of c and −c one is stored.
+#[test]
+fn constants_have_names() {
+    for model in
+        models().iter().filter(|model| ["pendulum", "falling-pair", "zigzag"].contains(&model.name()))
+    {
+        let code = emitted(model.layout().declaration);
+        let fields = code.split("pub struct Constants<S> {").nth(1).unwrap().split('}').next().unwrap();
+        let fields: Vec<&str> = fields.lines().filter_map(|line| line.trim().strip_suffix(": S,")).collect();
+        let is_numbered =
+            |name: &&&str| name.strip_prefix('k').is_some_and(|rest| rest.parse::<u32>().is_ok());
+        let numbered: Vec<_> = fields.iter().filter(is_numbered).collect();
+        assert!(numbered.len() <= 1, "{}: {numbered:?}", model.name());
+        let signed: Vec<_> = fields.iter().filter(|name| name.starts_with("minus_")).collect();
+        assert!(signed.is_empty(), "{}: {signed:?}", model.name());
+    }
+}
+
+/// φ̈ has the factor cos φ that the reactions of A, C and E divide it by: the only division is that by the mass.
+#[test]
+fn removable_divisions_are_removed() {
+    let models = models();
+    let zigzag = models.iter().find(|model| model.name() == "zigzag").unwrap();
+    let Analysis { functions, .. } = analyse(zigzag.layout().declaration.parse().unwrap()).unwrap();
+    let phase = functions.phases.iter().find(|phase| phase.set.closed == 0b011).unwrap();
+    let outputs = [&phase.accelerations[..], &phase.reactions].concat();
+    let cost = functions.program.cost(&outputs);
+    assert_eq!(cost.divisions, 1, "{cost}");
+    let upright = |symbol| match symbol {
+        Symbol::Parameter(_) => 1.0,
+        Symbol::Coordinate { order: 0, .. } => core::f64::consts::FRAC_PI_2,
+        _ => 0.0,
+    };
+    // At rest upright all that is above C stands on it and on A, E: M a = f of the limit, φ̈ / cos φ = −3 (m₁ + m₂) g / (2 l (m₁ + 7 m₂)).
+    let found = functions.program.evaluate(&phase.reactions[..2], &upright);
+    let limit = -3.0 / 8.0;
+    let expected = [1.0 - 5.0 / 3.0 * limit, 3.0 + 5.0 / 3.0 * limit];
+    for (found, expected) in found.into_iter().zip(expected) {
+        assert!((found - expected).abs() < 1e-14, "{found} for {expected}");
+    }
 }

@@ -6,7 +6,7 @@ use super::{Angle, Series};
 impl Series {
     /// Powers of cos a and sin a, a the angle of which all arguments are multiples, and what is
     /// left; everything is left where there is no such angle.
-    pub(super) fn split_waves(&self) -> (Vec<(Self, u32)>, Self) {
+    pub fn split_waves(&self) -> (Vec<(Self, u32)>, Self) {
         let (mut factors, mut rest) = (Vec::new(), self.clone());
         let Some(angle) = self.common_angle() else {
             return (factors, rest);

@@ -132,7 +132,11 @@ impl Writer<'_> {
             return self.sin_cos(angle);
         }
         let (expression, depth) = self.expression(operation);
-        let opaque_term = matches!(operation, Operation::Ratio(_) | Operation::Pi | Operation::Input(_));
+        let opaque_term = match operation {
+            Operation::Ratio(_) | Operation::Pi | Operation::Input(_) => true,
+            Operation::Neg(a) => self.inputs.is_stored(a),
+            _ => false,
+        };
         let keep = self.uses.get(&id).copied().unwrap_or(0) > 1 || depth > DEPTH;
         let name = self.program.name(id).map(str::to_owned);
         if opaque_term || name.is_none() && !keep {

@@ -125,8 +125,75 @@ impl Program {
                 let product = self.mul(a, b);
                 self.neg(product)
             }
+            (Operation::Mul(x, y), _) if self.is_constant(b) && self.is_scaled(a) => self.scaled([x, y], b),
+            (_, Operation::Mul(x, y)) if self.is_constant(a) && self.is_scaled(b) => self.scaled([x, y], a),
+            _ if self.is_constant(a) && self.is_constant(b) => self.constant_quotient(&[a, b], &[]),
             _ => self.push(Operation::Mul(a.min(b), a.max(b))),
         }
+    }
+
+    /// Whether it is a constant times what varies; a versed sine stays one.
+    fn is_scaled(&self, id: Id) -> bool {
+        match self.operation(id) {
+            Operation::Mul(x, y) => self.is_constant(x) != self.is_constant(y) && self.wave(id).is_none(),
+            _ => false,
+        }
+    }
+
+    /// The constants of (x y) factor, one of x and y a constant, multiplied once.
+    fn scaled(&mut self, [x, y]: [Id; 2], factor: Id) -> Id {
+        let (constant, varying) = if self.is_constant(x) { (x, y) } else { (y, x) };
+        let constant = self.mul(constant, factor);
+        self.mul(constant, varying)
+    }
+
+    /// Π above / Π below of what parameters determine: factors that both have cancel, those left stand in one order: the number,
+    /// the parameters as declared, the rest.
+    fn constant_quotient(&mut self, above: &[Id], below: &[Id]) -> Id {
+        let mut open: Vec<(Id, bool)> = above.iter().map(|&id| (id, true)).collect();
+        open.extend(below.iter().map(|&id| (id, false)));
+        let (mut numbers, mut sides) = ([self.integer(1); 2], [Vec::new(), Vec::new()]);
+        let mut negative = false;
+        while let Some((id, is_above)) = open.pop() {
+            match self.operation(id) {
+                Operation::Mul(x, y) => open.extend([(x, is_above), (y, is_above)]),
+                Operation::Div(x, y) => open.extend([(x, is_above), (y, !is_above)]),
+                Operation::Neg(x) => {
+                    negative = !negative;
+                    open.push((x, is_above));
+                }
+                Operation::Ratio(value) => {
+                    negative ^= value.signum() < 0;
+                    let (size, side) = (self.ratio(value.abs()), usize::from(!is_above));
+                    match self.folded([numbers[side], size], |a, b| a * b) {
+                        Some(number) => numbers[side] = number,
+                        None => sides[side].push(size),
+                    }
+                }
+                _ => match sides[usize::from(is_above)].iter().position(|&other| other == id) {
+                    Some(place) => _ = sides[usize::from(is_above)].remove(place),
+                    None => sides[usize::from(!is_above)].push(id),
+                },
+            }
+        }
+        if let Some(number) = self.folded(numbers, |a, b| a * b.recip()) {
+            numbers = [number, self.integer(1)];
+        }
+        let [above, below] = [0, 1].map(|side| {
+            sides[side].sort_by_key(|&id| match self.operation(id) {
+                Operation::Input(Symbol::Parameter(i)) => (0, usize::from(i)),
+                _ => (1, id.index()),
+            });
+            let symbols = core::mem::take(&mut sides[side]).into_iter();
+            let product = symbols.reduce(|a, b| self.push(Operation::Mul(a, b)));
+            match product {
+                Some(product) if self.is_one(numbers[side]) => product,
+                Some(product) => self.push(Operation::Mul(numbers[side], product)),
+                None => numbers[side],
+            }
+        });
+        let quotient = if self.is_one(below) { above } else { self.push(Operation::Div(above, below)) };
+        if negative { self.neg(quotient) } else { quotient }
     }
 
     fn scale(&mut self, k: Rational, a: Id) -> Id {
@@ -139,9 +206,17 @@ impl Program {
         }
         match self.operation(a) {
             Operation::Neg(a) => self.scale(-k, a),
+            Operation::Mul(x, y) if self.is_scaled(a) => {
+                let k = self.ratio(k);
+                self.scaled([x, y], k)
+            }
             _ => {
                 let k = self.ratio(k);
-                self.push(Operation::Mul(k.min(a), k.max(a)))
+                if self.is_constant(a) {
+                    self.constant_quotient(&[k, a], &[])
+                } else {
+                    self.push(Operation::Mul(k.min(a), k.max(a)))
+                }
             }
         }
     }
@@ -174,6 +249,12 @@ impl Program {
                 let quotient = self.div(a, b);
                 self.neg(quotient)
             }
+            _ if self.is_constant(b) && !self.is_constant(a) => {
+                let one = self.integer(1);
+                let inverse = self.div(one, b);
+                self.mul(a, inverse)
+            }
+            _ if self.is_constant(a) && self.is_constant(b) => self.constant_quotient(&[a], &[b]),
             _ => self.push(Operation::Div(a, b)),
         }
     }
@@ -183,7 +264,7 @@ impl Program {
         match self.operation(a) {
             Operation::Ratio(value) => self.ratio(-value),
             Operation::Neg(a) => a,
-            Operation::Sub(a, b) => self.sub(b, a),
+            Operation::Sub(x, y) if !self.is_constant(a) => self.sub(y, x),
             _ => self.push(Operation::Neg(a)),
         }
     }
@@ -196,7 +277,24 @@ impl Program {
             let product = self.mul(a, b);
             return self.add(product, c);
         }
+        match (self.operation(a), self.operation(b)) {
+            (Operation::Neg(a), Operation::Neg(b)) => return self.mul_add(a, b, c),
+            (Operation::Mul(x, y), _) if self.is_constant(b) && self.is_scaled(a) => {
+                return self.scaled_add([x, y], b, c);
+            }
+            (_, Operation::Mul(x, y)) if self.is_constant(a) && self.is_scaled(b) => {
+                return self.scaled_add([x, y], a, c);
+            }
+            _ => {}
+        }
         self.push(Operation::MulAdd(a.min(b), a.max(b), c))
+    }
+
+    /// (x y) factor + c, with one product at run time.
+    fn scaled_add(&mut self, [x, y]: [Id; 2], factor: Id, c: Id) -> Id {
+        let (constant, varying) = if self.is_constant(x) { (x, y) } else { (y, x) };
+        let constant = self.mul(constant, factor);
+        self.mul_add(constant, varying, c)
     }
 
     /// √a.

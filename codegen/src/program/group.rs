@@ -19,6 +19,14 @@ pub(super) enum Plan {
     Plain,
     Versed,
     Polynomial { direction: Powers, cosine: Factored, sine: Factored },
+    Products(Vec<Product>),
+}
+
+/// A product of a sine or cosine of α and one of β, with its coefficient.
+pub(super) struct Product {
+    pub coefficient: Series,
+    /// The argument, and whether it is the sine.
+    pub factors: [(Powers, bool); 2],
 }
 
 /// The terms by their powers of coordinates and rates; coefficients keep the parameters.
@@ -63,7 +71,42 @@ pub(super) fn plan(group: &Group) -> Plan {
             return Plan::Polynomial { direction, cosine: cosine.factored(), sine: sine.factored() };
         }
     }
+    if let Some(products) = products(group) {
+        return Plan::Products(products);
+    }
     if cosines > 1 && sum.is_zero() { Plan::Versed } else { Plan::Plain }
+}
+
+/// a cos (α + β) + b cos (α − β) = (a + b) cos α cos β + (b − a) sin α sin β, of sines likewise; `None` where other waves are
+/// among them.
+fn products(group: &Group) -> Option<Vec<Product>> {
+    let mut products = Vec::new();
+    for sine in [false, true] {
+        let waves: Vec<(&Wave, &Series)> = group.iter().filter(|(wave, _)| wave.sine == sine).collect();
+        let [(p, a), (q, b)] = waves[..] else { if waves.is_empty() { continue } else { return None } };
+        let half = |sign: i16| {
+            let mut half: BTreeMap<Symbol, i16> = p.argument.iter().copied().collect();
+            q.argument.iter().for_each(|&(symbol, k)| *half.entry(symbol).or_default() += sign * k);
+            let even = half.values().all(|k| k % 2 == 0);
+            let half = half.into_iter().filter(|(_, k)| *k != 0).map(|(symbol, k)| (symbol, k / 2));
+            even.then(|| half.collect::<Powers>())
+        };
+        let (alpha, beta) = (half(1)?, half(-1)?);
+        if alpha.is_empty() || beta.is_empty() {
+            return None;
+        }
+        let pairs = if sine {
+            [(a + b, true, false), (a - b, false, true)]
+        } else {
+            [(a + b, false, false), (b - a, true, true)]
+        };
+        let pairs = pairs.into_iter().filter(|(coefficient, ..)| !coefficient.is_zero());
+        products.extend(pairs.map(|(coefficient, first, second)| Product {
+            coefficient,
+            factors: [(alpha.clone(), first), (beta.clone(), second)],
+        }));
+    }
+    Some(products)
 }
 
 /// The primitive argument of which all arguments are multiples, if there is one.

@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use super::group::{Group, Plan, groups, may_cancel, plan};
+use super::group::{Group, Plan, Product, groups, may_cancel, plan};
 use super::polynomial::Factored;
 use super::waves::Waves;
 use super::{Id, Program, perfect};
@@ -206,6 +206,7 @@ impl<'a> Lowering<'a> {
         match plan(group) {
             Plan::Plain => self.plain(group),
             Plan::Versed => self.versed_group(group),
+            Plan::Products(products) => self.products(&products),
             Plan::Polynomial { direction, cosine, sine } => {
                 let even = self.factored(&direction, &cosine);
                 let (sin, _) = self.wave(&direction);
@@ -221,6 +222,20 @@ impl<'a> Lowering<'a> {
             let coefficient = self.constant(coefficient);
             let (sin, cos) = self.wave(&wave.argument);
             sum = self.program.mul_add(coefficient, if wave.sine { sin } else { cos }, sum);
+        }
+        sum
+    }
+
+    fn products(&mut self, products: &[Product]) -> Id {
+        let mut sum = self.program.integer(0);
+        for Product { coefficient, factors } in products {
+            let coefficient = self.constant(coefficient);
+            let [a, b] = factors.each_ref().map(|(argument, sine)| {
+                let (sin, cos) = self.wave(argument);
+                if *sine { sin } else { cos }
+            });
+            let product = self.program.mul(a, b);
+            sum = self.program.mul_add(coefficient, product, sum);
         }
         sum
     }
@@ -265,8 +280,12 @@ impl<'a> Lowering<'a> {
         value
     }
 
-    /// A coefficient: products of parameters, computed once.
+    /// A coefficient: products of parameters, computed once; of c and −c the one whose first term is positive.
     fn constant(&mut self, series: &Series) -> Id {
+        if series.terms().next().is_some_and(|(_, first)| first.signum() < 0) {
+            let positive = self.constant(&-series);
+            return self.program.neg(positive);
+        }
         let mut sum = self.program.integer(0);
         for (term, coefficient) in series.terms() {
             let product = self.powers(term.monomial.factors());
