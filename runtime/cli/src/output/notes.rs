@@ -33,11 +33,8 @@ fn told(text: &str, t: f64, count: usize) -> String {
 /// Whether it bears on the numbers or on the end of a run. What is left out changes only how they are computed; a kind of
 /// decision that is not named here is told.
 fn matters(decision: &LoggedDecision) -> bool {
-    use LoggedDecision::{BearingChanged, FrictionAhead, Method, OtherBranch, SingularPosition, SmallPivot};
-    !matches!(
-        decision,
-        BearingChanged | FrictionAhead(_) | Method(_) | OtherBranch | SingularPosition | SmallPivot
-    )
+    use LoggedDecision::{BearingChanged, FrictionAhead, OtherBranch, SingularPosition, SmallPivot};
+    !matches!(decision, BearingChanged | FrictionAhead(_) | OtherBranch | SingularPosition | SmallPivot)
 }
 
 #[cfg(test)]

@@ -94,6 +94,44 @@ fn radau_passes_over_stiff_springs() {
     }
 }
 
+/// From rest at 60°, the spring longer by this than on the slow manifold; k in mg/l, undamped.
+fn swung(k: f64, longer: f64, method: impl Method, limit: f64) -> Trajectory {
+    let start = 60f64.to_radians();
+    let model = SpringPendulum { m: 1.0, k, l: 1.0, c: 0.0, g: 1.0 };
+    let r = 1.0 + start.cos() / k + longer;
+    let pose = Pose::at("x", r * start.sin()).with("y", r * start.cos());
+    let simulation = Simulation::new(&model).unwrap().method(method).tolerance(1e-6);
+    simulation.start(pose).unwrap().limit(limit).run().unwrap()
+}
+
+#[test]
+fn auto_leaves_stiff_springs_that_hardly_oscillate_to_radau() {
+    let start = 60f64.to_radians();
+    let mean = (0..8).fold((1.0f64, (0.5 * start).cos()), |(a, b), _| (0.5 * (a + b), (a * b).sqrt())).0;
+    for k in [1e8, 1e10, 1e12] {
+        let run = swung(k, 0.0, Auto, core::f64::consts::TAU / mean);
+        let state = run.final_state();
+        let error = (state[0].atan2(state[1]) - start).abs();
+        assert!(error < 1e-5, "k = {k:e}: {error:e}");
+        assert!(run.statistics().steps < 2500, "k = {k:e}: {:?}", run.statistics());
+        assert_eq!(changes(&run)[0], "radau", "k = {k:e}: {:?}", run.log());
+    }
+}
+
+/// What oscillates has to be resolved by any method: the explicit one takes less work. Along the rod r″ = −k (r − r₀), up to g/k.
+#[test]
+fn auto_resolves_stiff_springs_that_oscillate() {
+    let (k, longer, limit) = (1e8, 1e-3, 0.05);
+    let [auto, taylor] = [swung(k, longer, Auto, limit), swung(k, longer, Taylor, limit)];
+    let [steps, others] = [&auto, &taylor].map(|run| run.statistics().steps);
+    assert!(steps < others + others / 4 + 200, "{steps}, {others}: {:?}", auto.log());
+    let length = |run: &Trajectory| run.final_state()[0].hypot(run.final_state()[1]);
+    let expected = 1.0 + longer * (k.sqrt() * limit).cos();
+    for run in [&auto, &taylor] {
+        assert!((length(run) - expected).abs() < 2e-5, "{} for {expected}", length(run));
+    }
+}
+
 /// A bar whose bearing seizes twice a turn of the time: c sin⁸(t + lead).
 #[derive(BarSystem)]
 #[gravity(g)]

@@ -1,8 +1,9 @@
-//! Stiffness judged on the way: an explicit method whose steps damping keeps short is replaced by [`Radau`], and comes back
-//! once the damping is gone.
+//! Stiffness judged on the way: an explicit method whose steps are kept short by damping, or by an oscillation that has no
+//! amplitude, is replaced by [`Radau`], and comes back once that is gone.
 //!
-//! The measure is −tr ∂f/∂y, the sum of the rates at which all motion decays, from the phase's exact Jacobian at every
-//! [`OFTEN`]th step.
+//! The measures are −tr ∂f/∂y, the sum of the rates at which all motion decays, and √(−½ tr (∂f/∂y)²), that of undamped motion's
+//! circular frequencies ω as √Σω², from the phase's exact Jacobian at every [`OFTEN`]th step. Whether an oscillation has an
+//! amplitude that a tolerance resolves is not seen in the Jacobian: Radau's steps tell, which are long where it has none.
 
 use super::auto::STIFF;
 use super::pair::StepperPair;
@@ -19,6 +20,8 @@ const SURE: u32 = 2;
 const HELD: f64 = 0.5;
 /// The implicit method is left where damping is so much less than what it is taken for.
 const GONE: f64 = 0.1;
+/// A step of Radau takes as long as some ten explicit ones: an oscillation is left to it where its steps are so much longer.
+const LONGER: f64 = 20.0;
 
 /// An integration by an explicit method or by Radau's.
 struct Watched<'a> {
@@ -32,7 +35,25 @@ struct Watched<'a> {
     longest: f64,
     steps: u32,
     sure: u32,
+    /// What the implicit method is at work for.
+    cause: Cause,
+    /// Explicit steps until an oscillation is left to Radau again, and how many the next time: twice as many.
+    pause: [u32; 2],
     switches: Switches,
+}
+
+/// What keeps explicit steps short.
+#[derive(Clone, Copy)]
+enum Cause {
+    Damping,
+    /// With the explicit step.
+    Oscillation(f64),
+}
+
+/// The rates of a phase's motion, as sums over all its coordinates.
+struct Rates {
+    damping: f64,
+    frequency: f64,
 }
 
 /// The same, watched for stiffness where the phase has a Jacobian: without one its equations cannot be stiff. Where they are so at
@@ -55,6 +76,8 @@ pub(super) fn watched<'a>(
         longest: 0.0,
         steps: 0,
         sure: 0,
+        cause: Cause::Damping,
+        pause: [0, 16 * OFTEN],
         switches: switches.clone(),
     });
     StartedStepper { choice, stepper, switches }
@@ -62,20 +85,34 @@ pub(super) fn watched<'a>(
 
 /// −tr ∂f/∂y.
 pub(super) fn damping(jacobian: &Jacobian, y: &[f64]) -> f64 {
+    compute_rates(jacobian, y).damping
+}
+
+/// −tr ∂f/∂y and √(−½ tr (∂f/∂y)²), zero where motion grows and decays faster than it oscillates.
+fn compute_rates(jacobian: &Jacobian, y: &[f64]) -> Rates {
     let n = y.len();
     let mut entries = vec![0.0; n * n];
     jacobian(y, &mut entries);
-    -entries.iter().step_by(n + 1).sum::<f64>()
+    let square: f64 = (0..n * n).map(|k| entries[k] * entries[k % n * n + k / n]).sum();
+    Rates { damping: -entries.iter().step_by(n + 1).sum::<f64>(), frequency: (-0.5 * square).max(0.0).sqrt() }
 }
 
 impl<'a> Watched<'a> {
-    /// Changes the method where damping has come or gone.
+    /// Changes the method where stiffness has come or gone.
     fn look(&mut self) {
-        let damping = damping(&self.jacobian, self.steppers.active().state());
-        let ratio = damping * self.problem.time;
+        let Rates { damping, frequency } = compute_rates(&self.jacobian, self.steppers.active().state());
+        let time = self.problem.time;
         let h = self.steppers.active().next_step().unwrap_or(0.0);
-        let elsewhere =
-            if self.steppers.is_other { ratio < GONE * STIFF } else { ratio > STIFF && h * damping > HELD };
+        let is_held = |rate: f64| rate * time > STIFF && h * rate > HELD;
+        let elsewhere = if self.steppers.is_other {
+            match self.cause {
+                Cause::Damping => damping * time < GONE * STIFF,
+                Cause::Oscillation(explicit) => h < LONGER * explicit || frequency * time < GONE * STIFF,
+            }
+        } else {
+            self.pause[0] = self.pause[0].saturating_sub(OFTEN);
+            is_held(damping) || self.pause[0] == 0 && is_held(frequency)
+        };
         self.sure = if elsewhere { self.sure + 1 } else { 0 };
         if self.sure < SURE || !self.steppers.is_other && !self.has_implicit() {
             return;
@@ -86,11 +123,23 @@ impl<'a> Watched<'a> {
         self.steppers.active_mut().allow_step(longest);
         self.steppers.active_mut().jump(t, &y, h);
         self.steppers.active_mut().set_end(end);
-        let choice = if self.steppers.is_other {
-            Choice { method: Radau.name(), why: "its damping has become stiff" }
+        let why = if self.steppers.is_other {
+            self.cause = if is_held(damping) { Cause::Damping } else { Cause::Oscillation(h) };
+            match self.cause {
+                Cause::Damping => "its damping has become stiff",
+                Cause::Oscillation(_) => "a stiff spring hardly oscillates",
+            }
         } else {
-            Choice { why: "its damping is stiff no longer", ..self.first }
+            match self.cause {
+                Cause::Damping => "its damping is stiff no longer",
+                Cause::Oscillation(_) => {
+                    self.pause = [self.pause[1], self.pause[1].saturating_mul(2)];
+                    "its stiff spring oscillates"
+                }
+            }
         };
+        let method = if self.steppers.is_other { Radau.name() } else { self.first.method };
+        let choice = Choice { method, why };
         self.switches.note(t, choice);
     }
 
