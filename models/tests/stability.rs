@@ -26,7 +26,7 @@ macro_rules! groups {
 
 groups!(
     springs, ratios, massless, starts, units, feet, grazing, zeno, together, edges, long, loops, chart,
-    extremes, inputs
+    extremes, friction, buffers, redundant, loads, impacts, inputs
 );
 
 #[test]

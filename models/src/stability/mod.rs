@@ -2,9 +2,11 @@
 //! plain mechanics demands, the outcome measured, and a verdict. `liftoff stability` runs it; so do the tests.
 
 mod chart;
+mod contacts;
 mod edges;
 mod extremes;
 mod feet;
+mod friction;
 mod grazing;
 mod inputs;
 mod long;
@@ -12,6 +14,7 @@ mod loops;
 mod massless;
 mod ratios;
 mod reference;
+mod scenes;
 mod springs;
 mod starts;
 mod together;
@@ -42,7 +45,7 @@ const fn group(
 }
 
 /// Every group.
-pub static GROUPS: [Group; 15] = [
+pub static GROUPS: [Group; 20] = [
     group("springs", "Stiff springs, with and without damping", STIFF, springs::cases),
     group("ratios", "Ratios of masses", MULTIPLIERS, ratios::cases),
     group("massless", "Massless bars", MULTIPLIERS, massless::cases),
@@ -57,6 +60,11 @@ pub static GROUPS: [Group; 15] = [
     group("loops", "Closed loops through singular positions", ONE, loops::cases),
     group("chart", "A closed form towards the end of its chart", ONE, chart::cases),
     group("extremes", "Ends of floating point, of steps and of time", EXPLICIT, extremes::cases),
+    group("friction", "Dry friction", EXPLICIT, friction::cases),
+    group("buffers", "Stiff springs that act on one side", EXPLICIT, contacts::buffers),
+    group("redundant", "Redundant supports", EXPLICIT, contacts::redundant),
+    group("loads", "Narrow loads", EXPLICIT, contacts::loads),
+    group("impacts", "Very many impacts", EXPLICIT, contacts::impacts),
     group("inputs", "No numbers", ONE, inputs::cases),
 ];
 

@@ -21,8 +21,7 @@ pub(super) fn cases(by: MethodId, _: Effort) -> Vec<Case> {
         // Stable for |h λ| ≤ 6, λ = √k.
         return bobs(1e6).map(|bob| swings(bob, 4.0 * period() * bob.k.sqrt())).into();
     }
-    let damped = [1e6, 1e8, 1e10, 1e12].map(|k| Bob { k, damped: true });
-    let all = if by == MethodId::Auto { damped.to_vec() } else { [1e6, 1e8, 1e10, 1e12].map(bobs).concat() };
+    let all = [1e6, 1e8, 1e10, 1e12].map(bobs).concat();
     all.into_iter().map(|bob| swings(bob, MOST)).chain([rigid()]).collect()
 }
 

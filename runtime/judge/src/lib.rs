@@ -36,12 +36,21 @@ pub struct Judge {
     scene: Scene<DoubleDouble>,
 }
 
+/// The square of its reciprocal, times the square of the unit roundoff, is no less than the least
+/// normal number.
+const LARGE: f64 = 1e137;
+
 impl Judge {
     /// The judge of a declaration with values of its parameters; states are told in these coordinates.
     ///
     /// # Errors
-    /// The declaration is not understood, or too large.
+    /// The declaration is not understood, or too large; or parameters are so far from one that
+    /// products of double-doubles lose their second half.
     pub fn of(declaration: &str, parameters: &[f64], coordinates: &[&str]) -> Result<Self, SceneError> {
+        let is_far = |x: f64| x != 0.0 && !(1.0 / LARGE..=LARGE).contains(&x.abs());
+        if let Some(&far) = parameters.iter().find(|x| is_far(**x)) {
+            return Err(SceneError::Range(format!("{far:e}")));
+        }
         Ok(Self { scene: Scene::of(declaration, parameters, coordinates)? })
     }
 

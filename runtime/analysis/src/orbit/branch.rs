@@ -40,6 +40,9 @@ const LOCATIONS: usize = 40;
 /// A test function this small, relative to its values at both ends, is zero.
 const LOCATED: f64 = 1e-10;
 
+/// Where branches cross, the equations of an orbit are singular: it may not be found so near to that, in steps.
+const BESIDE: f64 = 1e-2;
+
 /// What is special about an orbit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Special {
@@ -322,7 +325,10 @@ impl ReturnMap<'_> {
         let mut found = (end, step);
         for _ in 0..LOCATIONS {
             let at = b.0 - b.1 * (b.0 - a.0) / (b.1 - a.1);
-            found = (self.corrected(from, at).ok()?, at);
+            let Ok(point) = self.corrected(from, at) else {
+                return ((found.1 - at).abs() < BESIDE * step).then_some(found);
+            };
+            found = (point, at);
             let value = test(&found.0);
             if value.abs() <= LOCATED * size {
                 break;

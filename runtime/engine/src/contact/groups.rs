@@ -9,7 +9,7 @@ use nalgebra::DVector;
 
 use super::impact::Stages;
 use super::impulse::{Collision, CollisionError, Group, Outcome, Row};
-use super::least_constraint::LeastConstraint;
+use super::least_constraint::{LeastConstraint, add_change};
 use super::trials::Trials;
 
 impl Collision {
@@ -125,14 +125,4 @@ impl LeastConstraint {
         groups.iter_mut().for_each(|group| group.sort_unstable());
         groups
     }
-}
-
-/// Adds what a group has changed; where it is the only one that has, its value as it is.
-pub(super) fn add_change(sum: &DVector<f64>, before: &DVector<f64>, after: &DVector<f64>) -> DVector<f64> {
-    DVector::from_fn(
-        sum.len(),
-        |i, _| {
-            if sum[i] == before[i] { after[i] } else { sum[i] + (after[i] - before[i]) }
-        },
-    )
 }

@@ -190,3 +190,13 @@ fn factor(mass: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     let light = || Cholesky::new(mass + DMatrix::identity(n, n) * LIGHT);
     Some(Cholesky::new(mass.clone()).filter(sound).or_else(light)?.l())
 }
+
+/// Adds what a group has changed; where it is the only one that has, its value as it is.
+pub(super) fn add_change(sum: &DVector<f64>, before: &DVector<f64>, after: &DVector<f64>) -> DVector<f64> {
+    DVector::from_fn(
+        sum.len(),
+        |i, _| {
+            if sum[i] == before[i] { after[i] } else { sum[i] + (after[i] - before[i]) }
+        },
+    )
+}

@@ -12,7 +12,6 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::assembly::CLOSED;
 use crate::decomposition;
 use crate::integration::phase_point::RunContext;
 use crate::model::ContactSet;
@@ -25,10 +24,12 @@ const SLIGHT: f64 = 1e-3;
 const ROUNDING: f64 = 1e-9;
 
 /// Those of some touching contacts whose gap is least here among the positions that the joints and the contacts `held` allow.
+/// Gaps up to `closed`, g₀ in natural units, touch.
 pub(crate) fn find_least_gaps(
     context: &RunContext,
     state: &[f64],
     (touching, held): (ContactSet, ContactSet),
+    closed: f64,
 ) -> ContactSet {
     let (layout, n) = (context.layout(), context.layout().coordinates.len());
     if touching.is_empty() || n == 0 {
@@ -66,7 +67,7 @@ pub(crate) fn find_least_gaps(
         let hessian = &allowed * hessian * &allowed;
         let curvature = hessian.amax();
         let opens = (hessian + ROUNDING * curvature * DMatrix::identity(n, n)).cholesky().is_some();
-        let is_slight = slope * slope <= 2.0 * CLOSED * curvature && *slope <= SLIGHT * curvature;
+        let is_slight = slope * slope <= 2.0 * closed * curvature && *slope <= SLIGHT * curvature;
         opens && is_slight && derivatives.is_constant(*i)
     };
     slight.into_iter().filter(is_least).map(|(i, ..)| i).collect()

@@ -109,6 +109,9 @@ pub enum SceneError {
     /// A coordinate that the declaration does not have.
     #[error("coordinate `{0}` is not in the declaration")]
     Coordinate(String),
+    /// A parameter that leaves the range of double-double.
+    #[error("a parameter of {0} leaves the range of double-double")]
+    Range(String),
     /// So many coordinates that dense factorisations take too long.
     #[error("{0} maximal coordinates are too many for a dense judge")]
     Size(usize),

@@ -17,12 +17,14 @@ pub fn text(verdicts: &[Verdict]) -> String {
     verdicts.iter().map(line).collect()
 }
 
-/// How many pass, and how many of the others were not judged.
+/// How many pass, and how many of the others were refused or not judged.
 pub fn summary(verdicts: &[Verdict]) -> String {
     let count = |outcome: Outcome| verdicts.iter().filter(|verdict| verdict.outcome == outcome).count();
-    let (passed, all) = (count(Outcome::Pass), verdicts.len());
-    match count(Outcome::NotJudged) {
-        0 => format!("{passed} of {all} cases pass"),
-        blank => format!("{passed} of {all} cases pass, {blank} are not judged"),
-    }
+    let apart = [(Outcome::Refused, "refused with an error"), (Outcome::NotJudged, "not judged")];
+    let apart =
+        apart.map(|(outcome, word)| (count(outcome), word)).into_iter().filter(|(count, _)| *count > 0);
+    let apart: String = apart
+        .map(|(count, word)| format!(", {count} {} {word}", if count == 1 { "is" } else { "are" }))
+        .collect();
+    format!("{} of {} cases pass{apart}", count(Outcome::Pass), verdicts.len())
 }

@@ -14,9 +14,9 @@ pub(crate) use record::change_of;
 
 pub use liftoff_judge::Verdict;
 
-/// The most work that a judge takes, and in passing: some twenty seconds, and ten.
+/// The most work that a judge takes, and in passing: some twenty seconds, and one.
 const MOST_WORK: u64 = Task::WORK / 3;
-const IN_PASSING: u64 = MOST_WORK / 2;
+const IN_PASSING: u64 = MOST_WORK / 20;
 /// Of a run with more segments none is written down in passing.
 const SEGMENTS: usize = 2000;
 

@@ -7,7 +7,7 @@ use super::modes::{Bound, Choice, Condition, Frictional, Mode, Sense};
 use super::problem::{Problem, Trial, Unit};
 use crate::contact::complementarity::{LcpError, LcpRows, Solution};
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
-use crate::contact::groups::add_change;
+use crate::contact::least_constraint::add_change;
 
 /// Two accelerations are one up to this, relative to the larger one and to what the forces alone would cause.
 const SAME: f64 = 1e-8;

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::Driver;
 use super::friction::LocatedSlips;
 use super::switch::Role;
+use crate::assembly::CLOSED;
 use crate::audit::Work;
 use crate::contact::friction::{Grip, single};
 use crate::contact::{
@@ -115,7 +116,7 @@ impl Driver<'_> {
     /// Contacts that may open and hold nothing: their gaps are least here.
     fn least_gaps(&self, held: ContactSet) -> ContactSet {
         let kept = held.union(self.guides()).union(self.touching.intersection(self.layout().drives()));
-        find_least_gaps(&self.setup.context, &self.state, (self.touching.difference(kept), kept))
+        find_least_gaps(&self.setup.context, &self.state, (self.touching.difference(kept), kept), CLOSED)
     }
 
     pub(super) fn contact_error(&self, source: ContactError) -> RunCause {

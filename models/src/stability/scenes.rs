@@ -1,0 +1,64 @@
+//! Scenes that no model of the program shows, declared here.
+
+use liftoff_studio::RunSpec;
+use liftoff_studio::registry::{Entry, MethodId, MotionError};
+use liftoff_studio::source::embedded;
+use std::sync::LazyLock;
+
+/// A scene by its name.
+static SCENES: LazyLock<Vec<Entry>> = LazyLock::new(|| {
+    let scene = |name, text| embedded(name, text, RunSpec::with(&[]));
+    vec![
+        scene(
+            "buffer",
+            "/// A mass that falls onto a spring without mass.
+            #[derive(BarSystem)] #[gravity(g)] #[particle(P, mass = m)] #[slider(P = vertical(0))]
+            #[figure(P = (0, 1))] #[coordinate(y = y(P))] #[force(P = (0, -k * y(P)), while(\"y < 0\"))]
+            struct Buffer { m: f64, k: f64, g: f64 }",
+        ),
+        scene(
+            "block",
+            "/// A block on a rough floor.
+            #[derive(BarSystem)] #[gravity(g)] #[particle(P, mass = m)] #[support(P = floor, friction = mu)]
+            #[figure(P = (0, 0))] #[coordinate(x = x(P))] #[coordinate(y = y(P))]
+            struct Block { m: f64, mu: f64, g: f64 }",
+        ),
+        pulses("pulses-32", ".powi(32)"),
+        pulses("pulses-512", ".powi(32).powi(16)"),
+        pulses("pulses-8192", ".powi(64).powi(32).powi(4)"),
+    ]
+});
+
+/// A mass under a force that is narrower the higher its power is.
+fn pulses(name: &'static str, power: &str) -> Entry {
+    let text = format!(
+        "/// A mass under a force sinⁿ t.
+        #[derive(BarSystem)] #[particle(P, mass = 1)] #[slider(P = horizontal(0))] #[figure(P = (0, 0))]
+        #[coordinate(x = x(P))] #[force(P = (f * sin(t){power}, 0))] #[liftoff(dimensionless)]
+        struct Pulses {{ f: f64 }}"
+    );
+    embedded(name, text.leak(), RunSpec::with(&[]))
+}
+
+/// Runs a scene by a method, for a case that the judge follows.
+pub(super) fn run_scene(
+    name: &str,
+    by: MethodId,
+    spec: &RunSpec,
+) -> Result<liftoff::Trajectory, MotionError> {
+    scene(name).run_witnessed(by, spec)
+}
+
+/// The same for a case that a closed form judges alone: the judge's own steps pass over narrow loads.
+pub(super) fn run_alone(
+    name: &str,
+    by: MethodId,
+    spec: &RunSpec,
+) -> Result<liftoff::Trajectory, MotionError> {
+    let run = scene(name).simulation(spec)?.method(by).run();
+    run.map_err(|error| MotionError::Input(error.to_string()))
+}
+
+fn scene(name: &str) -> &'static Entry {
+    SCENES.iter().find(|scene| scene.name() == name).expect("a scene of the list")
+}
