@@ -91,8 +91,8 @@ pub(super) fn impacts(_: MethodId, effort: Effort) -> Vec<Case> {
         let scene = format!("bouncing-ball, restitution {text}, {count} impacts");
         Case::numbers(format!("impacts.e={text}"), scene, "geometric series", expectations, move |by| {
             let record = run("bouncing-ball", by, &spec)?;
-            let impacts = record.events().iter().filter(|event| event.kind == EventKind::Impact);
-            Ok(vec![impacts.clone().count() as f64, impacts.last().map_or(f64::NAN, |event| event.t)])
+            let mut impacts = record.events().iter().filter(|event| event.kind == EventKind::Impact);
+            Ok(vec![impacts.clone().count() as f64, impacts.next_back().map_or(f64::NAN, |event| event.t)])
         })
     };
     ["1", "0.99999"].map(case).into()
