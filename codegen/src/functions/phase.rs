@@ -140,17 +140,15 @@ impl Scaled {
         }
         let diagonal = (0..n).map(|i| content(mass[i][i].numerator()).numerator().clone());
         let common = content(&diagonal.clone().sum());
-        let own = diagonal.map(|mass| root(&(Quotient::from(mass) / &common)));
+        let own: Vec<Quotient> = diagonal.map(|mass| root(&(Quotient::from(mass) / &common))).collect();
         let scaled = |units: Vec<Quotient>| {
-            let row = |i: usize| (0..n).map(move |j| (i, j));
-            let entry = |(i, j): (usize, usize)| &mass[i][j] / &(&common * &(&units[i] * &units[j]));
+            let entry = |i: usize, j: usize| &mass[i][j] / &(&common * &(&units[i] * &units[j]));
             Self {
-                mass: (0..n).map(|i| row(i).map(entry).collect()).collect(),
+                mass: (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect(),
                 forces: (0..n).map(|i| &forces[i] / &(&common * &units[i])).collect(),
-                units: units.clone(),
+                units,
             }
         };
-        let own: Vec<Quotient> = own.collect();
         vec![scaled(vec![one(); n]), scaled(own), plain]
     }
 }

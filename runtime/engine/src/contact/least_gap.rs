@@ -12,6 +12,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::ContactProblem;
 use crate::decomposition;
 use crate::integration::phase_point::RunContext;
 use crate::model::ContactSet;
@@ -23,15 +24,16 @@ const SLIGHT: f64 = 1e-3;
 /// Singular values below this part of the largest, and negative curvatures, are rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// Those of some touching contacts whose gap is least here among the positions that the joints and the contacts `held` allow.
-/// Gaps up to `closed`, g₀ in natural units, touch.
+/// The touching contacts whose gap is least here among the positions that the joints and the held
+/// contacts allow. Gaps up to `closed`, g₀ in natural units, touch.
 pub(crate) fn find_least_gaps(
     context: &RunContext,
     state: &[f64],
-    (touching, held): (ContactSet, ContactSet),
+    question: &ContactProblem,
     closed: f64,
 ) -> ContactSet {
     let (layout, n) = (context.layout(), context.layout().coordinates.len());
+    let ContactProblem { touching, held, .. } = *question;
     if touching.is_empty() || n == 0 {
         return ContactSet::EMPTY;
     }
@@ -89,7 +91,6 @@ impl Derivatives {
             let value = |(entry, &value): (usize, &f64)| {
                 let mut coefficients = [0.0; TIME_ORDERS];
                 (coefficients[0], coefficients[1]) = (value, rate(entry));
-                // Positions alone: the rates of the motion are no part of the rows.
                 Jet::new(coefficients)
             };
             state.iter().enumerate().map(value).collect()

@@ -115,8 +115,11 @@ impl Driver<'_> {
 
     /// Contacts that may open and hold nothing: their gaps are least here.
     fn least_gaps(&self, held: ContactSet) -> ContactSet {
-        let kept = held.union(self.guides()).union(self.touching.intersection(self.layout().drives()));
-        find_least_gaps(&self.setup.context, &self.state, (self.touching.difference(kept), kept), CLOSED)
+        let drives = self.touching.intersection(self.layout().drives());
+        let held = held.union(self.guides()).union(drives);
+        let touching = self.touching.difference(held);
+        let question = ContactProblem { touching, held, ..ContactProblem::default() };
+        find_least_gaps(&self.setup.context, &self.state, &question, CLOSED)
     }
 
     pub(super) fn contact_error(&self, source: ContactError) -> RunCause {
