@@ -12,7 +12,7 @@ const PLACES: usize = 25;
 /// Errors of the runs.
 const DRIFT: f64 = 100.0 * TOLERANCE;
 /// The most that rounding may add to them.
-const COARSE: f64 = 3e-9;
+const COARSE: f64 = 2e-9;
 /// The tolerance of the runs.
 const TOLERANCE: f64 = 1e-12;
 

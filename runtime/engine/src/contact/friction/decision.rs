@@ -212,7 +212,7 @@ impl Problem<'_> {
         Decision { chosen, trial, solutions, taken, reason: reason.unwrap_or(Reason::Only), complete }
     }
 
-    fn decide_alone(&self) -> Result<Decision, FrictionError> {
+    pub(super) fn decide_alone(&self) -> Result<Decision, FrictionError> {
         let (found, complete) = self.candidates()?;
         self.decide(found, complete)
     }
