@@ -1,6 +1,7 @@
 use liftoff::prelude::*;
 
-/// Fig. 1a with nothing assumed about symmetry, and its shoulders: beside the gap an end lies on the floor.
+/// Fig. 1a with nothing assumed about symmetry, and its shoulders: beside the gap an end lies on
+/// the floor.
 ///
 /// ```text
 ///   A ────────────── D ────────────── B
@@ -8,7 +9,8 @@ use liftoff::prelude::*;
 ///   ▔▔▔▔▔▔▔▔▔▔▏             ▕▔▔▔▔▔▔▔▔▔▔
 /// ```
 ///
-/// Both angles are positive while the hinge is below; `y` is the drop of D, `x` its shift to the right.
+/// Both angles are positive while the hinge is below; `y` is the drop of D, `x` its shift to the
+/// right.
 #[derive(BarSystem, Clone, Debug)]
 #[gravity(g)]
 #[bar(AD, mass = m, length = l)]

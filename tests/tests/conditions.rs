@@ -57,8 +57,8 @@ fn drift(
     found
 }
 
-/// The most that the rounding of a state changes in a function of it, whose terms cancel near the pole of a closed form: sums over
-/// cos⁴ φ of 0.01 keep eight digits.
+/// The most that the rounding of a state changes in a function of it, whose terms cancel near the
+/// pole of a closed form: sums over cos⁴ φ of 0.01 keep eight digits.
 fn rounding(value: &dyn Fn(&[f64]) -> f64, state: &[f64]) -> f64 {
     let changed = |i: usize| {
         let by = |k: u32| {

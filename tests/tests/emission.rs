@@ -138,7 +138,8 @@ fn constants_have_names() {
     }
 }
 
-/// φ̈ has the factor cos φ that the reactions of A, C and E divide it by: the only division is that by the mass.
+/// φ̈ has the factor cos φ that the reactions of A, C and E divide it by: the only division is that
+/// by the mass.
 #[test]
 fn removable_divisions_are_removed() {
     let models = models();
@@ -153,7 +154,8 @@ fn removable_divisions_are_removed() {
         Symbol::Coordinate { order: 0, .. } => core::f64::consts::FRAC_PI_2,
         _ => 0.0,
     };
-    // At rest upright all that is above C stands on it and on A, E: M a = f of the limit, φ̈ / cos φ = −3 (m₁ + m₂) g / (2 l (m₁ + 7 m₂)).
+    // At rest upright all that is above C stands on it and on A, E: M a = f of the limit, φ̈ / cos
+    // φ = −3 (m₁ + m₂) g / (2 l (m₁ + 7 m₂)).
     let found = functions.program.evaluate(&phase.reactions[..2], &upright);
     let limit = -3.0 / 8.0;
     let expected = [1.0 - 5.0 / 3.0 * limit, 3.0 + 5.0 / 3.0 * limit];

@@ -10,8 +10,8 @@ use crate::system::System;
 /// A longer name says less than a number.
 const LONGEST: usize = 56;
 
-/// What `outputs` use of the parameter-only part of `program`, each with a name of its own; numbers are none of it, and signs
-/// are formed where they are used.
+/// What `outputs` use of the parameter-only part of `program`, each with a name of its own; numbers
+/// are none of it, and signs are formed where they are used.
 pub(crate) fn constant_names(system: &System, program: &Program, outputs: &[Id]) -> BTreeMap<Id, String> {
     let mut taken: BTreeSet<String> = BTreeSet::new();
     let mut names = BTreeMap::new();
@@ -39,8 +39,8 @@ fn is_number(program: &Program, id: Id) -> bool {
     }
 }
 
-/// `half_m_l_l` for ½ m l l, `m1_plus_two_m2` for m₁ + 2 m₂, `g_over_l` for g / l; a sum in a product or a quotient is the last
-/// factor of its side.
+/// `half_m_l_l` for ½ m l l, `m1_plus_two_m2` for m₁ + 2 m₂, `g_over_l` for g / l; a sum in a
+/// product or a quotient is the last factor of its side.
 fn compose_name(system: &System, program: &Program, id: Id) -> Option<String> {
     let name = |id: Id| compose_name(system, program, id);
     let is_sum = |id: Id| matches!(program.operation(id), Operation::Add(..) | Operation::Sub(..));

@@ -49,8 +49,8 @@ struct Accelerations {
     reduced: Option<Reduced>,
 }
 
-/// A single acceleration a = w b, where w are sines and cosines that its force has as factors: reactions that divide a by them
-/// are polynomials in b.
+/// A single acceleration a = w b, where w are sines and cosines that its force has as factors:
+/// reactions that divide a by them are polynomials in b.
 struct Reduced {
     waves: Quotient,
     value: Id,
@@ -118,7 +118,8 @@ fn accelerations(
     solutions.into_iter().min_by_key(cost).unwrap_or(Accelerations { values: Vec::new(), reduced: None })
 }
 
-/// M a = f with a in other units: a′ᵢ = uᵢ aᵢ, M′ᵢⱼ = Mᵢⱼ / (c uᵢ uⱼ), f′ᵢ = fᵢ / (c uᵢ), where c and uᵢ are products of parameters.
+/// M a = f with a in other units: a′ᵢ = uᵢ aᵢ, M′ᵢⱼ = Mᵢⱼ / (c uᵢ uⱼ), f′ᵢ = fᵢ / (c uᵢ), where c
+/// and uᵢ are products of parameters.
 struct Scaled {
     mass: Vec<Vec<Quotient>>,
     forces: Vec<Quotient>,
@@ -126,7 +127,8 @@ struct Scaled {
 }
 
 impl Scaled {
-    /// As it stands; over what all masses have in common; and with that unit of each coordinate that its own mass has squared.
+    /// As it stands; over what all masses have in common; and with that unit of each coordinate
+    /// that its own mass has squared.
     fn each(mass: &[Vec<Quotient>], forces: &[Quotient]) -> Vec<Self> {
         let n = forces.len();
         let one = || Quotient::from(Series::one());

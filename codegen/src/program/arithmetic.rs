@@ -147,8 +147,8 @@ impl Program {
         self.mul(constant, varying)
     }
 
-    /// Π above / Π below of what parameters determine: factors that both have cancel, those left stand in one order: the number,
-    /// the parameters as declared, the rest.
+    /// Π above / Π below of what parameters determine: factors that both have cancel, those left
+    /// stand in one order: the number, the parameters as declared, the rest.
     fn constant_quotient(&mut self, above: &[Id], below: &[Id]) -> Id {
         let mut open: Vec<(Id, bool)> = above.iter().map(|&id| (id, true)).collect();
         open.extend(below.iter().map(|&id| (id, false)));

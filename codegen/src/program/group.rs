@@ -77,8 +77,8 @@ pub(super) fn plan(group: &Group) -> Plan {
     if cosines > 1 && sum.is_zero() { Plan::Versed } else { Plan::Plain }
 }
 
-/// a cos (α + β) + b cos (α − β) = (a + b) cos α cos β + (b − a) sin α sin β, of sines likewise; `None` where other waves are
-/// among them.
+/// a cos (α + β) + b cos (α − β) = (a + b) cos α cos β + (b − a) sin α sin β, of sines likewise;
+/// `None` where other waves are among them.
 fn products(group: &Group) -> Option<Vec<Product>> {
     let mut products = Vec::new();
     for sine in [false, true] {

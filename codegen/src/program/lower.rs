@@ -280,7 +280,8 @@ impl<'a> Lowering<'a> {
         value
     }
 
-    /// A coefficient: products of parameters, computed once; of c and −c the one whose first term is positive.
+    /// A coefficient: products of parameters, computed once; of c and −c the one whose first term
+    /// is positive.
     fn constant(&mut self, series: &Series) -> Id {
         if series.terms().next().is_some_and(|(_, first)| first.signum() < 0) {
             let positive = self.constant(&-series);

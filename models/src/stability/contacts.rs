@@ -1,4 +1,5 @@
-//! Stiff springs on one side, supports that bear more than they must, narrow loads, and very many impacts.
+//! Stiff springs on one side, supports that bear more than they must, narrow loads, and very many
+//! impacts.
 
 use super::run;
 use super::scenes::{run_alone, run_scene};
@@ -10,7 +11,8 @@ use liftoff_verification::cases::{Case, Effort, expect};
 
 const CLOSED: &str = "closed form";
 
-/// A mass from y = 1 falls onto a spring of stiffness k: y″ = −1 − k y below zero, for 2 (π − atan(√2 ω))/ω.
+/// A mass from y = 1 falls onto a spring of stiffness k: y″ = −1 − k y below zero, for 2 (π −
+/// atan(√2 ω))/ω.
 pub(super) fn buffers(_: MethodId, _: Effort) -> Vec<Case> {
     let case = |text: &str| {
         let k: f64 = text.parse().unwrap_or(f64::NAN);
@@ -35,7 +37,8 @@ fn end(record: &Trajectory, names: &[&str]) -> Result<Vec<f64>, MotionError> {
     names.iter().map(|name| Ok(record.function(name)?(t))).collect()
 }
 
-/// A level rod on three supports: of all reactions that bear it the smallest are a third of its weight each.
+/// A level rod on three supports: of all reactions that bear it the smallest are a third of its
+/// weight each.
 pub(super) fn redundant(_: MethodId, _: Effort) -> Vec<Case> {
     let case = |text: &str| {
         let m: f64 = text.parse().unwrap_or(f64::NAN);
@@ -60,7 +63,8 @@ pub(super) fn redundant(_: MethodId, _: Effort) -> Vec<Case> {
     ["1e-12", "1", "1e12"].map(case).into()
 }
 
-/// ∫ sinⁿ over half a turn is π n!!/(n − 1)!! with the parts the other way round: π Π (2 k − 1)/(2 k).
+/// ∫ sinⁿ over half a turn is π n!!/(n − 1)!! with the parts the other way round: π Π (2 k − 1)/(2
+/// k).
 pub(super) fn loads(_: MethodId, _: Effort) -> Vec<Case> {
     let case = |n: u32| {
         let pulse = (1..=n / 2).fold(PI, |product, k| product * f64::from(2 * k - 1) / f64::from(2 * k));

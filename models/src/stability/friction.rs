@@ -1,4 +1,5 @@
-//! Dry friction: a block that brakes, stick–slip on a belt, a rod at the border of Painlevé's paradox.
+//! Dry friction: a block that brakes, stick–slip on a belt, a rod at the border of Painlevé's
+//! paradox.
 
 use super::run;
 use super::scenes::run_scene;
@@ -32,8 +33,9 @@ fn brakes(text: &str) -> Case {
     })
 }
 
-/// It sticks until k x = μₛ m g, and slips as an oscillator about μ m g/k until it has the belt's speed again: period
-/// (2 π − 2 β)/ω + 2 u/w with u = (μₛ − μ) m g/k, tan β = u ω/w. From the middle of the sticking, ten periods.
+/// It sticks until k x = μₛ m g, and slips as an oscillator about μ m g/k until it has the belt's
+/// speed again: period (2 π − 2 β)/ω + 2 u/w with u = (μₛ − μ) m g/k, tan β = u ω/w. From the
+/// middle of the sticking, ten periods.
 fn sticks_and_slips(text: &str) -> Case {
     let w: f64 = text.parse().unwrap_or(f64::NAN);
     let (k, mu, mu_s) = (4.0_f64, 0.3, 0.5);
@@ -53,8 +55,9 @@ fn sticks_and_slips(text: &str) -> Case {
     })
 }
 
-/// A uniform rod that slides to the left on its foot: N (1 + 3 cos²θ − 3 μ sin θ cos θ) = m g at rest but for that. The factor is
-/// zero at the border; short of it by δ, N = m g/(δ (1 + 3 cos²θ)).
+/// A uniform rod that slides to the left on its foot: N (1 + 3 cos²θ − 3 μ sin θ cos θ) = m g at
+/// rest but for that. The factor is zero at the border; short of it by δ, N = m g/(δ (1 + 3
+/// cos²θ)).
 fn borders(text: &str) -> Case {
     let delta: f64 = text.parse().unwrap_or(f64::NAN);
     let (sin, cos) = 1.0_f64.sin_cos();

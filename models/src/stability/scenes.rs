@@ -49,7 +49,8 @@ pub(super) fn run_scene(
     scene(name).run_witnessed(by, spec)
 }
 
-/// The same for a case that a closed form judges alone: the judge's own steps pass over narrow loads.
+/// The same for a case that a closed form judges alone: the judge's own steps pass over narrow
+/// loads.
 pub(super) fn run_alone(
     name: &str,
     by: MethodId,

@@ -100,8 +100,8 @@ impl Scales {
         Self { time: self.time.min(1.0 / fastest), ..self }
     }
 
-    /// The scales of a run whose drives alone tell the time, by the rates that they give at its start
-    /// and what they accelerate there.
+    /// The scales of a run whose drives alone tell the time, by the rates that they give at its
+    /// start and what they accelerate there.
     pub fn driven_at(self, layout: &Layout, rates: &[f64], driven: f64) -> Self {
         if self.has_time { self } else { self.at_rate(self.fastest(layout, rates).max(driven.sqrt())) }
     }

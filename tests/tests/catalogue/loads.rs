@@ -140,8 +140,8 @@ struct Pressed {
     a: f64,
 }
 
-/// On the floor φ = π, and J ψ̈ = −k (ψ − π − a): the angle that the closed form of the set puts for
-/// φ keeps its half turn.
+/// On the floor φ = π, and J ψ̈ = −k (ψ − π − a): the angle that the closed form of the set puts
+/// for φ keeps its half turn.
 #[test]
 fn a_torsion_spring_from_a_bar_that_lies() {
     let (m, l, k, a) = (1.5, 0.6, 2.0, -1.0);

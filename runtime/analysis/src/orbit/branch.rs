@@ -40,7 +40,8 @@ const LOCATIONS: usize = 40;
 /// A test function this small, relative to its values at both ends, is zero.
 const LOCATED: f64 = 1e-10;
 
-/// Where branches cross, the equations of an orbit are singular: it may not be found so near to that, in steps.
+/// Where branches cross, the equations of an orbit are singular: it may not be found so near to
+/// that, in steps.
 const BESIDE: f64 = 1e-2;
 
 /// What is special about an orbit.

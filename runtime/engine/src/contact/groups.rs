@@ -1,7 +1,8 @@
-//! Groups of contacts that the mass matrix does not couple are struck apart, and decided apart: where the Delassus matrix
-//! W = J M̂⁻¹ Jᵀ, M̂⁻¹ with the two-sided rows taken in, has no entries between the rows of two contacts, neither knows of the
-//! other. Each group has its own law; what changes the rates without contacts, impulses from outside and two-sided rows that
-//! take hold, is counted once.
+//! Groups of contacts that the mass matrix does not couple are struck apart, and decided apart:
+//! where the Delassus matrix W = J M̂⁻¹ Jᵀ, M̂⁻¹ with the two-sided rows taken in, has no entries
+//! between the rows of two contacts, neither knows of the other. Each group has its own law; what
+//! changes the rates without contacts, impulses from outside and two-sided rows that take hold, is
+//! counted once.
 
 use std::collections::BTreeSet;
 
@@ -104,8 +105,8 @@ impl Collision {
 }
 
 impl LeastConstraint {
-    /// Contacts in groups that nothing couples but through others of their group, each group in ascending order; of the rows along
-    /// which they act, (row, contact).
+    /// Contacts in groups that nothing couples but through others of their group, each group in
+    /// ascending order; of the rows along which they act, (row, contact).
     pub(super) fn find_groups(&self, fixed: &[usize], rows: &[(usize, usize)]) -> Vec<Vec<usize>> {
         let acting: Vec<usize> = rows.iter().map(|(row, _)| *row).collect();
         let directions = self.free_directions(fixed, &acting);

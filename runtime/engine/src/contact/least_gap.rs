@@ -1,10 +1,10 @@
-//! Contacts that touch where their gap is least: the end of a bar that hangs down to a floor. Along every motion
-//! that the joints allow such a gap opens, so that the contact holds nothing, while rounding makes of its row, which
-//! is zero there, one like any other.
+//! Contacts that touch where their gap is least: the end of a bar that hangs down to a floor. Along
+//! every motion that the joints allow such a gap opens, so that the contact holds nothing, while
+//! rounding makes of its row, which is zero there, one like any other.
 //!
-//! With the rows A of the joints, `P` the projector onto `A q̇ = 0` and μ by least squares, this is the
-//! second-order condition of a minimum (Nocedal and Wright, *Numerical Optimization*, theorem 12.6), its slope
-//! zero but for what it takes the gap to fall by less than counts as touching:
+//! With the rows A of the joints, `P` the projector onto `A q̇ = 0` and μ by least squares, this is
+//! the second-order condition of a minimum (Nocedal and Wright, *Numerical Optimization*, theorem
+//! 12.6), its slope zero but for what it takes the gap to fall by less than counts as touching:
 //!
 //! ```text
 //! s = J − Aᵀμ,   H = P (∂J/∂q − Σ μₖ ∂Aₖ/∂q) P ≥ 0,   |s|² ≤ 2 g₀ |H|

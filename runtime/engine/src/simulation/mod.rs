@@ -121,10 +121,11 @@ impl Simulation {
         Ok(self.started()?.state)
     }
 
-    /// Local error per step, relative to each coordinate and, in natural units, absolute: lengths of the largest bar,
-    /// times of √(length / gravity). A model without bars is as large as the largest coordinate it starts from; where a
-    /// start is faster than that, or gravity and springs are absent, its time is that of the fastest rate, or of what drives
-    /// accelerate. The default is 1e-12.
+    /// Local error per step, relative to each coordinate and, in natural units, absolute: lengths
+    /// of the largest bar, times of √(length / gravity). A model without bars is as large as the
+    /// largest coordinate it starts from; where a start is faster than that, or gravity and springs
+    /// are absent, its time is that of the fastest rate, or of what drives accelerate. The default
+    /// is 1e-12.
     #[must_use]
     pub fn tolerance(mut self, tolerance: f64) -> Self {
         self.tolerance = tolerance;

@@ -78,7 +78,8 @@ impl Verdict {
 type Measured = (String, Outcome);
 
 impl Case {
-    /// Measures it on a thread of its own, so that a panic is an outcome too; what does not end within `limit` is not judged.
+    /// Measures it on a thread of its own, so that a panic is an outcome too; what does not end
+    /// within `limit` is not judged.
     pub fn judge(self, limit: Duration) -> Verdict {
         self.measured(limit, &|| false).1
     }

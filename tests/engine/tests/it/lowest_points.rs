@@ -21,7 +21,8 @@ struct Hanging {
     e: f64,
 }
 
-/// φ̈ = 3 c / m l² from rest, from the lowest point and beside it, up to where the gap is seen to be open.
+/// φ̈ = 3 c / m l² from rest, from the lowest point and beside it, up to where the gap is seen to
+/// be open.
 #[test]
 fn a_bar_hanging_to_the_floor_swings() {
     for (m, l) in [(1.0, 1.0), (3.0, 1e-3), (1e-4, 1e5)] {
@@ -51,8 +52,8 @@ fn a_bar_swings_past_its_lowest_point() {
     }
 }
 
-/// Two bars in a line, the lower end on the floor: pushed aside at the knee they swing as they would
-/// without a floor.
+/// Two bars in a line, the lower end on the floor: pushed aside at the knee they swing as they
+/// would without a floor.
 #[derive(BarSystem)]
 #[liftoff(dimensionless)]
 #[gravity(1)]
@@ -81,8 +82,8 @@ fn bars_hanging_in_a_line_swing_as_without_a_floor() {
     }
 }
 
-/// A parallelogram whose coupler is at its lowest: along the joints its gap opens either way, though
-/// its row is not zero.
+/// A parallelogram whose coupler is at its lowest: along the joints its gap opens either way,
+/// though its row is not zero.
 #[derive(BarSystem)]
 #[liftoff(dimensionless)]
 #[bar(OA, mass = 1, length = 1)]
@@ -114,7 +115,8 @@ fn a_coupler_at_its_lowest_swings_as_without_a_floor() {
     assert!((end(1.0)[0] - phi).abs() < 1e-9);
 }
 
-/// Where its gap is greatest a floor is not left: an upright bar at a floor of its own height stays.
+/// Where its gap is greatest a floor is not left: an upright bar at a floor of its own height
+/// stays.
 #[derive(BarSystem)]
 #[liftoff(dimensionless)]
 #[gravity(1)]

@@ -118,7 +118,8 @@ fn auto_leaves_stiff_springs_that_hardly_oscillate_to_radau() {
     }
 }
 
-/// What oscillates has to be resolved by any method: the explicit one takes less work. Along the rod r″ = −k (r − r₀), up to g/k.
+/// What oscillates has to be resolved by any method: the explicit one takes less work. Along the
+/// rod r″ = −k (r − r₀), up to g/k.
 #[test]
 fn auto_resolves_stiff_springs_that_oscillate() {
     let (k, longer, limit) = (1e8, 1e-3, 0.05);

@@ -89,7 +89,8 @@ fn the_border_of_painleves_region_is_an_event() {
             let event = first(2.0);
             assert!(matches!(event.note, Some(Note::WithoutCollision)), "{} {rate}: {event}", method.name());
             let error = event["theta"] - border(2.0);
-            // The reaction has a pole at the border: how near to it a pair's last steps end is rounding.
+            // The reaction has a pole at the border: how near to it a pair's last steps end is
+            // rounding.
             let bound = match method {
                 MethodId::Tsit5 | MethodId::Radau => 2e-8,
                 MethodId::Dop853 => 1e-8,

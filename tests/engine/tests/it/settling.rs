@@ -102,8 +102,8 @@ struct Flap {}
 #[figure(A = (0.81, 0.48), P = (2.3, 0.23))]
 struct FlapBeside {}
 
-/// Where the bar rests its end cannot slip: the floor bears with any friction within the cone, and nothing happens to the contact. The
-/// bar falls and comes to rest as it does alone.
+/// Where the bar rests its end cannot slip: the floor bears with any friction within the cone, and
+/// nothing happens to the contact. The bar falls and comes to rest as it does alone.
 #[test]
 fn a_bar_on_a_pin_rests_without_slip_beside_another_body_too() {
     let alone = Simulation::new(&Flap {}).unwrap().limit(2.0).run().unwrap();

@@ -62,8 +62,8 @@ impl Problem<'_> {
         Ok(Some(Trial { unique: false, determined, ..self.trial(closed, &x) }))
     }
 
-    /// y of least `|A y − r|` in each part of the system for itself, lest the rounding of one is what moves another; an entry of y
-    /// belongs to a coordinate or row, and may be ≥ 0.
+    /// y of least `|A y − r|` in each part of the system for itself, lest the rounding of one is
+    /// what moves another; an entry of y belongs to a coordinate or row, and may be ≥ 0.
     fn least_squares(
         &self,
         a: &DMatrix<f64>,

@@ -150,8 +150,8 @@ impl Problem<'_> {
         }
     }
 
-    /// The decisions of groups of contacts that nothing couples, each with all others open; `None` where all are coupled, or where a
-    /// group does not determine its motion without the others.
+    /// The decisions of groups of contacts that nothing couples, each with all others open; `None`
+    /// where all are coupled, or where a group does not determine its motion without the others.
     fn decide_groups(&self) -> Result<Option<Decision>, FrictionError> {
         let groups = self.find_groups()?;
         let apart = |group: &Vec<usize>| self.with_units(group).decide_alone();

@@ -1,9 +1,10 @@
-//! Stiffness judged on the way: an explicit method whose steps are kept short by damping, or by an oscillation that has no
-//! amplitude, is replaced by [`Radau`], and comes back once that is gone.
+//! Stiffness judged on the way: an explicit method whose steps are kept short by damping, or by an
+//! oscillation that has no amplitude, is replaced by [`Radau`], and comes back once that is gone.
 //!
-//! The measures are −tr ∂f/∂y, the sum of the rates at which all motion decays, and √(−½ tr (∂f/∂y)²), that of undamped motion's
-//! circular frequencies ω as √Σω², from the phase's exact Jacobian at every [`OFTEN`]th step. Whether an oscillation has an
-//! amplitude that a tolerance resolves is not seen in the Jacobian: Radau's steps tell, which are long where it has none.
+//! The measures are −tr ∂f/∂y, the sum of the rates at which all motion decays, and √(−½ tr
+//! (∂f/∂y)²), that of undamped motion's circular frequencies ω as √Σω², from the phase's exact
+//! Jacobian at every [`OFTEN`]th step. Whether an oscillation has an amplitude that a tolerance
+//! resolves is not seen in the Jacobian: Radau's steps tell, which are long where it has none.
 
 use super::auto::STIFF;
 use super::pair::StepperPair;
@@ -20,7 +21,8 @@ const SURE: u32 = 2;
 const HELD: f64 = 0.5;
 /// The implicit method is left where damping is so much less than what it is taken for.
 const GONE: f64 = 0.1;
-/// A step of Radau takes as long as some ten explicit ones: an oscillation is left to it where its steps are so much longer.
+/// A step of Radau takes as long as some ten explicit ones: an oscillation is left to it where its
+/// steps are so much longer.
 const LONGER: f64 = 20.0;
 
 /// An integration by an explicit method or by Radau's.
@@ -37,7 +39,8 @@ struct Watched<'a> {
     sure: u32,
     /// What the implicit method is at work for.
     cause: Cause,
-    /// Explicit steps until an oscillation is left to Radau again, and how many the next time: twice as many.
+    /// Explicit steps until an oscillation is left to Radau again, and how many the next time:
+    /// twice as many.
     pause: [u32; 2],
     switches: Switches,
 }

@@ -5,8 +5,9 @@ use nalgebra::{DMatrix, DVector};
 use crate::contact::impulse::{Collision, Row};
 use crate::model::{ContactSet, Law, Slip};
 
-/// The tip of a bar on a pin rises and slides when its impacts are over: it is closed by an impulse below zero. Another tip beside it
-/// rests on its floor and sticks, its normal and tangent one row. By closed form: P = −m ġ / (J_N² − σ μ J_N J_t).
+/// The tip of a bar on a pin rises and slides when its impacts are over: it is closed by an impulse
+/// below zero. Another tip beside it rests on its floor and sticks, its normal and tangent one row.
+/// By closed form: P = −m ġ / (J_N² − σ μ J_N J_t).
 #[test]
 fn one_closes_beside_another_whose_rows_are_one() {
     let (inertia, mu, rate) = (0.0222, 0.72, 3e-6);
@@ -37,8 +38,8 @@ fn one_closes_beside_another_whose_rows_are_one() {
     }
 }
 
-/// The tip stops, its normal and tangent one row, beside bars that a slider holds at rest: the rounding of the one is not taken for an
-/// impulse of the others.
+/// The tip stops, its normal and tangent one row, beside bars that a slider holds at rest: the
+/// rounding of the one is not taken for an impulse of the others.
 #[test]
 fn one_stops_beside_what_is_held_at_rest() {
     let (inertia, mu) = (0.0222, 0.72);
