@@ -11,8 +11,8 @@ use liftoff_verification::cases::{Case, Effort, expect};
 
 const CLOSED: &str = "closed form";
 
-/// A mass from y = 1 falls onto a spring of stiffness k: y″ = −1 − k y below zero, for 2 (π −
-/// atan(√2 ω))/ω.
+/// A mass from y = 1 falls onto a spring of stiffness k: below zero y″ = −1 − k y, for as long as
+/// 2 (π − atan(√2 ω))/ω.
 pub(super) fn buffers(_: MethodId, _: Effort) -> Vec<Case> {
     let case = |text: &str| {
         let k: f64 = text.parse().unwrap_or(f64::NAN);
@@ -63,8 +63,7 @@ pub(super) fn redundant(_: MethodId, _: Effort) -> Vec<Case> {
     ["1e-12", "1", "1e12"].map(case).into()
 }
 
-/// ∫ sinⁿ over half a turn is π n!!/(n − 1)!! with the parts the other way round: π Π (2 k − 1)/(2
-/// k).
+/// Over half a turn, n even, ∫ sinⁿ t dt = π Π (2 k − 1)/(2 k) for k = 1 … n/2.
 pub(super) fn loads(_: MethodId, _: Effort) -> Vec<Case> {
     let case = |n: u32| {
         let pulse = (1..=n / 2).fold(PI, |product, k| product * f64::from(2 * k - 1) / f64::from(2 * k));

@@ -55,9 +55,9 @@ fn sticks_and_slips(text: &str) -> Case {
     })
 }
 
-/// A uniform rod that slides to the left on its foot: N (1 + 3 cos²θ − 3 μ sin θ cos θ) = m g at
-/// rest but for that. The factor is zero at the border; short of it by δ, N = m g/(δ (1 + 3
-/// cos²θ)).
+/// A uniform rod that slides to the left on its foot and else is at rest:
+/// N (1 + 3 cos²θ − 3 μ sin θ cos θ) = m g. The factor is zero at the border; short of it by δ,
+/// N = m g/(δ (1 + 3 cos²θ)).
 fn borders(text: &str) -> Case {
     let delta: f64 = text.parse().unwrap_or(f64::NAN);
     let (sin, cos) = 1.0_f64.sin_cos();
