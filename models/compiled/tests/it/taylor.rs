@@ -1,10 +1,6 @@
 //! Emitted Taylor series against jets: the recurrences over a tape, in the series' own code, against those of
 //! [`Jet`] arithmetic in the code of the functions.
 
-#[macro_use]
-#[path = "common/each.rs"]
-mod each;
-
 use liftoff::integrate::{Expansion, PhaseExpansion};
 use liftoff::model::{Array, ContactSet, Form, KernelView, Phase, PhaseSeries, PhaseVisitor};
 use liftoff::prelude::*;

@@ -3,10 +3,6 @@
 //! Both evaluate the same expressions in `f64` in possibly different order, so they agree to a few hundred
 //! roundings of the largest term; 1e-12 relative to the largest entry leaves room for that and no more.
 
-#[macro_use]
-#[path = "common/each.rs"]
-mod each;
-
 use approx::assert_relative_eq;
 use liftoff::model::{BarSystem, ClosedForm, ContactSet, Energy, Form, KernelView, Phase, PhaseVisitor};
 use liftoff_codegen::algebra::Symbol;
