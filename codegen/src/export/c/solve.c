@@ -73,7 +73,7 @@ static int holds(const int *set, int row)
 static int motion(const model_equations *e, const int *set, double *acceleration, double *multiplier)
 {
     double a[UNKNOWNS + 1][UNKNOWNS + 2], x[UNKNOWNS + 1];
-    int held[ROWS + 1], count = 0, row, i, j, n, status;
+    int held[ROWS + 1] = {0}, count = 0, row, i, j, n, status;
     for (row = 0; row < ROWS; row++)
         if (holds(set, row))
             held[count++] = row;
