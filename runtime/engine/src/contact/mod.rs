@@ -14,21 +14,21 @@ mod impact;
 pub mod impulse;
 mod kinetic_angle;
 mod least_constraint;
-mod least_gap;
 pub(crate) mod nondegenerate;
 mod residual;
 mod shares;
 mod single_impact;
 mod singular;
+mod stationary_gap;
 #[cfg(test)]
 mod tests;
 mod trials;
 
 pub(crate) use degenerate::{Alternatives, ContactProblem, ContactSolution, decide};
-pub(crate) use least_gap::find_least_gaps;
 pub(crate) use shares::shortest_reactions;
 pub(crate) use single_impact::Struck;
 pub(crate) use singular::{are_determined, refuse_singular, singular};
+pub(crate) use stationary_gap::StationaryGaps;
 pub(crate) use trials::Trials;
 
 use thiserror::Error;

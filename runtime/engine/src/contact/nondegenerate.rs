@@ -92,7 +92,7 @@ fn multipliers_after(context: &RunContext, state: &[f64], set: ContactSet, h: f6
 }
 
 /// Accelerations, and reactions of the contacts with those of `set` closed; None if they are not determined.
-pub(super) fn solve(context: &RunContext, state: &[f64], set: ContactSet) -> Option<(Numbers, Numbers)> {
+pub(crate) fn solve(context: &RunContext, state: &[f64], set: ContactSet) -> Option<(Numbers, Numbers)> {
     let layout = context.layout();
     let mut accelerations: Numbers = smallvec![0.0; layout.coordinates.len()];
     let mut multipliers: Numbers = smallvec![0.0; layout.rows()];

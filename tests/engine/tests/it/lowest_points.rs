@@ -1,5 +1,6 @@
-//! A point that touches its floor where it is lowest: its gap opens whichever way it moves, so that
-//! the floor holds nothing.
+//! Gaps that are stationary where they touch: a point on its floor where it is lowest, whose gap
+//! opens whichever way it moves, so that the floor holds nothing, and gaps that are greatest, which
+//! no finite reaction holds.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -134,5 +135,40 @@ fn a_floor_at_the_greatest_height_is_not_passed() {
         let run = Simulation::new(&Upright {}).unwrap().start(pose).unwrap().limit(20.0).run();
         let phi = run.map(|run| run.value(&Output::parse(run.layout(), "phi").unwrap(), 20.0));
         assert!(phi.as_ref().is_ok_and(|phi| (phi - FRAC_PI_2).abs() < 1e-5) || phi.is_err(), "{phi:?}");
+    }
+}
+
+/// A thread along a hanging bar, from a point between its ends: no other position is allowed. The
+/// thread's row is zero, so that no tension holds a couple.
+#[derive(BarSystem)]
+#[liftoff(dimensionless)]
+#[gravity(1)]
+#[bar(OA, mass = 1, length = 1)]
+#[pin(O = (0, 0))]
+#[ground(C = (0, -0.25))]
+#[thread(t = C -> A, length = 0.75)]
+#[couple(OA = c)]
+#[particle(P, mass = 1)]
+#[coordinate(phi = angle(OA), from = right)]
+#[figure(A = (0, -1), P = (3, 0))]
+struct AlongThread {
+    c: f64,
+}
+
+#[test]
+fn a_couple_on_a_bar_along_a_thread_is_jammed() {
+    let pose = || Pose::at("phi", -FRAC_PI_2).with("x_P", 3.0).with("y_P", 0.0);
+    for c in [-1.0, -1e-3, 1e-3, 1.0, 1e3] {
+        let model = AlongThread { c };
+        let run = Simulation::new(&model).unwrap().start(pose()).unwrap().limit(1.0).run();
+        let error = run.expect_err("no reaction is finite").to_string();
+        assert!(error.contains("jammed") && error.contains('t'), "{c}: {error}");
+    }
+    // Without a couple it hangs, and its thread bears nothing.
+    let run = Simulation::new(&AlongThread { c: 0.0 }).unwrap().start(pose()).unwrap().limit(1.0).run();
+    let run = run.unwrap();
+    for (name, right) in [("phi", -FRAC_PI_2), ("y_P", -0.5), ("N(t)", 0.0)] {
+        let value = run.value(&Output::parse(run.layout(), name).unwrap(), 1.0);
+        assert!((value - right).abs() < 1e-9, "{name} {value}");
     }
 }

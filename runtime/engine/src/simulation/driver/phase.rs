@@ -9,7 +9,7 @@ use crate::assembly::CLOSED;
 use crate::audit::Work;
 use crate::contact::friction::{Grip, single};
 use crate::contact::{
-    ContactError, ContactProblem, ContactSolution, decide, find_least_gaps, hinges, joint_names, labels,
+    ContactError, ContactProblem, ContactSolution, StationaryGaps, decide, hinges, joint_names, labels,
     nondegenerate,
 };
 use crate::error::{RunCause, StartError};
@@ -40,22 +40,31 @@ impl Driver<'_> {
     ) -> Result<(), RunCause> {
         self.touching = self.touching.difference(self.parted()).union(self.guides());
         let held = self.held.difference(self.removed);
-        self.touching = self.touching.difference(self.least_gaps(held));
+        let stationary = self.stationary_gaps(held);
+        self.touching = self.touching.difference(stationary.least);
         let most_trials = Some(self.setup.budget.trials);
         let slips = &self.known_slips(located)[..];
         let context = &self.setup.context;
         let time = Some(context.scales.time);
-        let question = ContactProblem { touching: self.touching, held, unloaded, most_trials, slips, time };
-        let searched = || decide(&context.model, &self.state, &question);
-        let decided = match (self.layout().has_hinges(), slips.is_empty()) {
-            (true, _) => hinges::decide(context, &self.state, &question),
-            (false, true) => {
-                let reduced = self.valid_chart(self.touching.union(held));
-                nondegenerate::decide(context, &self.state, &question, reduced.as_deref())
-                    .map_or_else(searched, Ok)
+        let ask = |touching: ContactSet| {
+            let question = ContactProblem { touching, held, unloaded, most_trials, slips, time };
+            let searched = || decide(&context.model, &self.state, &question);
+            match (self.layout().has_hinges(), slips.is_empty()) {
+                (true, _) => hinges::decide(context, &self.state, &question),
+                (false, true) => {
+                    let reduced = self.valid_chart(touching.union(held));
+                    nondegenerate::decide(context, &self.state, &question, reduced.as_deref())
+                        .map_or_else(searched, Ok)
+                }
+                (false, false) => single::decide(context, &self.state, &question).map_or_else(searched, Ok),
             }
-            (false, false) => single::decide(context, &self.state, &question).map_or_else(searched, Ok),
         };
+        let greatest = stationary.greatest();
+        let mut decided = ask(self.touching.difference(greatest));
+        if let (Ok(free), false) = (&decided, greatest.is_empty()) {
+            self.refuse_jam(&stationary, free.bearing)?;
+            decided = ask(self.touching.difference(stationary.flat));
+        }
         let decided = match decided {
             Ok(decided) => decided,
             // What was located at its limit need not be what slips.
@@ -70,6 +79,7 @@ impl Driver<'_> {
             Err(source) => return self.unjam(source),
         };
         let ContactSolution { closed, bearing, reactions, unique, alternatives } = decided;
+        let closed = closed.union(stationary.flat);
         self.log_alternatives(alternatives);
         if !unique {
             self.log(LoggedDecision::ReactionsNotUnique);
@@ -113,13 +123,28 @@ impl Driver<'_> {
         dependent.iter().filter(|&i| equations.gap()[i] > bound).collect()
     }
 
-    /// Contacts that may open and hold nothing: their gaps are least here.
-    fn least_gaps(&self, held: ContactSet) -> ContactSet {
+    /// Contacts that may open whose gaps are stationary here.
+    fn stationary_gaps(&self, held: ContactSet) -> StationaryGaps {
         let drives = self.touching.intersection(self.layout().drives());
         let held = held.union(self.guides()).union(drives);
         let touching = self.touching.difference(held);
         let question = ContactProblem { touching, held, ..ContactProblem::default() };
-        find_least_gaps(&self.setup.context, &self.state, &question, CLOSED)
+        StationaryGaps::find(&self.setup.context, &self.state, &question, CLOSED)
+    }
+
+    /// Refuses a motion against contacts that only infinite reactions would hold.
+    fn refuse_jam(&self, stationary: &StationaryGaps, bearing: ContactSet) -> Result<(), RunCause> {
+        let context = &self.setup.context;
+        let Some((accelerations, _)) = nondegenerate::solve(context, &self.state, bearing) else {
+            return Ok(());
+        };
+        match stationary.find_jammed(context, &self.state, &accelerations) {
+            jammed if jammed.is_empty() => Ok(()),
+            jammed => {
+                let contacts = labels(self.layout(), jammed);
+                Err(self.contact_error(ContactError::Jammed { contacts }))
+            }
+        }
     }
 
     pub(super) fn contact_error(&self, source: ContactError) -> RunCause {
