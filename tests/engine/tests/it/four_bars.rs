@@ -144,3 +144,23 @@ fn rates_of_no_branch_are_refused_by_the_names_of_the_joints() {
     let error = simulation.run().unwrap_err().cause().to_string();
     assert!(error.contains("pin Q (x), pin Q (y)"), "{error}");
 }
+
+/// A crank that is longer than its rocker by ε, the coupler as long as the ground: flat it does not
+/// close, so that it turns back before, however small ε is.
+#[test]
+fn a_crank_just_longer_than_its_rocker_does_not_pass_its_flat_position() {
+    let end = |longer: f64| {
+        let of = FourBar { g: 1.0, ..four_bar([1.0 + longer, 2.0, 1.0, 2.0]) };
+        let start = Pose::at("phi", 1.0).with("phi'", -1.0);
+        let run = Simulation::new(&of).unwrap().start(start).unwrap().limit(4.0).run().unwrap();
+        let phi = run.value(&Output::parse(run.layout(), "phi").unwrap(), 4.0);
+        assert!(phi > 0.0 && phi < core::f64::consts::PI, "{longer:e}: {phi}");
+        phi
+    };
+    // Seen there without a singular position near.
+    let right = end(1e-5);
+    for longer in [1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6] {
+        let phi = end(longer);
+        assert!((phi - right).abs() < 5e-3, "{longer:e}: {phi} for {right}");
+    }
+}
