@@ -33,6 +33,14 @@ pub enum LoggedDecision {
     /// A gap, a reaction or a condition turns too often to be followed, however short the step: it is taken for noise, and from
     /// here to the end of its phase may be met late.
     GuardUnresolved,
+    /// A contact has opened and strikes, its gap between zero but for what is not resolved: it may have come and gone since the
+    /// phase began.
+    LandingUnresolved {
+        /// Label of the contact.
+        contact: &'static str,
+        /// When the phase began.
+        since: f64,
+    },
     /// A load varies so fast that no step, however short, is proved to have seen all of it: what it does within 1e-7 of a step
     /// may be missing.
     LoadUnresolved,
@@ -97,6 +105,12 @@ impl fmt::Display for LoggedDecision {
             }
             Self::GuardUnresolved => {
                 "a guard turns too often to be followed: it is taken for noise"
+            }
+            Self::LandingUnresolved { contact, since } => {
+                return write!(
+                    f,
+                    "the gap of {contact} has been zero within its error since t = {since:.4}: when it closes is not decided, try a smaller tolerance"
+                );
             }
             Self::LoadUnresolved => "a load varies so fast here that no step is proved to have seen all of it",
             Self::ConditionUndecided => "undecided: a condition may be met here, beside a pole or within its error bound",

@@ -5,8 +5,11 @@
 //! order √ε only, so that the gap's acceleration is as k τ (T − τ) and the gap as k (T τ³/6 − τ⁴/12): it closes after twice the
 //! time T from s₁ to s₂, at 2 s₂ − s₁.
 
+use core::f64::consts::FRAC_PI_2;
+
 use liftoff::method::{Dop853, Method, Radau, Taylor, Tsit5};
 use liftoff::prelude::*;
+use liftoff::{LogEntry, LoggedDecision};
 use liftoff_fixtures::{AFrame, Particle};
 
 const EXCESSES: [f64; 6] = [1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9];
@@ -69,4 +72,50 @@ fn falls_from_low_heights_end_on_the_floor() {
         }
     }
     assert_eq!(falls, 66);
+}
+
+/// Two tents side by side with bars of unlike masses: released beside upright by δ, their motion is
+/// linear in δ, so that A opens and lands at times that do not depend on it, as high as δ².
+#[derive(BarSystem)]
+#[liftoff(dimensionless)]
+#[gravity(9.81)]
+#[support(A = floor)]
+#[bar(AB, mass = 0.96, length = 0.83)]
+#[coordinate(phi_0 = angle(AB), from = horizontal)]
+#[bar(BC, mass = 0.79, length = 0.83)]
+#[coordinate(phi_1 = angle(BC), from = horizontal)]
+#[support(C = floor)]
+#[support(B = floor, stop)]
+#[bar(CD, mass = 1.06, length = 0.62)]
+#[coordinate(phi_2 = angle(CD), from = horizontal)]
+#[bar(DE, mass = 1.14, length = 0.62)]
+#[coordinate(phi_3 = angle(DE), from = horizontal)]
+#[support(E = floor)]
+#[support(D = floor, stop)]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+#[figure(A = (0, 0), B = (0.4980, 0.6640), C = (0.9960, 0), D = (1.3680, 0.4960), E = (1.7400, 0))]
+struct TwoTents {}
+
+#[test]
+fn low_landings_are_found_or_told() {
+    for delta in [1e-3, 1e-4, 1e-5, 1e-6, 1e-7] {
+        let factors = [0.7187810373376886, 0.7187810373376886, 1.337577975662573, 1.337577975662573];
+        let angle = |(k, factor): (usize, f64)| (format!("phi_{k}"), FRAC_PI_2 - factor * delta);
+        let angles = factors.into_iter().enumerate().map(angle);
+        let pose =
+            angles.fold(Pose::at("x", 0.0).with("y", 0.0), |pose, (name, value)| pose.with(&name, value));
+        let run =
+            Simulation::new(&TwoTents {}).unwrap().start(pose).unwrap().until_event(EventKind::Impact, "A");
+        let run = run.unwrap().limit(1.0).run().unwrap();
+        let lands = run.events().last().unwrap().t;
+        let unresolved = |entry: &LogEntry| {
+            matches!(entry.decision, LoggedDecision::LandingUnresolved { contact: "A", .. })
+        };
+        if delta > 1e-7 {
+            assert!((lands - 0.48138).abs() < 1e-4, "{delta:e}: {lands}");
+        } else {
+            assert!(run.log().iter().any(unresolved), "{delta:e}: {lands}");
+        }
+    }
 }

@@ -271,8 +271,9 @@ impl Motion {
 
 fn is_doubtful(decision: &LoggedDecision) -> bool {
     use LoggedDecision::{
-        ConditionUndecided, FrictionAhead, GuardUnresolved, ImpactOrder, ImpulsesNotUnique, LoadUnresolved,
-        MotionNotDetermined, MotionsNotCounted, RestitutionScaled, SeveralImpacts, SeveralMotions,
+        ConditionUndecided, FrictionAhead, GuardUnresolved, ImpactOrder, ImpulsesNotUnique,
+        LandingUnresolved, LoadUnresolved, MotionNotDetermined, MotionsNotCounted, RestitutionScaled,
+        SeveralImpacts, SeveralMotions,
     };
     matches!(
         decision,
@@ -281,6 +282,7 @@ fn is_doubtful(decision: &LoggedDecision) -> bool {
             | GuardUnresolved
             | ImpactOrder(_)
             | ImpulsesNotUnique
+            | LandingUnresolved { .. }
             | LoadUnresolved
             | MotionNotDetermined
             | MotionsNotCounted

@@ -47,10 +47,7 @@ impl EventDetector<'_> {
         step: &StepView<'_>,
         end: f64,
     ) -> Result<Option<f64>, GuardError> {
-        // The method's own series begins with the known zeros.
-        let Some(flight) = watch.flight.filter(|_| !(watch.has_series && watch.order.is_some())) else {
-            return Ok(None);
-        };
+        let Some(flight) = watch.flight else { return Ok(None) };
         if self.keeps_rising(&flight, contact, step) {
             return Ok(None);
         }

@@ -210,6 +210,16 @@ impl<'a> EventDetector<'a> {
         self.undecided.get()
     }
 
+    /// Contacts whose gaps close at a place of a step at which they are seen to be below zero, and
+    /// have not been seen to be above since the phase began.
+    pub(crate) fn unseen_landings(&self, step: &StepView<'_>, theta: f64, guards: &[Guard]) -> ContactSet {
+        let is_unseen = |watch: &&Watch| {
+            let is_gap = matches!(watch.guard, Guard::Gap(_)) && guards.contains(&watch.guard);
+            is_gap && watch.at_root && self.value(step, watch, theta) < -0.5 * self.bound(watch, step, &[])
+        };
+        self.list.iter().filter(is_unseen).filter_map(|watch| watch.guard.gap()).collect()
+    }
+
     pub(crate) fn is_empty(&self) -> bool {
         self.list.is_empty()
     }

@@ -13,7 +13,7 @@ use crate::integrate::{Counts, DenseOutput, Guards, PhaseStepper, StepError};
 use crate::integration::form_selection::{eliminates, least_pivot};
 use crate::integration::phase_point::Numbers;
 use crate::integration::singular::SingularityMonitor;
-use crate::model::Form;
+use crate::model::{ContactSet, Form};
 use crate::trajectory::{LogEntry, LoggedDecision};
 use smallvec::smallvec;
 
@@ -31,6 +31,9 @@ const MOST_UNSEEN: u32 = 8;
 
 /// So much of the natural time, or of the time.
 const UNSEEN: f64 = 1e-6;
+
+/// A landing that is not seen for longer than this part of the natural time is told.
+const LATE: f64 = 1e-3;
 
 /// A rejected step is repeated with this fraction of its length, down to this fraction of the time.
 const SHORTER: f64 = 0.125;
@@ -353,8 +356,16 @@ impl<'a> PhaseRun<'a> {
             return Err(StepError::Unresolved { t: at(end) });
         }
         let work = self.known_work(&view, dense, end);
+        let is_late = at(end) - self.t > LATE * self.context.scales.time;
+        let landing = first.as_ref().filter(|_| is_late);
+        let unseen = landing
+            .map_or(ContactSet::EMPTY, |(_, guards)| self.detector.unseen_landings(&view, end, guards));
         if let Some(theta) = self.detector.undecided().filter(|theta| *theta <= end) {
             self.note_once(at(theta), LoggedDecision::ConditionUndecided);
+        }
+        for contact in unseen.iter() {
+            let (contact, since) = (self.context.layout().contacts[contact].label, self.t);
+            self.note_once(at(end), LoggedDecision::LandingUnresolved { contact, since });
         }
         recording.end_at(if end < 1.0 { at(end) } else { t1 });
         let known = touches.len();
