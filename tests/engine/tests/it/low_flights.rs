@@ -5,6 +5,8 @@
 //! order √ε only, so that the gap's acceleration is as k τ (T − τ) and the gap as k (T τ³/6 − τ⁴/12): it closes after twice the
 //! time T from s₁ to s₂, at 2 s₂ − s₁.
 
+#![allow(clippy::duplicated_attributes, reason = "two bars may be as long as each other")]
+
 use core::f64::consts::FRAC_PI_2;
 
 use liftoff::method::{Dop853, Method, Radau, Taylor, Tsit5};

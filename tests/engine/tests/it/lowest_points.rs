@@ -2,6 +2,8 @@
 //! opens whichever way it moves, so that the floor holds nothing, and gaps that are greatest, which
 //! no finite reaction holds.
 
+#![allow(clippy::duplicated_attributes, reason = "two bars may be as long as each other")]
+
 use core::f64::consts::FRAC_PI_2;
 
 use liftoff::prelude::*;
