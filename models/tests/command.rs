@@ -99,7 +99,7 @@ fn error_against_run_time_is_told_row_by_row() {
     for row in rows {
         // Some twenty steps, each at its tolerance; a ball's infinitely many impacts too.
         let most = 100.0 * row["tolerance"].as_f64().expect("a number");
-        for error in ["state_error", "event_error"] {
+        for error in ["state_error", "run_error", "event_error"] {
             assert!(row[error].as_f64().is_some_and(|error| error < most), "{row}");
         }
         for count in ["evaluations", "steps", "microseconds"] {

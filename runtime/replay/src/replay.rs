@@ -26,11 +26,14 @@ pub struct Replayed<S> {
     pub times: Vec<Option<S>>,
     /// Coordinates and rates behind each event; at the time of a touch, which is fixed.
     pub states: Vec<Vec<S>>,
+    /// Coordinates and rates at the times asked for.
+    pub samples: Vec<Vec<S>>,
     /// Coordinates and rates at the end.
     pub end: Vec<S>,
 }
 
-/// A run once more, from a start of as many entries as a full state has or fewer, with an error per step, relative.
+/// A run once more, from a start of as many entries as a full state has or fewer, with an error per step, relative; its states
+/// are wanted at these times, in order.
 ///
 /// # Errors
 /// The motion cannot be computed once more.
@@ -39,12 +42,14 @@ pub fn replay<S: Number>(
     model: ModelOn<S>,
     start: &[S],
     tolerance: f64,
+    samples: &[f64],
 ) -> Result<Replayed<S>, ReplayError> {
     let model = ReplayModel::of(run, model);
     let mut replay = Replay::new(&model, run, start, tolerance, f64::INFINITY)?;
+    replay.wanted = samples;
     replay.play(usize::MAX)?;
     replay.state.truncate(2 * model.layout().coordinates.len());
-    Ok(Replayed { times: replay.times, states: replay.states, end: replay.state })
+    Ok(Replayed { times: replay.times, states: replay.states, samples: replay.samples, end: replay.state })
 }
 
 /// Outputs of a run once more, from a start as of [`replay`], as far as anything is read.
@@ -77,6 +82,9 @@ struct Replay<'a, S: Number> {
     state: Vec<S>,
     times: Vec<Option<S>>,
     states: Vec<Vec<S>>,
+    /// Times at which the state is still wanted, and the states at those before.
+    wanted: &'a [f64],
+    samples: Vec<Vec<S>>,
     /// What is read, in the order of the run, and the values, in the order in which they were asked for.
     readings: Vec<Located<'a>>,
     values: Vec<S>,
@@ -100,7 +108,9 @@ impl<'a, S: Number> Replay<'a, S> {
         let state = (0..model.layout().entries()).map(|i| start.get(i).copied().unwrap_or(t)).collect();
         let (readings, values) = (Vec::new(), Vec::new());
         let (times, states) = (vec![Some(t)], Vec::new());
-        let mut replay = Self { model, run, tolerance, t, state, times, states, readings, values };
+        let (wanted, samples) = (&[][..], Vec::new());
+        let mut replay =
+            Self { model, run, tolerance, t, state, times, states, wanted, samples, readings, values };
         replay.keep();
         Ok(replay)
     }
@@ -139,9 +149,18 @@ impl<'a, S: Number> Replay<'a, S> {
         let readings: Vec<_> = self.readings.iter().filter(|of| of.segment == k).copied().collect();
         for of in readings.iter().filter(|of| of.part != Part::End) {
             if of.part == Part::Within {
+                integrator.evaluations = 0;
                 self.go(of.t, &phase, &mut reduced, &mut integrator)?;
             }
             self.take(of, &phase, &reduced)?;
+        }
+        integrator.evaluations = 0;
+        while let Some((&t, rest)) = self.wanted.split_first()
+            && t < segment.t1
+        {
+            self.wanted = rest;
+            self.go(t, &phase, &mut reduced, &mut integrator)?;
+            self.samples.push(self.public(&phase, &reduced));
         }
         self.go(segment.t1, &phase, &mut reduced, &mut integrator)?;
         let guards = self.run.ended_by(k);
@@ -171,13 +190,19 @@ impl<'a, S: Number> Replay<'a, S> {
         reduced: &mut [S],
         integrator: &mut Extrapolation<'_, S>,
     ) -> Result<(), ReplayError> {
-        integrator.evaluations = 0;
         while let Some(touch) = self.next_event().filter(|e| e.kind == EventKind::Touch && e.t < to) {
             self.advance(touch.t, reduced, integrator)?;
             self.times.push(None);
-            self.states.push(phase.embed(reduced)[..2 * self.model.layout().coordinates.len()].to_vec());
+            self.states.push(self.public(phase, reduced));
         }
         self.advance(to, reduced, integrator)
+    }
+
+    /// Coordinates and rates of a reduced state.
+    fn public(&self, phase: &ReplayPhase<S>, reduced: &[S]) -> Vec<S> {
+        let mut state = phase.embed(reduced);
+        state.truncate(2 * self.model.layout().coordinates.len());
+        state
     }
 
     fn advance(

@@ -39,7 +39,7 @@ impl Page<'_> {
         let mut html = String::from(
             "<details style=\"margin-top:1.25rem\"><summary>In numbers</summary>\n<div class=table><table>\n<thead><tr>\
              <th class=word>system<th class=word>method<th>tolerance<th>steps<th>evaluations<th>Jacobians<th>least, µs\
-             <th>median, µs<th>state error<th>event error<th class=word>remark</tr></thead>\n<tbody>\n",
+             <th>median, µs<th>error over the run<th>of the final state<th>of event times<th class=word>remark</tr></thead>\n<tbody>\n",
         );
         let count = |count: Option<u64>| count.map_or_else(dash, |count| count.to_string());
         let error = |error: Option<f64>| error.map_or_else(dash, |error| minus(&format!("{error:.1e}")));
@@ -49,7 +49,7 @@ impl Page<'_> {
             last = &row.method;
             let _ = writeln!(
                 html,
-                "<tr{class}><td class=word>{}<td class=word>{}<td>{}<td>{}<td>{}<td>{}<td>{:.1}<td>{}<td>{}<td>{}\
+                "<tr{class}><td class=word>{}<td class=word>{}<td>{}<td>{}<td>{}<td>{}<td>{:.1}<td>{}<td>{}<td>{}<td>{}\
                  <td class=word>{}</tr>",
                 escaped(&row.model),
                 escaped(&row.method),
@@ -62,6 +62,7 @@ impl Page<'_> {
                     let busy = if median > BUSY * row.microseconds { "*" } else { "" };
                     format!("{median:.1}{busy}")
                 }),
+                error(row.run_error),
                 error(row.state_error),
                 error(row.event_error),
                 escaped(row.reason.as_deref().unwrap_or_default()),

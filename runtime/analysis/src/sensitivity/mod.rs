@@ -106,7 +106,7 @@ pub(crate) fn along(
     model: &Differentiated<'_>,
     directions: &[Direction],
 ) -> Result<Vec<Replayed<Dual4>>, SensitivityError> {
-    by_fours(run, model, directions, |model, start| replay(run, model, start, error_per_step(run)))
+    by_fours(run, model, directions, |model, start| replay(run, model, start, error_per_step(run), &[]))
 }
 
 /// What is read of a run, with derivatives along four directions at a time.

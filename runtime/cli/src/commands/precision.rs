@@ -134,10 +134,11 @@ fn json(rows: &[WorkPrecisionRow]) -> Result<String, CommandError> {
 
 fn table(rows: &[WorkPrecisionRow]) -> String {
     let mut text = format!(
-        "{:18} {:22} {:>9} {:>11} {:>11} {:>8} {:>9} {:>7} {:>11}  {:10}  {}\n",
+        "{:18} {:22} {:>9} {:>11} {:>11} {:>11} {:>8} {:>9} {:>7} {:>11}  {:10}  {}\n",
         "model",
         "method",
         "tolerance",
+        "run error",
         "state error",
         "event error",
         "steps",
@@ -152,10 +153,11 @@ fn table(rows: &[WorkPrecisionRow]) -> String {
     for row in rows {
         let _ = writeln!(
             text,
-            "{:18} {:22} {:>9} {:>11} {:>11} {:>8} {:>9} {:>7} {:>11.1}  {:10}  {}{}",
+            "{:18} {:22} {:>9} {:>11} {:>11} {:>11} {:>8} {:>9} {:>7} {:>11.1}  {:10}  {}{}",
             row.model,
             row.method,
             format!("{:e}", row.tolerance),
+            error(row.run_error),
             error(row.state_error),
             error(row.event_error),
             count(row.steps),

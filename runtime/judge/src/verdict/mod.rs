@@ -42,7 +42,7 @@ pub(crate) fn repeated(scene: &Scene<DoubleDouble>, record: &Record, task: Task)
         return Motion { stopped: Some(reason), ..Motion::default() };
     }
     let comparison = Comparison { scene, record, left: Cell::new(task.most_work) };
-    comparison.followed((record.t, &record.start), &[], task)
+    comparison.followed((record.t, &record.start), task.samples, task)
 }
 
 /// Powers of steps of such a motion are no doubles, or nothing can be expected of it.

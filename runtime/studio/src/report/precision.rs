@@ -33,16 +33,17 @@ fn drawn(rows: &[WorkPrecisionRow]) -> String {
 fn table(rows: &[WorkPrecisionRow]) -> String {
     let mut html = String::from(
         "<details><summary>In numbers</summary>\n<div class=table><table>\n<thead><tr><th class=word>method<th>tolerance\
-         <th>error of the state<th>of event times<th>steps<th>least µs<th class=word>reference<th class=word>remark</tr></thead>\n<tbody>\n",
+         <th>error over the run<th>of the final state<th>of event times<th>steps<th>least µs<th class=word>reference<th class=word>remark</tr></thead>\n<tbody>\n",
     );
     let error =
         |error: Option<f64>| error.map_or("–".into(), |error| format!("{error:.1e}").replace('-', "−"));
     for row in rows {
         let _ = writeln!(
             html,
-            "<tr><td class=word>{}<td>{}<td>{}<td>{}<td>{}<td>{:.1}<td class=word>{}<td class=word>{}</tr>",
+            "<tr><td class=word>{}<td>{}<td>{}<td>{}<td>{}<td>{}<td>{:.1}<td class=word>{}<td class=word>{}</tr>",
             row.method,
             format!("{:e}", row.tolerance).replace('-', "−"),
+            error(row.run_error),
             error(row.state_error),
             error(row.event_error),
             row.steps.unwrap_or_default(),

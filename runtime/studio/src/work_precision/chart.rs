@@ -1,5 +1,5 @@
 //! Error against run time and against evaluations, drawn: all axes logarithmic, panels for the
-//! final state and for the events of each system, our methods solid and other tools dashed.
+//! states over the run, the final state and the events of each system, our methods solid and other tools dashed.
 
 use super::WorkPrecisionRow;
 use crate::plot::{Axis, Chart, Colour, Curve, Figure};
@@ -25,6 +25,7 @@ pub fn figure_so_wide(rows: &[WorkPrecisionRow], width: Option<u32>) -> String {
 
 /// The panels of all systems; those without a point to show are left out. A method has one colour in all of them.
 pub fn charts(rows: &[WorkPrecisionRow]) -> Vec<Chart> {
+    let run = ("largest error over the run", (|row| row.run_error) as Quantity);
     let state = ("error of the final state", (|row| row.state_error) as Quantity);
     let events = ("error of event times", (|row| row.event_error.filter(|error| *error > 0.0)) as Quantity);
     let time = ("time of a run of", "µs", (|row| Some(row.microseconds)) as Quantity);
@@ -33,7 +34,7 @@ pub fn charts(rows: &[WorkPrecisionRow]) -> Vec<Chart> {
         "",
         (|row| row.evaluations.map(|it| it as f64)) as Quantity,
     );
-    let diagrams = [(time, state), (evaluations, state), (time, events)];
+    let diagrams = [(time, run), (evaluations, run), (time, state), (time, events)];
     let methods = [false, true].map(|is_peer| {
         let names = distinct(rows.iter().filter(|row| row.is_peer == is_peer).map(|row| &row.method));
         let colours = Colour::CURVES.into_iter().chain([Colour::Black]).cycle();

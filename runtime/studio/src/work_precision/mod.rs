@@ -22,6 +22,8 @@ pub struct WorkPrecisionRow {
     pub tolerance: f64,
     /// Error of the final state; none where there is nothing to compare.
     pub state_error: Option<f64>,
+    /// Largest error of a state over the run, its end included.
+    pub run_error: Option<f64>,
     /// Largest error of an event's time.
     pub event_error: Option<f64>,
     /// Evaluations of the right-hand side; none where a tool does not tell.
@@ -67,6 +69,7 @@ impl WorkPrecisionRow {
             method: measured.method.into(),
             tolerance: measured.tolerance,
             state_error: measured.state_error,
+            run_error: measured.run_error,
             event_error: measured.event_error,
             evaluations: Some(work.evaluations),
             jacobians: Some(work.jacobians),
@@ -92,6 +95,7 @@ impl WorkPrecisionRow {
             method: tool.into(),
             tolerance,
             state_error,
+            run_error: None,
             event_error,
             evaluations: None,
             jacobians: None,

@@ -97,12 +97,11 @@ impl Testimony {
         }
     }
 
-    /// The judge's own motion from where the run began, by series of so many terms, and the names of its contacts; of the
-    /// state only the kept entries count.
-    pub(crate) fn followed(&self, kept: &[usize], terms: usize) -> Result<(Motion, Vec<String>), String> {
+    /// The judge's own motion from where the run began, and the names of its contacts: with the terms and samples of a task; of
+    /// the state only its kept entries count.
+    pub(crate) fn followed(&self, task: Task) -> Result<(Motion, Vec<String>), String> {
         let judge = self.judge()?;
-        let motion =
-            judge.repeated(&self.record, Task { kept, terms, most_work: MOST_WORK, ..Task::default() });
+        let motion = judge.repeated(&self.record, Task { most_work: MOST_WORK, ..task });
         match &motion.stopped {
             Some(reason) => Err(reason.to_string()),
             None => Ok((motion, judge.contacts().map(str::to_owned).collect())),

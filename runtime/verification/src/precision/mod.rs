@@ -1,6 +1,6 @@
 //! Error against run time: a simulation measured with every method and tolerance asked for.
 //!
-//! Errors are those of the final state and of the times of events against a [`Reference`], which no method measured has
+//! Errors are those of the states, at the end and over the run, and of the times of events against a [`Reference`], which no method measured has
 //! a part in. Run times are those of whole runs, start and decisions at contacts included, that record nothing but their
 //! events; what is built once for a simulation is not in them.
 
@@ -21,6 +21,7 @@ use crate::reference::{Reference, ReferenceError, Source};
 use liftoff::RunError;
 use liftoff::Simulation;
 use liftoff::Statistics;
+use liftoff::Trajectory;
 use liftoff::event::{Event, EventKind};
 use liftoff::method::Method;
 use liftoff::scalar::DoubleDouble;
@@ -62,6 +63,8 @@ pub struct Measurement {
     pub tolerance: f64,
     /// Error of the final state, see [`Reference::state_error`]; none where there is nothing to compare.
     pub state_error: Option<f64>,
+    /// The largest over the run, see [`Reference::run_error`].
+    pub run_error: Option<f64>,
     /// Largest error of an event's time, see [`Reference::time_error`].
     pub event_error: Option<f64>,
     /// Steps and evaluations.
@@ -138,7 +141,7 @@ impl Precision {
         let run = last.transpose().map_err(|error| (stopped(&error).to_string(), error.into_trajectory()));
         let (trajectory, errors) = match run {
             Ok(Some(run)) => {
-                let errors = self.errors(run.events(), &run.final_state());
+                let errors = self.errors(&run);
                 (Some(run), errors)
             }
             Ok(None) => (None, Err(ReplayError::Empty.to_string())),
@@ -149,8 +152,9 @@ impl Precision {
         Measurement {
             method,
             tolerance,
-            state_error: errors.map(|[state, _]| state),
-            event_error: errors.map(|[_, event]| event),
+            state_error: errors.map(|[state, ..]| state),
+            run_error: errors.map(|[_, run, _]| run),
+            event_error: errors.map(|[.., event]| event),
             statistics: trajectory.map(|run| run.statistics()).unwrap_or_default(),
             median,
             least,
@@ -160,11 +164,14 @@ impl Precision {
         }
     }
 
-    /// Of the final state and of the events' times.
-    fn errors(&self, events: &[Event], last: &[f64]) -> Result<[f64; 2], String> {
+    /// Of the final state, over the run, which is recorded for it, and of the events' times.
+    fn errors(&self, run: &Trajectory) -> Result<[f64; 3], String> {
         let truth = self.truth.as_ref().map_err(ToString::to_string)?;
-        let late = truth.lateness(events.iter()).ok_or_else(|| format!("other events: {}", told(events)))?;
-        Ok([truth.state_error(last), late])
+        let others = || format!("other events: {}", told(run.events()));
+        let late = truth.lateness(run.events().iter()).ok_or_else(others)?;
+        let recorded = self.simulation.run().map_err(|error| stopped(&error).to_string())?;
+        let over = truth.run_error(&recorded).ok_or_else(others)?;
+        Ok([truth.state_error(&run.final_state()), over, late])
     }
 }
 

@@ -8,7 +8,8 @@ use liftoff::{Scales, Trajectory};
 use liftoff_judge::{Change, Motion, Task};
 use liftoff_replay::ReplayError;
 
-use super::{Reference, ReferenceError, ReferenceEvent, Source};
+use super::samples;
+use super::{Computed, Reference, ReferenceError, ReferenceEvent, Source};
 use crate::judgement::{Testimony, change_of};
 use std::sync::Arc;
 
@@ -28,9 +29,12 @@ pub(super) fn judged(
         return Err(not_judged(given.to_owned()));
     }
     let kept = kept(run, system);
-    let one = |terms: usize| -> Result<(Vec<ReferenceEvent>, Vec<DoubleDouble>), ReferenceError> {
-        let (motion, contacts) = testimony.followed(&kept, terms).map_err(not_judged)?;
-        Ok((Pairing::new(run, &motion, &contacts).events()?, motion.end))
+    let samples = samples(run);
+    let one = |terms: usize| -> Result<Computed, ReferenceError> {
+        let task = Task { kept: &kept, terms, samples: &samples, ..Task::default() };
+        let (motion, contacts) = testimony.followed(task).map_err(not_judged)?;
+        let events = Pairing::new(run, &motion, &contacts).events()?;
+        Ok(Computed { events, samples: motion.samples, end: motion.end })
     };
     let (fine, coarse) = (one(Task::TERMS)?, one(FEWER)?);
     Reference::of_two(run, Source::Judge, fine, coarse)

@@ -21,7 +21,7 @@ use liftoff::Trajectory;
 use liftoff::event::{Event, EventKind};
 use liftoff::scalar::{DoubleDouble, Real, Scalar};
 use liftoff::system::{ModelOn, System};
-use liftoff_replay::{ReplayError, Replayed, replay};
+use liftoff_replay::{ReplayError, replay};
 
 /// Error per step of the two passes.
 const FINE: f64 = 1e-27;
@@ -63,19 +63,33 @@ pub struct ReferenceEvent {
     pub summed: bool,
 }
 
-/// A motion's events and end to more digits than doubles have.
+/// Parts of a run in the middle of which the state is compared.
+const PARTS: usize = 32;
+
+/// A motion's events and states to more digits than doubles have.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reference {
     source: Source,
     events: Vec<ReferenceEvent>,
+    samples: Vec<(f64, Vec<DoubleDouble>)>,
     state: Vec<DoubleDouble>,
     units: Vec<f64>,
     time: f64,
     bound: f64,
 }
 
-/// Events, and the final state.
-type Computed = (Vec<ReferenceEvent>, Vec<DoubleDouble>);
+/// What is computed twice.
+struct Computed {
+    events: Vec<ReferenceEvent>,
+    samples: Vec<(f64, Vec<DoubleDouble>)>,
+    end: Vec<DoubleDouble>,
+}
+
+/// The middles of equal parts of a run.
+fn samples(run: &Trajectory) -> Vec<f64> {
+    let [start, end] = run.interval();
+    (0..PARTS).map(|k| start + (end - start) * (k as f64 + 0.5) / PARTS as f64).collect()
+}
 
 impl Reference {
     /// The motion of a run by the independent judge, with the supports held that were; where that cannot do it, the run
@@ -120,16 +134,18 @@ impl Reference {
         let parameters = on(run.parameters());
         let model = ModelOn { system, parameters, restitution: on(&run.model().restitution) };
         let start = run.events().first().ok_or(ReplayError::Empty)?.state.clone();
+        let times = samples(run);
         let one = |tolerance: f64| -> Result<Computed, ReferenceError> {
-            let Replayed { times, end: state, .. } = replay(run, model.clone(), &on(&start), tolerance)?;
-            let events = run.events().iter().zip(times);
+            let replayed = replay(run, model.clone(), &on(&start), tolerance, &times)?;
+            let events = run.events().iter().zip(replayed.times);
             let event = |(event, t): (&liftoff::Event, _)| ReferenceEvent {
                 kind: event.kind,
                 supports: event.supports.clone(),
                 t,
                 summed: false,
             };
-            Ok((events.map(event).collect(), state))
+            let samples = times.iter().copied().zip(replayed.samples).collect();
+            Ok(Computed { events: events.map(event).collect(), samples, end: replayed.end })
         };
         let source = Source::Replay { why: "asked for".to_owned() };
         Self::of_two(run, source, one(FINE)?, one(COARSE)?)
@@ -139,19 +155,22 @@ impl Reference {
     fn of_two(
         run: &Trajectory,
         source: Source,
-        (events, state): Computed,
+        Computed { events, samples, end: state }: Computed,
         coarse: Computed,
     ) -> Result<Self, ReferenceError> {
         let Scales { time, .. } = run.scales();
         let units = run.scales().state(run.layout())[..state.len()].to_vec();
-        let mut reference = Self { source, events, state, units, time, bound: 0.0 };
+        let mut reference = Self { source, events, samples, state, units, time, bound: 0.0 };
         // Of infinitely many impacts the last may be counted or not.
         let own = |events: &[ReferenceEvent]| -> Vec<Option<DoubleDouble>> {
             events.iter().filter(|event| !event.summed).map(|event| event.t).collect()
         };
-        let late = own(&reference.events).into_iter().zip(own(&coarse.0));
+        let late = own(&reference.events).into_iter().zip(own(&coarse.events));
         let late = late.filter_map(|(fine, coarse)| Some(reference.time_difference(fine?, coarse?)));
-        let bound = late.fold(reference.difference(&coarse.1), f64::max);
+        let states = reference.samples.iter().zip(&coarse.samples);
+        let states = states.map(|((_, fine), (_, coarse))| reference.difference(fine, coarse));
+        let last = reference.difference(&reference.state, &coarse.end);
+        let bound = late.chain(states).fold(last, larger);
         if bound.is_nan() || bound > USELESS {
             return Err(ReferenceError::Bound { bound });
         }
@@ -171,17 +190,23 @@ impl Reference {
 
     /// The largest error of the times of these events; none if they are others. Touches count in neither.
     pub fn lateness<'e>(&self, events: impl Iterator<Item = &'e Event>) -> Option<f64> {
+        let pairs = self.paired(events)?;
+        let late = pairs.iter().map(|&(known, t)| self.time_difference(known, DoubleDouble::from_f64(t)));
+        Some(late.fold(0.0, f64::max))
+    }
+
+    /// The times of its events and of these; none if they are others.
+    fn paired<'e>(&self, events: impl Iterator<Item = &'e Event>) -> Option<Vec<(DoubleDouble, f64)>> {
         let counts = |kind: EventKind| kind != EventKind::Touch;
         let mut own = self.events.iter().filter(|event| counts(event.kind));
-        let mut late = 0.0;
+        let mut pairs = Vec::new();
         for event in events.filter(|event| counts(event.kind)) {
             let same =
                 |known: &&ReferenceEvent| (known.kind, &known.supports) == (event.kind, &event.supports);
             let known = own.find(|known| same(known) || !known.summed).filter(same)?;
-            let t = DoubleDouble::from_f64(event.t);
-            late = f64::max(late, known.t.map_or(0.0, |known| self.time_difference(known, t)));
+            pairs.extend(known.t.map(|known| (known, event.t)));
         }
-        own.all(|known| known.summed).then_some(late)
+        own.all(|known| known.summed).then_some(pairs)
     }
 
     /// The state at the end, coordinates then rates.
@@ -203,18 +228,47 @@ impl Reference {
     /// The error of a final state: the largest deviation of a coordinate or rate in natural units
     /// of the model, angles in radians.
     pub fn state_error(&self, state: &[f64]) -> f64 {
-        let state: Vec<_> = state.iter().map(|&x| DoubleDouble::new(x, 0.0)).collect();
-        self.difference(&state)
+        self.deviation(&self.state, state)
+    }
+
+    /// The largest error of a run's states at its end and, as its dense output has them, in the middles of 32 equal parts,
+    /// measured as that of the final state is; none if its events are others. A place between an event of the run and the
+    /// reference's counts as an error of that event's time.
+    pub fn run_error(&self, run: &Trajectory) -> Option<f64> {
+        let pairs = self.paired(run.events().iter())?;
+        let is_between = |at: f64| pairs.iter().any(|(known, t)| (known.to_f64() - at) * (t - at) <= 0.0);
+        let flights = self.summed_up();
+        let is_summed = |at: f64| flights.iter().any(|[from, to]| (*from..=*to).contains(&at));
+        let places = self.samples.iter().filter(|(t, _)| *t < run.end_time());
+        let places = places.filter(|(t, _)| !is_between(*t) && !is_summed(*t));
+        let errors = places.map(|(t, known)| self.deviation(known, &run.state(*t)));
+        Some(errors.fold(self.state_error(&run.final_state()), larger))
+    }
+
+    /// From the impact before each of those that a run may sum up to the event behind them.
+    fn summed_up(&self) -> Vec<[f64; 2]> {
+        let time = |event: &ReferenceEvent| event.t.map_or(f64::NAN, |t| t.to_f64());
+        let windows = self.events.windows(2).filter(|pair| pair.iter().any(|event| event.summed));
+        windows.map(|pair| [time(&pair[0]), time(&pair[1])]).collect()
+    }
+
+    fn deviation(&self, known: &[DoubleDouble], state: &[f64]) -> f64 {
+        let state: Vec<_> = state.iter().map(|&x| DoubleDouble::from_f64(x)).collect();
+        self.difference(known, &state)
     }
 
     fn time_difference(&self, time: DoubleDouble, other: DoubleDouble) -> f64 {
         (other - time).abs().to_f64() / self.time
     }
 
-    fn difference(&self, other: &[DoubleDouble]) -> f64 {
-        let entries = self.state.iter().zip(other).zip(&self.units);
+    fn difference(&self, known: &[DoubleDouble], other: &[DoubleDouble]) -> f64 {
+        let entries = known.iter().zip(other).zip(&self.units);
         let deviations = entries.map(|((&x, &other), &unit)| (other - x).abs().to_f64() / unit);
-        // `f64::max` passes over what is not a number.
-        deviations.fold(0.0, |most: f64, x| if x.is_nan() || x > most { x } else { most })
+        deviations.fold(0.0, larger)
     }
+}
+
+/// Where one is not a number, that; `f64::max` passes over it.
+fn larger(most: f64, x: f64) -> f64 {
+    if x.is_nan() || x > most { x } else { most }
 }

@@ -1,13 +1,29 @@
 //! Error against run time of a system, as a program asks for it.
 
 use core::time::Duration;
+use liftoff::Scales;
 use liftoff::method::Dop853;
 use liftoff::prelude::*;
 use liftoff::system::precise;
 use liftoff_fixtures::Ladder;
-use liftoff_verification::{Precision, PrecisionError, ReferenceError, ReplayError};
+use liftoff_verification::{Precision, PrecisionError, Reference, ReferenceError, ReplayError};
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
+
+/// A point on a spring above a floor that it does not lose speed at.
+#[derive(BarSystem, Clone, Debug)]
+#[particle(P, mass = m)]
+#[ground(O = (0, 0))]
+#[spring(OP, stiffness = k)]
+#[support(P = floor, restitution = e)]
+#[figure(P = (0, 1))]
+#[coordinate(x = x(P))]
+#[coordinate(y = y(P))]
+struct Oscillator {
+    m: f64,
+    k: f64,
+    e: f64,
+}
 
 const TOLERANCES: [f64; 3] = [1e-6, 1e-9, 1e-12];
 
@@ -27,6 +43,31 @@ fn errors_fall_with_the_tolerance() -> Outcome {
     }
     let work: Vec<_> = rows.iter().map(|row| row.statistics.evaluations).collect();
     assert!(work.is_sorted() && rows[2].state_error < rows[0].state_error, "{rows:?}");
+    Ok(())
+}
+
+/// y = |cos t| from rest at 1: against it in the middles of 32 parts, the speed's jumps left aside.
+#[test]
+fn the_error_over_the_run_is_that_against_a_closed_form() -> Outcome {
+    let oscillator = Oscillator { m: 1.0, k: 1.0, e: 1.0 };
+    let simulation = Simulation::new(&oscillator)?.start(Pose::at("y", 1.0))?.until("t = 6")?;
+    let run = simulation.clone().method(Dop853).tolerance(1e-5).run()?;
+    let Scales { length, time, .. } = run.scales();
+    let mut largest = 0.0_f64;
+    for t in (0..32).map(|k| 6.0 * (f64::from(k) + 0.5) / 32.0).chain([6.0]) {
+        let (state, sign) = (run.state(t), t.cos().signum());
+        let errors = [(state[1] - t.cos().abs()) / length, (state[3] + sign * t.sin()) / (length / time)];
+        largest = errors.into_iter().fold(largest, |most, error| most.max(error.abs()));
+    }
+    for reference in
+        [Reference::of(&run, &[], precise::<Oscillator>), Reference::replayed(&run, precise::<Oscillator>)]
+    {
+        let error = reference?.run_error(&run).expect("the same events");
+        assert!((error / largest - 1.0).abs() < 1e-6, "{error:e}, not {largest:e}");
+    }
+    let mut precision = Precision::new(simulation, precise::<Oscillator>).measuring(Duration::ZERO);
+    let row = &precision.measure(Dop853, &[1e-5])[0];
+    assert!(row.run_error > row.state_error.map(|error| 1.1 * error), "{row:?}");
     Ok(())
 }
 

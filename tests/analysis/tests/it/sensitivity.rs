@@ -84,7 +84,7 @@ impl<M: BarSystem> Case<M> {
                     parameters: on(parameters),
                     restitution: on(&moved.model().restitution),
                 };
-                let replayed = replay(&moved, model, &on(&moved.events()[0].state), 1e-24).unwrap();
+                let replayed = replay(&moved, model, &on(&moved.events()[0].state), 1e-24, &[]).unwrap();
                 let weight = sign * weight / (60.0 * h);
                 let known = times.iter_mut().zip(&replayed.times);
                 known.for_each(|(sum, t)| *sum += weight * t.map_or(0.0, DoubleDouble::hi));
