@@ -117,7 +117,7 @@ pub fn report(
         difference,
         lines: strict::comparison::lines(strict, tolerance)?,
         strict: &alone,
-        precision: precision::figures(&measured)?,
+        precision: precision::figures(&measured),
         measured: &measured,
     };
 

@@ -1,13 +1,12 @@
 //! What is computed against references of 25 digits, and error against run time.
 
 use super::{Page, dash, figures, minus};
+use crate::paper::precision::explain_norm;
 use crate::paper::quantity::Value;
 use crate::paper::table::long;
 use liftoff_studio::html::escaped;
+use liftoff_studio::work_precision::DISTURBED_NOTE;
 use std::fmt::Write;
-
-/// A median over the least time above which the machine did something else too.
-const BUSY: f64 = 1.3;
 
 impl Page<'_> {
     pub(super) fn accuracy(&self) -> String {
@@ -32,7 +31,7 @@ impl Page<'_> {
     }
 
     pub(super) fn time(&self) -> String {
-        figures(&self.precision) + &self.measured()
+        format!("<p>{}</p>\n", explain_norm()) + &figures(&self.precision) + &self.measured()
     }
 
     fn measured(&self) -> String {
@@ -59,8 +58,7 @@ impl Page<'_> {
                 count(row.jacobians),
                 row.microseconds,
                 row.median_microseconds.map_or_else(dash, |median| {
-                    let busy = if median > BUSY * row.microseconds { "*" } else { "" };
-                    format!("{median:.1}{busy}")
+                    format!("{median:.1}{}", if row.is_disturbed() { "*" } else { "" })
                 }),
                 error(row.run_error),
                 error(row.state_error),
@@ -68,8 +66,7 @@ impl Page<'_> {
                 escaped(row.reason.as_deref().unwrap_or_default()),
             );
         }
-        html += "</tbody></table></div>\n<p>* More than 1.3 times the least: the machine was busy with something else.</p></details>\n";
-        html
+        html + &format!("</tbody></table></div>\n<p>{DISTURBED_NOTE}</p></details>\n")
     }
 }
 

@@ -11,7 +11,8 @@ use crate::output::progress::Progress;
 use clap::Args;
 use core::ops::ControlFlow;
 use liftoff_studio::registry::{self, MethodId, Models};
-use liftoff_studio::work_precision::{WorkPrecisionRow, figure, peers, written};
+use liftoff_studio::verification::precision::ROUNDS;
+use liftoff_studio::work_precision::{DISTURBED_NOTE, WorkPrecisionRow, figure, peers, written};
 use serde::Serialize;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -101,7 +102,7 @@ impl Precision {
                 interpreted.join(", ")
             ));
         }
-        let each = spec.methods.len() * spec.tolerances.len();
+        let each = spec.methods.len() * spec.tolerances.len() * ROUNDS as usize;
         let progress = Progress::of(found.len() * each, "measurements");
         let mut done = 0;
         let mut all = Vec::new();
@@ -153,7 +154,7 @@ fn table(rows: &[WorkPrecisionRow]) -> String {
     for row in rows {
         let _ = writeln!(
             text,
-            "{:18} {:22} {:>9} {:>11} {:>11} {:>11} {:>8} {:>9} {:>7} {:>11.1}  {:10}  {}{}",
+            "{:18} {:22} {:>9} {:>11} {:>11} {:>11} {:>8} {:>9} {:>7} {:>11.1}{:2}{:10}  {}{}",
             row.model,
             row.method,
             format!("{:e}", row.tolerance),
@@ -164,6 +165,7 @@ fn table(rows: &[WorkPrecisionRow]) -> String {
             count(row.evaluations),
             count(row.jacobians),
             row.microseconds,
+            if row.is_disturbed() { "*" } else { "" },
             row.reference.as_deref().unwrap_or(if row.is_not_judged() { "not judged" } else { "–" }),
             // What follows the first colon stands once, in JSON and CSV in every row.
             row.judge.as_ref().map_or("–", |judge| judge
@@ -173,6 +175,9 @@ fn table(rows: &[WorkPrecisionRow]) -> String {
                 .trim_end_matches(" at t ")),
             row.reason.as_ref().map_or_else(String::new, |reason| format!("  {reason}")),
         );
+    }
+    if rows.iter().any(WorkPrecisionRow::is_disturbed) {
+        text = text + DISTURBED_NOTE + "\n";
     }
     text + &blank(rows) + &judged(rows)
 }

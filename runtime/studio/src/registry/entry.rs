@@ -171,7 +171,7 @@ impl Entry {
     }
 
     /// Measures its error against its run time, method by method and tolerance by tolerance, until `go_on` breaks; that is
-    /// asked before each.
+    /// asked before each in each of the [rounds](liftoff_verification::precision::ROUNDS).
     pub fn measure(
         &self,
         spec: &RunSpec,
@@ -182,17 +182,7 @@ impl Entry {
         let interpreted = self.for_interpreter()?;
         let precision =
             Precision::new(self.simulation(spec)?, |parameters: &[f64]| interpreted.precise(parameters));
-        let mut precision = precision.measuring(request.measuring);
-        let mut rows = Vec::new();
-        for (method, tolerance) in
-            request.methods.iter().flat_map(|m| request.tolerances.iter().map(move |t| (m, t)))
-        {
-            if go_on().is_break() {
-                break;
-            }
-            rows.extend(precision.measure(*method, &[*tolerance]));
-        }
-        Ok(rows)
+        Ok(precision.measuring(request.measuring).measure_all(request, go_on))
     }
 
     /// The natural length, time and mass of a run: the units in which tolerances are absolute.

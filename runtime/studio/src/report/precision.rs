@@ -3,7 +3,7 @@
 use super::Subject;
 use crate::html::{escaped, fitting};
 use crate::registry::{MethodId, MotionError, PrecisionSpec};
-use crate::work_precision::{WorkPrecisionRow, figure_so_wide, rows};
+use crate::work_precision::{DISTURBED_NOTE, WorkPrecisionRow, figure_so_wide, rows};
 use core::convert::Infallible;
 use core::fmt::Write;
 use std::time::Duration;
@@ -40,7 +40,7 @@ fn table(rows: &[WorkPrecisionRow]) -> String {
     for row in rows {
         let _ = writeln!(
             html,
-            "<tr><td class=word>{}<td>{}<td>{}<td>{}<td>{}<td>{}<td>{:.1}<td class=word>{}<td class=word>{}</tr>",
+            "<tr><td class=word>{}<td>{}<td>{}<td>{}<td>{}<td>{}<td>{:.1}{}<td class=word>{}<td class=word>{}</tr>",
             row.method,
             format!("{:e}", row.tolerance).replace('-', "−"),
             error(row.run_error),
@@ -48,9 +48,10 @@ fn table(rows: &[WorkPrecisionRow]) -> String {
             error(row.event_error),
             row.steps.unwrap_or_default(),
             row.microseconds,
+            if row.is_disturbed() { "*" } else { "" },
             row.reference.as_deref().unwrap_or(if row.is_not_judged() { "not judged" } else { "–" }),
             escaped(row.reason.as_deref().unwrap_or_default()),
         );
     }
-    html + "</tbody></table></div></details>\n"
+    html + &format!("</tbody></table></div>\n<p>{DISTURBED_NOTE}</p></details>\n")
 }

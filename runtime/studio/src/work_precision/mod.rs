@@ -11,6 +11,12 @@ use crate::run_spec::RunSpec;
 use liftoff_verification::Measurement;
 use serde::Serialize;
 
+/// A median over the least time above which the machine did something else too.
+const DISTURBED: f64 = 1.3;
+/// What the star behind a time says.
+pub const DISTURBED_NOTE: &str =
+    "* The median is more than 1.3 times the least: the machine was busy with something else.";
+
 /// One method at one tolerance on one system.
 #[derive(Serialize, Clone, PartialEq, Debug)]
 pub struct WorkPrecisionRow {
@@ -54,6 +60,11 @@ impl WorkPrecisionRow {
     /// Whether the judge finds another motion.
     pub fn is_refuted(&self) -> bool {
         self.judge.as_ref().is_some_and(|judge| judge.starts_with("disagrees"))
+    }
+
+    /// Whether the machine did something else too while it was measured.
+    pub fn is_disturbed(&self) -> bool {
+        self.median_microseconds.is_some_and(|median| median > DISTURBED * self.microseconds)
     }
 
     /// Whether there is nothing to compare it with.

@@ -9,11 +9,13 @@ mod spec;
 
 pub use spec::{PrecisionSpec, PrecisionSpecError, check_tolerance};
 
+use core::ops::ControlFlow;
 use core::time::Duration;
 use liftoff_replay::ReplayError;
 use std::sync::Arc;
 
-use clock::{Times, measure};
+pub use clock::ROUNDS;
+use clock::Times;
 use thiserror::Error;
 
 use crate::judgement::{Verdict, judge};
@@ -52,6 +54,34 @@ pub struct Precision {
     truth: Result<Reference, PrecisionError>,
     verdict: Verdict,
     measuring: Duration,
+}
+
+/// Runs that are timed.
+struct Timed {
+    method: &'static str,
+    tolerance: f64,
+    simulation: Simulation,
+    times: Times,
+    last: Option<Result<Trajectory, RunError>>,
+}
+
+impl Timed {
+    fn new(simulation: Simulation, method: impl Method) -> Self {
+        let (method, simulation) = (method.name(), simulation.method(method));
+        Self { method, tolerance: f64::NAN, simulation, times: Times::default(), last: None }
+    }
+
+    /// The same at each tolerance.
+    fn at(self, tolerances: &[f64]) -> impl Iterator<Item = Self> {
+        let Self { method, simulation, .. } = self;
+        tolerances.iter().map(move |&tolerance| Self {
+            method,
+            tolerance,
+            simulation: simulation.clone().tolerance(tolerance),
+            times: Times::default(),
+            last: None,
+        })
+    }
 }
 
 /// One method at one tolerance.
@@ -124,24 +154,41 @@ impl Precision {
     }
 
     /// Measures a method at each tolerance.
-    pub fn measure(&mut self, method: impl Method, tolerances: &[f64]) -> Vec<Measurement> {
-        let name = method.name();
-        self.simulation = self.simulation.clone().method(method);
-        let one = |&tolerance: &f64| {
-            self.simulation = self.simulation.clone().tolerance(tolerance);
-            self.row((name, tolerance))
-        };
-        tolerances.iter().map(one).collect()
+    pub fn measure(&self, method: impl Method, tolerances: &[f64]) -> Vec<Measurement> {
+        let simulation = Timed::new(self.simulation.clone(), method);
+        self.time(simulation.at(tolerances).collect(), &mut || ControlFlow::Continue(()))
     }
 
-    fn row(&self, (method, tolerance): (&'static str, f64)) -> Measurement {
-        let mut last = None;
-        let Times { median, least } =
-            measure(self.measuring, || last = Some(self.simulation.observe(&mut ())));
+    /// Measures every method at every tolerance, until `go_on` breaks; that is asked before each in each of the [`ROUNDS`].
+    pub fn measure_all(
+        &self,
+        spec: &PrecisionSpec,
+        go_on: &mut dyn FnMut() -> ControlFlow<()>,
+    ) -> Vec<Measurement> {
+        let methods = spec.methods.iter().map(|&method| Timed::new(self.simulation.clone(), method));
+        let all: Vec<Vec<Timed>> = methods.map(|timed| timed.at(&spec.tolerances).collect()).collect();
+        self.time(all.into_iter().flatten().collect(), go_on)
+    }
+
+    fn time(&self, mut all: Vec<Timed>, go_on: &mut dyn FnMut() -> ControlFlow<()>) -> Vec<Measurement> {
+        'rounds: for _ in 0..ROUNDS {
+            for timed in &mut all {
+                if go_on().is_break() {
+                    break 'rounds;
+                }
+                let Timed { simulation, times, last, .. } = timed;
+                times.add_round(self.measuring, || *last = Some(simulation.observe(&mut ())));
+            }
+        }
+        all.into_iter().filter(|timed| !timed.times.is_empty()).map(|timed| self.row(timed)).collect()
+    }
+
+    fn row(&self, Timed { method, tolerance, simulation, times, last }: Timed) -> Measurement {
+        let [median, least] = times.summarize();
         let run = last.transpose().map_err(|error| (stopped(&error).to_string(), error.into_trajectory()));
         let (trajectory, errors) = match run {
             Ok(Some(run)) => {
-                let errors = self.errors(&run);
+                let errors = self.errors(&simulation, &run);
                 (Some(run), errors)
             }
             Ok(None) => (None, Err(ReplayError::Empty.to_string())),
@@ -165,11 +212,11 @@ impl Precision {
     }
 
     /// Of the final state, over the run, which is recorded for it, and of the events' times.
-    fn errors(&self, run: &Trajectory) -> Result<[f64; 3], String> {
+    fn errors(&self, simulation: &Simulation, run: &Trajectory) -> Result<[f64; 3], String> {
         let truth = self.truth.as_ref().map_err(ToString::to_string)?;
         let others = || format!("other events: {}", told(run.events()));
         let late = truth.lateness(run.events().iter()).ok_or_else(others)?;
-        let recorded = self.simulation.run().map_err(|error| stopped(&error).to_string())?;
+        let recorded = simulation.run().map_err(|error| stopped(&error).to_string())?;
         let over = truth.run_error(&recorded).ok_or_else(others)?;
         Ok([truth.state_error(&run.final_state()), over, late])
     }

@@ -31,7 +31,7 @@ const TOLERANCES: [f64; 3] = [1e-6, 1e-9, 1e-12];
 fn errors_fall_with_the_tolerance() -> Outcome {
     let ladder = Ladder { m: 1.0, l: 2.0, g: 9.81 };
     let simulation = Simulation::new(&ladder)?.start(Pose::at("theta", 1.3))?.until("theta = 0")?;
-    let mut precision = Precision::new(simulation, precise::<Ladder>).measuring(Duration::from_millis(1));
+    let precision = Precision::new(simulation, precise::<Ladder>).measuring(Duration::from_millis(1));
     assert!(precision.reference().is_ok_and(|reference| reference.bound() < 1e-20));
     let rows = precision.measure(Dop853, &TOLERANCES);
     for (row, tolerance) in rows.iter().zip(TOLERANCES) {
@@ -65,7 +65,7 @@ fn the_error_over_the_run_is_that_against_a_closed_form() -> Outcome {
         let error = reference?.run_error(&run).expect("the same events");
         assert!((error / largest - 1.0).abs() < 1e-6, "{error:e}, not {largest:e}");
     }
-    let mut precision = Precision::new(simulation, precise::<Oscillator>).measuring(Duration::ZERO);
+    let precision = Precision::new(simulation, precise::<Oscillator>).measuring(Duration::ZERO);
     let row = &precision.measure(Dop853, &[1e-5])[0];
     assert!(row.run_error > row.state_error.map(|error| 1.1 * error), "{row:?}");
     Ok(())
@@ -76,7 +76,7 @@ fn what_cannot_be_compared_says_why() -> Outcome {
     let ladder = Ladder { m: 1.0, l: 2.0, g: 9.81 };
     // Upright at the wall nothing moves.
     let still = Simulation::new(&ladder)?.start(Pose::at("theta", core::f64::consts::FRAC_PI_2))?;
-    let mut precision = Precision::new(still, precise::<Ladder>).measuring(Duration::from_millis(1));
+    let precision = Precision::new(still, precise::<Ladder>).measuring(Duration::from_millis(1));
     assert!(matches!(precision.reference(), Err(PrecisionError::Run(_))));
     let row = &precision.measure(Dop853, &[1e-6])[0];
     assert!(
