@@ -12,6 +12,7 @@ mod quantity;
 mod reading;
 mod reference;
 mod scheme;
+mod stiff;
 mod strict;
 mod strikes;
 mod table;

@@ -1,7 +1,7 @@
-//! Error against run time of every method on both systems of the paper, and on those of other tools' rows.
+//! Error against run time of every method on both systems of the paper, on a stiff spring, and on those of other tools' rows.
 
 use super::figure::CaptionedFigure;
-use super::{ReportError, falling_pair, strict};
+use super::{ReportError, falling_pair, stiff, strict};
 use crate::models;
 use liftoff_studio::plot::{Chart, Figure};
 use liftoff_studio::registry::PrecisionSpec;
@@ -28,6 +28,7 @@ pub fn measure(files: &[PathBuf]) -> Result<Vec<WorkPrecisionRow>, ReportError> 
         &request,
     )?;
     all.extend(rows(models().find(strict::MODEL)?, &strict::spec(0.5, 1e-12)?, &request)?);
+    all.extend(stiff::measure(MEASURING)?);
     if others.iter().any(|row| row.model == PENDULUM) {
         let model = models().find(PENDULUM)?;
         all.extend(rows(model, &swinging(model.default_run()), &request)?);
@@ -57,7 +58,8 @@ pub fn explain_norm() -> String {
         "All methods at the tolerances 10⁻³ … 10⁻¹⁴. Time: the least of up to eight rounds in which they take turns{}, of runs \
          that record nothing but their events. Errors: the largest deviation of a coordinate or rate in natural units of the \
          model, angles in radians, at the end, and over the run: there and, by dense output, in the middles of 32 equal parts; \
-         of events, the largest deviation of a time in natural times √(l/g). All against a motion in double-double.",
+         of events, the largest deviation of a time in natural times √(l/g). Against a motion in double-double; of \
+         stiff-spring, two masses that swing on a soft spring, joined by an undamped one 10¹⁰ times as stiff, against its closed form.",
         machine()
     )
 }

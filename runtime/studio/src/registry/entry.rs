@@ -185,6 +185,18 @@ impl Entry {
         Ok(precision.measuring(request.measuring).measure_all(request, go_on))
     }
 
+    /// The same against a closed form of the state, coordinates then rates.
+    pub fn precision_against(
+        &self,
+        spec: &RunSpec,
+        request: &PrecisionSpec,
+        state: impl Fn(f64) -> Vec<DoubleDouble>,
+    ) -> Result<Vec<Measurement>, MotionError> {
+        request.check().map_err(input)?;
+        let precision = Precision::against(self.simulation(spec)?, state).map_err(input)?;
+        Ok(precision.measuring(request.measuring).measure_all(request, &mut || ControlFlow::Continue(())))
+    }
+
     /// The natural length, time and mass of a run: the units in which tolerances are absolute.
     pub fn units(&self, spec: &RunSpec) -> Result<[f64; 3], MotionError> {
         let Scales { length, time, mass, .. } = self.simulation(spec)?.scales();

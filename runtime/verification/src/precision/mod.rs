@@ -136,6 +136,20 @@ impl Precision {
         precision
     }
 
+    /// With a closed form of the state for a reference, see [`Reference::closed_form`].
+    ///
+    /// # Errors
+    /// The simulation stops short, or has events on the way.
+    pub fn against(
+        simulation: Simulation,
+        state: impl Fn(f64) -> Vec<DoubleDouble>,
+    ) -> Result<Self, PrecisionError> {
+        let run = simulation.run().map_err(|error| stopped(&error))?;
+        let truth = Ok(Reference::closed_form(&run, state)?);
+        let verdict = Verdict::NotJudged { why: "a closed form is known".to_owned() };
+        Ok(Self { simulation, truth, verdict, measuring: MEASURING })
+    }
+
     /// What an independent judge finds of the run whose events the reference has.
     pub fn verdict(&self) -> &Verdict {
         &self.verdict

@@ -34,6 +34,8 @@ const USELESS: f64 = 1e-15;
 pub enum Source {
     /// The independent judge.
     Judge,
+    /// A closed form.
+    ClosedForm,
     /// The run once more, with its own contact sets and equations: not independent, since the judge cannot do it.
     Replay {
         /// Why.
@@ -45,6 +47,7 @@ impl core::fmt::Display for Source {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
             Self::Judge => f.write_str("judge"),
+            Self::ClosedForm => f.write_str("closed form"),
             Self::Replay { .. } => f.write_str("replayed"),
         }
     }
@@ -124,6 +127,34 @@ impl Reference {
         system: impl FnOnce(&[f64]) -> Arc<dyn System<DoubleDouble>>,
     ) -> Result<Self, ReferenceError> {
         Self::replayed_with(run, system(run.parameters()))
+    }
+
+    /// A closed form of the state, coordinates then rates, over a run that ends at a given time and has no event before: a motion
+    /// so stiff that nothing else follows it, for instance.
+    ///
+    /// # Errors
+    /// The run has events on the way.
+    pub fn closed_form(
+        run: &Trajectory,
+        state: impl Fn(f64) -> Vec<DoubleDouble>,
+    ) -> Result<Self, ReferenceError> {
+        let is_given =
+            |event: &Event| matches!(event.kind, EventKind::Start | EventKind::Stop | EventKind::End);
+        if let Some(event) = run.events().iter().find(|event| !is_given(event)) {
+            return Err(ReplayError::Event { t: event.t }.into());
+        }
+        let event = |event: &Event| ReferenceEvent {
+            kind: event.kind,
+            supports: event.supports.clone(),
+            t: Some(DoubleDouble::from_f64(event.t)),
+            summed: false,
+        };
+        let compute = || Computed {
+            events: run.events().iter().map(event).collect(),
+            samples: samples(run).into_iter().map(|t| (t, state(t))).collect(),
+            end: state(run.end_time()),
+        };
+        Self::of_two(run, Source::ClosedForm, compute(), compute())
     }
 
     fn replayed_with(
