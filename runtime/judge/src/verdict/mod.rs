@@ -88,15 +88,19 @@ impl Comparison<'_> {
                     None => return Verdict::Agrees { error },
                 },
                 // Later events are compared from the run's own states on.
-                Err(Parting { agreed: 0, .. })
-                    if from == 0 && self.is_sensitive((t, state), groups.first(), &motion) =>
-                {
-                    from = 1;
-                }
-                Err(Parting { agreed: 0, t, what }) => {
+                Err(Parting { agreed: 0, t: at, what }) => {
+                    let first = groups.first().filter(|_| from == 0);
+                    match first.map_or(Ok(false), |first| self.is_sensitive((t, state), first, &motion)) {
+                        Ok(true) => {
+                            from = 1;
+                            continue;
+                        }
+                        Ok(false) => {}
+                        Err(why) => return Verdict::NotJudged { why: why.to_string() },
+                    }
                     return match why {
                         Some(why) if motion.events.is_empty() => Verdict::NotJudged { why },
-                        _ => Verdict::Disagrees { t, what },
+                        _ => Verdict::Disagrees { t: at, what },
                     };
                 }
                 Err(Parting { agreed, .. }) => from += agreed,
@@ -105,19 +109,25 @@ impl Comparison<'_> {
         Verdict::NotJudged { why: "the motion parts from its neighbours again and again".to_owned() }
     }
 
-    /// Whether the first event is the same, and no later or earlier than errors of the run's steps at the start make it.
-    fn is_sensitive(&self, (t, state): (f64, &[f64]), other: Option<&Group>, motion: &Motion) -> bool {
-        let Some(other) = other else { return false };
+    /// Whether the first event is the same, and no later or earlier than errors of the run's steps at the start make it; why
+    /// that is not known where the neighbour is not followed so far.
+    fn is_sensitive(
+        &self,
+        (t, state): (f64, &[f64]),
+        other: &Group,
+        motion: &Motion,
+    ) -> Result<bool, NotJudged> {
         let units = self.record.units.iter().take(state.len() / 2);
         let aside = units.map(|unit| ASIDE * unit).chain(core::iter::repeat(0.0));
         let moved: Vec<f64> = state.iter().zip(aside).map(|(x, aside)| x + aside).collect();
         let neighbour = self.followed((t, &moved), &[], Task::default());
         let first = |motion: &Motion| self.judged(t, &[], motion).into_iter().next();
-        let (Some(own), Some(near)) = (first(motion), first(&neighbour)) else { return false };
+        let Some(own) = first(motion) else { return Ok(false) };
+        let Some(near) = first(&neighbour) else { return neighbour.stopped.map_or(Ok(false), Err) };
         let same = |a: &Group, b: &Group| a.changes == b.changes && a.contacts == b.contacts;
         let grown = (near.t - own.t).abs() * ERRORS * self.record.tolerance / ASIDE;
         let alike = self.record.apart(&own.state, &other.state) <= self.record.within;
-        alike && same(&own, other) && same(&own, &near) && (own.t - other.t).abs() <= grown
+        Ok(alike && same(&own, other) && same(&own, &near) && (own.t - other.t).abs() <= grown)
     }
 
     /// Compares from a time on; how far they are apart is taken in as long as they agree.
