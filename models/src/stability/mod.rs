@@ -25,7 +25,7 @@ mod zeno;
 use crate::models;
 use liftoff::Trajectory;
 use liftoff_studio::RunSpec;
-use liftoff_studio::registry::{MethodId, MotionError};
+use liftoff_studio::registry::{MethodId, MotionError, RunOptions};
 use liftoff_verification::cases::{Case, Effort, Group};
 
 const STIFF: &[MethodId] = &[MethodId::Radau, MethodId::Auto, MethodId::Dop853];
@@ -71,4 +71,9 @@ pub static GROUPS: [Group; 20] = [
 /// Runs a model by a method, for a case that the judge follows.
 fn run(name: &str, by: MethodId, spec: &RunSpec) -> Result<Trajectory, MotionError> {
     models().find(name)?.run_witnessed(by, spec)
+}
+
+/// The same for a case that is beyond the judge, which would spend all it may before it says so.
+fn run_unjudged(name: &str, by: MethodId, spec: &RunSpec) -> Result<Trajectory, MotionError> {
+    models().find(name)?.run_by(RunOptions::by(by), spec)
 }
