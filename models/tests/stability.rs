@@ -27,8 +27,8 @@ macro_rules! groups {
 }
 
 groups!(
-    springs, ratios, massless, starts, units, feet, grazing, zeno, together, edges, long, loops, chart,
-    extremes, friction, buffers, redundant, loads, impacts, inputs
+    springs, ratios, massless, starts, units, feet, grazing, zeno, together, edges, long, loops, near,
+    drives, chart, extremes, friction, buffers, dependent, redundant, loads, impacts, inputs
 );
 
 #[test]

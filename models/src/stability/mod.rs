@@ -12,6 +12,7 @@ mod inputs;
 mod long;
 mod loops;
 mod massless;
+mod near;
 mod ratios;
 mod reference;
 mod scenes;
@@ -45,7 +46,7 @@ const fn group(
 }
 
 /// Every group.
-pub static GROUPS: [Group; 20] = [
+pub static GROUPS: [Group; 23] = [
     group("springs", "Stiff springs, with and without damping", STIFF, springs::cases),
     group("ratios", "Ratios of masses", MULTIPLIERS, ratios::cases),
     group("massless", "Massless bars", MULTIPLIERS, massless::cases),
@@ -58,10 +59,13 @@ pub static GROUPS: [Group; 20] = [
     group("edges", "Events at the ends of steps and runs", EXPLICIT, edges::cases),
     group("long", "Long runs", SYMMETRIC, long::cases),
     group("loops", "Closed loops through singular positions", ONE, loops::cases),
+    group("near", "Closed loops near singular positions", ONE, near::loops),
+    group("drives", "Drives near singular positions", ONE, near::drives),
     group("chart", "A closed form towards the end of its chart", ONE, chart::cases),
     group("extremes", "Ends of floating point, of steps and of time", EXPLICIT, extremes::cases),
     group("friction", "Dry friction", EXPLICIT, friction::cases),
     group("buffers", "Stiff springs that act on one side", EXPLICIT, contacts::buffers),
+    group("dependent", "Nearly dependent contacts", EXPLICIT, upright::cases),
     group("redundant", "Redundant supports", EXPLICIT, contacts::redundant),
     group("loads", "Narrow loads", EXPLICIT, contacts::loads),
     group("impacts", "Very many impacts", EXPLICIT, contacts::impacts),

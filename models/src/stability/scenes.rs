@@ -23,6 +23,14 @@ static SCENES: LazyLock<Vec<Entry>> = LazyLock::new(|| {
             #[figure(P = (0, 0))] #[coordinate(x = x(P))] #[coordinate(y = y(P))]
             struct Block { m: f64, mu: f64, g: f64 }",
         ),
+        scene(
+            "free-crank",
+            "/// A crank that turns freely and moves a piston, seen from above.
+            #[derive(BarSystem)] #[bar(OA, mass = a, length = r)] #[bar(AB, mass = b, length = l)] #[mass(B, c)]
+            #[pin(O = (0, 0))] #[slider(B = horizontal(0))] #[figure(A = (0, r), B = (sqrt(l * l - r * r), 0))]
+            #[coordinate(phi = angle(OA))] #[coordinate(psi = angle(AB))]
+            struct FreeCrank { a: f64, b: f64, c: f64, r: f64, l: f64 }",
+        ),
         pulses("pulses-32", ".powi(32)"),
         pulses("pulses-512", ".powi(32).powi(16)"),
         pulses("pulses-8192", ".powi(64).powi(32).powi(4)"),

@@ -6,20 +6,32 @@ use core::f64::consts::FRAC_PI_2;
 
 use super::{run, run_unjudged};
 use liftoff_studio::RunSpec;
-use liftoff_studio::registry::MotionError;
+use liftoff_studio::registry::{MethodId, MotionError};
 use liftoff_verification::cases::event_summary::event_summary;
-use liftoff_verification::cases::{Case, expect};
+use liftoff_verification::cases::{Case, Effort, expect};
 
 /// Below this the doubles of the angles tell δ so badly that the judge's motion from them is
 /// another.
 const TOLD: f64 = 1e-10;
 
-pub(super) fn cases() -> impl Iterator<Item = Case> {
-    (1..=15).map(|k| case(&format!("1e-{k}")))
+pub(super) fn cases(_: MethodId, effort: Effort) -> Vec<Case> {
+    let far = (1..=15).map(|k| case(&format!("1e-{k}"), 0.5));
+    let shares = if effort == Effort::Full { &[0.05, 0.1, 0.25, 0.75, 0.9][..] } else { &[0.1, 0.75] };
+    let others = shares.iter().flat_map(|&share| ["1e-2", "1e-5", "1e-8"].map(|text| case(text, share)));
+    far.chain(others).collect()
 }
 
-fn case(text: &str) -> Case {
-    let (delta, lambda, g): (f64, f64, f64) = (text.parse().unwrap_or(f64::NAN), 0.5, 9.81);
+/// The feet lift off by the share of the outer bars: all at once where it is a quarter.
+fn order(lambda: f64) -> &'static str {
+    match lambda {
+        x if x < 0.25 => "open A, E; open C; close B, D",
+        0.25 => "open A, C, E; close B, D",
+        _ => "open C; open A, E; close B, D",
+    }
+}
+
+fn case(text: &str, lambda: f64) -> Case {
+    let (delta, g): (f64, f64) = (text.parse().unwrap_or(f64::NAN), 9.81);
     let phi = FRAC_PI_2 - delta;
     let foot = 0.5 * lambda * g * (1.0 + 2.5 / (1.0 + 6.0 * lambda));
     // Reactions are even in δ.
@@ -30,10 +42,10 @@ fn case(text: &str) -> Case {
         .tolerance(1e-9)
         .limit(60.0);
     Case::text_and_numbers(
-        format!("starts.upright={text}"),
-        format!("zigzag from rest at φ = π/2 − {text}, half of the mass outside"),
+        format!("dependent.δ={text} λ={lambda}"),
+        format!("zigzag from rest at φ = π/2 − {text}, {lambda} of the mass outside"),
         "closed form",
-        ("open C; open A, E; close B, D", expectations),
+        (order(lambda), expectations),
         move |by| {
             let record = match delta >= TOLD {
                 true => run("zigzag", by, &spec)?,
