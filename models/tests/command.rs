@@ -108,6 +108,18 @@ fn error_against_run_time_is_told_row_by_row() {
     }
 }
 
+/// The undamped spring of relative stiffness 1e10 from rest at 60° on the slow manifold.
+#[test]
+fn a_change_of_method_is_noted() {
+    let arguments = "run spring-pendulum --set k=1e10 --set c=0 --set g=1 --start x=0.866025403827739 --start y=0.500000000025 \
+                     --until t=1 --tol 1e-6 --json";
+    let told = json(&arguments.split_whitespace().collect::<Vec<_>>());
+    let notes = told["notes"].as_array().expect("a list");
+    let [note] = &notes[..] else { panic!("one note, not {notes:?}") };
+    let note = note.as_str().expect("a text");
+    assert!(note.ends_with("radau goes on: a stiff spring hardly oscillates"), "{note}");
+}
+
 /// Tests run what a user builds without `--release`.
 #[test]
 fn run_times_of_an_unoptimised_build_come_with_a_warning() {

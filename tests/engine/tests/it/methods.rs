@@ -114,7 +114,8 @@ fn auto_leaves_stiff_springs_that_hardly_oscillate_to_radau() {
         let error = (state[0].atan2(state[1]) - start).abs();
         assert!(error < 1e-5, "k = {k:e}: {error:e}");
         assert!(run.statistics().steps < 2500, "k = {k:e}: {:?}", run.statistics());
-        assert_eq!(changes(&run)[0], "radau", "k = {k:e}: {:?}", run.log());
+        let changes = changes(&run);
+        assert!(changes[0] == "radau" && changes.len() <= 3, "k = {k:e}: {:?}", run.log());
     }
 }
 

@@ -21,9 +21,14 @@ const SURE: u32 = 2;
 const HELD: f64 = 0.5;
 /// The implicit method is left where damping is so much less than what it is taken for.
 const GONE: f64 = 0.1;
-/// A step of Radau takes as long as some ten explicit ones: an oscillation is left to it where its
-/// steps are so much longer.
-const LONGER: f64 = 20.0;
+/// A step of Radau takes as long as some ten explicit ones: an oscillation is left to it as long as
+/// its steps are so much longer. One that has an amplitude makes them as short as explicit ones.
+const LONGER: f64 = 10.0;
+
+/// Explicit steps after which an oscillation that was not left to Radau is looked at again, and by
+/// how much rarer the next time: a motion that does not change settles on one method.
+const PAUSE: u32 = 16 * OFTEN;
+const RARER: u32 = 16;
 
 /// An integration by an explicit method or by Radau's.
 struct Watched<'a> {
@@ -39,8 +44,7 @@ struct Watched<'a> {
     sure: u32,
     /// What the implicit method is at work for.
     cause: Cause,
-    /// Explicit steps until an oscillation is left to Radau again, and how many the next time:
-    /// twice as many.
+    /// Explicit steps until an oscillation is left to Radau again, and how many the next time.
     pause: [u32; 2],
     switches: Switches,
 }
@@ -80,7 +84,7 @@ pub(super) fn watched<'a>(
         steps: 0,
         sure: 0,
         cause: Cause::Damping,
-        pause: [0, 16 * OFTEN],
+        pause: [0, PAUSE],
         switches: switches.clone(),
     });
     StartedStepper { choice, stepper, switches }
@@ -136,7 +140,7 @@ impl<'a> Watched<'a> {
             match self.cause {
                 Cause::Damping => "its damping is stiff no longer",
                 Cause::Oscillation(_) => {
-                    self.pause = [self.pause[1], self.pause[1].saturating_mul(2)];
+                    self.pause = [self.pause[1], self.pause[1].saturating_mul(RARER)];
                     "its stiff spring oscillates"
                 }
             }
