@@ -7,7 +7,7 @@ use liftoff::method::MethodId;
 /// How long the long cases run.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Effort {
-    /// As in the tables: a million periods.
+    /// As in the tables: a hundred thousand periods.
     Full,
     /// The same scenes, shortened so that an unoptimised program does them in seconds.
     Short,
