@@ -66,21 +66,18 @@ struct Timed {
 }
 
 impl Timed {
-    fn new(simulation: Simulation, method: impl Method) -> Self {
-        let (method, simulation) = (method.name(), simulation.method(method));
-        Self { method, tolerance: f64::NAN, simulation, times: Times::default(), last: None }
-    }
-
-    /// The same at each tolerance.
-    fn at(self, tolerances: &[f64]) -> impl Iterator<Item = Self> {
-        let Self { method, simulation, .. } = self;
-        tolerances.iter().map(move |&tolerance| Self {
-            method,
+    /// A method at each tolerance.
+    fn of_method(simulation: &Simulation, method: impl Method, tolerances: &[f64]) -> Vec<Self> {
+        let name = method.name();
+        let simulation = simulation.clone().method(method);
+        let one = |&tolerance: &f64| Self {
+            method: name,
             tolerance,
             simulation: simulation.clone().tolerance(tolerance),
             times: Times::default(),
             last: None,
-        })
+        };
+        tolerances.iter().map(one).collect()
     }
 }
 
@@ -169,8 +166,8 @@ impl Precision {
 
     /// Measures a method at each tolerance.
     pub fn measure(&self, method: impl Method, tolerances: &[f64]) -> Vec<Measurement> {
-        let simulation = Timed::new(self.simulation.clone(), method);
-        self.time(simulation.at(tolerances).collect(), &mut || ControlFlow::Continue(()))
+        let all = Timed::of_method(&self.simulation, method, tolerances);
+        self.time(all, &mut || ControlFlow::Continue(()))
     }
 
     /// Measures every method at every tolerance, until `go_on` breaks; that is asked before each in each of the [`ROUNDS`].
@@ -179,9 +176,8 @@ impl Precision {
         spec: &PrecisionSpec,
         go_on: &mut dyn FnMut() -> ControlFlow<()>,
     ) -> Vec<Measurement> {
-        let methods = spec.methods.iter().map(|&method| Timed::new(self.simulation.clone(), method));
-        let all: Vec<Vec<Timed>> = methods.map(|timed| timed.at(&spec.tolerances).collect()).collect();
-        self.time(all.into_iter().flatten().collect(), go_on)
+        let by = |&method| Timed::of_method(&self.simulation, method, &spec.tolerances);
+        self.time(spec.methods.iter().flat_map(by).collect(), go_on)
     }
 
     fn time(&self, mut all: Vec<Timed>, go_on: &mut dyn FnMut() -> ControlFlow<()>) -> Vec<Measurement> {
