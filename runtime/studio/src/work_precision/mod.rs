@@ -28,7 +28,7 @@ pub struct WorkPrecisionRow {
     pub tolerance: f64,
     /// Error of the final state; none where there is nothing to compare.
     pub state_error: Option<f64>,
-    /// Largest error of a state over the run, its end included.
+    /// Largest error of a state over the run, in the middles of 32 equal parts and at its end.
     pub run_error: Option<f64>,
     /// Largest error of an event's time.
     pub event_error: Option<f64>,
