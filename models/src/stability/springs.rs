@@ -75,7 +75,7 @@ fn period() -> f64 {
 }
 
 fn swings(bob: Bob, most: f64) -> Case {
-    let expectations = [bob.expectations(1e-5), vec![at_most("steps", most)]].concat();
+    let expectations = [bob.expectations(1e-7), vec![at_most("steps", most)]].concat();
     Case::numbers(format!("springs.{}", bob.name()), bob.scene(1e-6), SOURCE, expectations, move |by| {
         bob.swing(1e-6, by)
     })
