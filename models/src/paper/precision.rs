@@ -1,4 +1,5 @@
-//! Error against run time of every method on both systems of the paper, on a stiff spring, and on those of other tools' rows.
+//! Error against run time of every method on both systems of the paper, on a stiff spring, and on
+//! those of other tools' rows.
 
 use super::figure::CaptionedFigure;
 use super::{ReportError, falling_pair, stiff, strict};

@@ -1,6 +1,7 @@
-//! Two masses that hang from a soft spring and swing up and down, joined by a very stiff one without damping. With m = l = g = 1 and
-//! the soft stiffness 1 their deviations from rest obey z̈ = −K z, K = ((1 + k, −k), (−k, k)), of which the frequencies are
-//! ω² = ½ (1 + 2k + √(1 + 4k²)) and k/ω². What the doubles of the start have of the fast one is in the closed form.
+//! Two masses that hang from a soft spring and swing up and down, joined by a very stiff one
+//! without damping. With m = l = g = 1 and the soft stiffness 1 their deviations from rest obey
+//! z̈ = −K z, K = ((1 + k, −k), (−k, k)), of which the frequencies are ω² = ½ (1 + 2k + √(1 + 4k²))
+//! and k/ω². What the doubles of the start have of the fast one is in the closed form.
 
 use liftoff::scalar::{DoubleDouble, Real};
 use liftoff_studio::registry::{Entry, MethodId, MotionError, PrecisionSpec};

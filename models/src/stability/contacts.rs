@@ -1,8 +1,7 @@
 //! Stiff springs on one side, supports that bear more than they must, narrow loads, and very many
 //! impacts.
 
-use super::run;
-use super::scenes::{run_alone, run_scene};
+use super::{run, run_unjudged};
 use core::f64::consts::PI;
 use liftoff::prelude::*;
 use liftoff_studio::RunSpec;
@@ -25,7 +24,7 @@ pub(super) fn buffers(_: MethodId, _: Effort) -> Vec<Case> {
         let expectations = vec![expect("y", 1.0, 1e-8), expect("y'", 0.0, 1e-8)];
         let scene = format!("a mass falls onto a spring, k = {text} mg/h, to its highest place");
         Case::numbers(format!("buffers.k={text}"), scene, CLOSED, expectations, move |by| {
-            end(&run_scene("buffer", by, &spec)?, &["y", "y'"])
+            end(&run("buffer", by, &spec)?, &["y", "y'"])
         })
     };
     ["1", "1e3", "1e6", "1e9", "1e12"].map(case).into()
@@ -72,7 +71,8 @@ pub(super) fn loads(_: MethodId, _: Effort) -> Vec<Case> {
         let expectations = vec![expect("x' after ten", 10.0 * pulse, 1e-8)];
         let scene = format!("a mass under sinⁿ t, n = {n}, ten times");
         Case::numbers(format!("loads.n={n}"), scene, CLOSED, expectations, move |by| {
-            end(&run_alone(&format!("pulses-{n}"), by, &spec)?, &["x'"])
+            // The judge's own steps pass over narrow loads.
+            end(&run_unjudged(&format!("pulses-{n}"), by, &spec)?, &["x'"])
         })
     };
     [32, 512, 8192].map(case).into()

@@ -2,7 +2,6 @@
 //! paradox.
 
 use super::run;
-use super::scenes::run_scene;
 use core::f64::consts::PI;
 use liftoff_studio::RunSpec;
 use liftoff_studio::registry::MethodId;
@@ -28,7 +27,7 @@ fn brakes(text: &str) -> Case {
     let expectations = vec![expect("v lost", lost, 4.0 * f64::EPSILON), expect("x", way, 1e-11)];
     let scene = format!("block with v = 1 on a floor, friction {text}");
     Case::numbers(format!("friction.brakes μ={text}"), scene, CLOSED, expectations, move |by| {
-        let state = run_scene("block", by, &spec)?.final_state().to_vec();
+        let state = run("block", by, &spec)?.final_state().to_vec();
         Ok(vec![1.0 - state[2], state[0]])
     })
 }

@@ -26,7 +26,7 @@ mod zeno;
 use crate::models;
 use liftoff::Trajectory;
 use liftoff_studio::RunSpec;
-use liftoff_studio::registry::{MethodId, MotionError, RunOptions};
+use liftoff_studio::registry::{Entry, MethodId, MotionError, RunOptions};
 use liftoff_verification::cases::{Case, Effort, Group};
 
 const STIFF: &[MethodId] = &[MethodId::Radau, MethodId::Auto, MethodId::Dop853];
@@ -72,12 +72,17 @@ pub static GROUPS: [Group; 23] = [
     group("inputs", "No numbers", ONE, inputs::cases),
 ];
 
-/// Runs a model by a method, for a case that the judge follows.
+/// A scene of the suite, or a model.
+fn find(name: &str) -> Result<&'static Entry, MotionError> {
+    scenes::find(name).map_or_else(|| models().find(name), Ok)
+}
+
+/// Runs a scene or a model by a method, for a case that the judge follows.
 fn run(name: &str, by: MethodId, spec: &RunSpec) -> Result<Trajectory, MotionError> {
-    models().find(name)?.run_witnessed(by, spec)
+    find(name)?.run_witnessed(by, spec)
 }
 
 /// The same for a case that is beyond the judge, which would spend all it may before it says so.
 fn run_unjudged(name: &str, by: MethodId, spec: &RunSpec) -> Result<Trajectory, MotionError> {
-    models().find(name)?.run_by(RunOptions::by(by), spec)
+    find(name)?.run_by(RunOptions::by(by), spec)
 }

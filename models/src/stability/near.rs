@@ -1,9 +1,9 @@
-//! A slider–crank whose rod is hardly longer than its crank, l = r (1 + ε): at φ = π/2 it passes near the position in which both
-//! lie on each other and the piston is free to stay at O. sin ψ = −(r/l) sin φ, ψ̇ = −φ̇ r cos φ/(l cos ψ). Free, without gravity,
-//! T = ½ Θ(φ) φ̇² stays; driven, φ = t.
+//! A slider–crank whose rod is hardly longer than its crank, l = r (1 + ε): at φ = π/2 it passes
+//! near the position in which both lie on each other and the piston is free to stay at O.
+//! sin ψ = −(r/l) sin φ, ψ̇ = −φ̇ r cos φ/(l cos ψ). Free, without gravity, T = ½ Θ(φ) φ̇² stays;
+//! driven, φ = t.
 
 use super::run;
-use super::scenes::run_scene;
 use liftoff_studio::RunSpec;
 use liftoff_studio::registry::MethodId;
 use liftoff_verification::cases::event_summary::{drift, last};
@@ -59,7 +59,7 @@ fn free(text: &'static str) -> Case {
     ];
     let scene = format!("free slider–crank, l = r (1 + {text}), past the dead centre of both bars");
     Case::numbers(format!("near.ε={text}"), scene, "energy", expectations, move |by| {
-        let record = run_scene("free-crank", by, &spec)?;
+        let record = run("free-crank", by, &spec)?;
         let state = last(&record);
         Ok(vec![state[1], state[2], state[3], drift(&record, "E")?])
     })

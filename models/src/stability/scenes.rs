@@ -1,11 +1,10 @@
 //! Scenes that no model of the program shows, declared here.
 
 use liftoff_studio::RunSpec;
-use liftoff_studio::registry::{Entry, MethodId, MotionError};
+use liftoff_studio::registry::Entry;
 use liftoff_studio::source::embedded;
 use std::sync::LazyLock;
 
-/// A scene by its name.
 static SCENES: LazyLock<Vec<Entry>> = LazyLock::new(|| {
     let scene = |name, text| embedded(name, text, RunSpec::with(&[]));
     vec![
@@ -48,26 +47,7 @@ fn pulses(name: &'static str, power: &str) -> Entry {
     embedded(name, text.leak(), RunSpec::with(&[]))
 }
 
-/// Runs a scene by a method, for a case that the judge follows.
-pub(super) fn run_scene(
-    name: &str,
-    by: MethodId,
-    spec: &RunSpec,
-) -> Result<liftoff::Trajectory, MotionError> {
-    scene(name).run_witnessed(by, spec)
-}
-
-/// The same for a case that a closed form judges alone: the judge's own steps pass over narrow
-/// loads.
-pub(super) fn run_alone(
-    name: &str,
-    by: MethodId,
-    spec: &RunSpec,
-) -> Result<liftoff::Trajectory, MotionError> {
-    let run = scene(name).simulation(spec)?.method(by).run();
-    run.map_err(|error| MotionError::Input(error.to_string()))
-}
-
-fn scene(name: &str) -> &'static Entry {
-    SCENES.iter().find(|scene| scene.name() == name).expect("a scene of the list")
+/// A scene of the list.
+pub(super) fn find(name: &str) -> Option<&'static Entry> {
+    SCENES.iter().find(|scene| scene.name() == name)
 }

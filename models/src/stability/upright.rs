@@ -31,7 +31,8 @@ fn order(lambda: f64) -> &'static str {
 }
 
 fn case(text: &str, lambda: f64) -> Case {
-    let (delta, g): (f64, f64) = (text.parse().unwrap_or(f64::NAN), 9.81);
+    let g = 9.81;
+    let delta: f64 = text.parse().unwrap_or(f64::NAN);
     let phi = FRAC_PI_2 - delta;
     let foot = 0.5 * lambda * g * (1.0 + 2.5 / (1.0 + 6.0 * lambda));
     // Reactions are even in δ.

@@ -32,8 +32,8 @@ pub struct Replayed<S> {
     pub end: Vec<S>,
 }
 
-/// A run once more, from a start of as many entries as a full state has or fewer, with an error per step, relative; its states
-/// are wanted at these times, in order.
+/// A run once more, from a start of as many entries as a full state has or fewer, with an error per
+/// step, relative; its states are wanted at these times, in order.
 ///
 /// # Errors
 /// The motion cannot be computed once more.

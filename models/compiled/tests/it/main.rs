@@ -1,4 +1,5 @@
-//! What is emitted for every model against other forms of the same equations, compiled without optimisations.
+//! What is emitted for every model against other forms of the same equations, compiled without
+//! optimisations.
 
 #[macro_use]
 mod each;

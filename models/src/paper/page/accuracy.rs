@@ -57,9 +57,8 @@ impl Page<'_> {
                 count(row.evaluations),
                 count(row.jacobians),
                 row.microseconds,
-                row.median_microseconds.map_or_else(dash, |median| {
-                    format!("{median:.1}{}", if row.is_disturbed() { "*" } else { "" })
-                }),
+                row.median_microseconds
+                    .map_or_else(dash, |median| { format!("{median:.1}{}", row.mark_disturbed()) }),
                 error(row.run_error),
                 error(row.state_error),
                 error(row.event_error),

@@ -165,7 +165,7 @@ fn table(rows: &[WorkPrecisionRow]) -> String {
             count(row.evaluations),
             count(row.jacobians),
             row.microseconds,
-            if row.is_disturbed() { "*" } else { "" },
+            row.mark_disturbed(),
             row.reference.as_deref().unwrap_or(if row.is_not_judged() { "not judged" } else { "–" }),
             // What follows the first colon stands once, in JSON and CSV in every row.
             row.judge.as_ref().map_or("–", |judge| judge

@@ -33,8 +33,8 @@ pub enum LoggedDecision {
     /// A gap, a reaction or a condition turns too often to be followed, however short the step: it is taken for noise, and from
     /// here to the end of its phase may be met late.
     GuardUnresolved,
-    /// A contact has opened and strikes, its gap between zero but for what is not resolved: it may have come and gone since the
-    /// phase began.
+    /// A contact has opened and strikes, its gap between zero but for what is not resolved: it may
+    /// have come and gone since the phase began.
     LandingUnresolved {
         /// Label of the contact.
         contact: &'static str,

@@ -109,8 +109,8 @@ impl Comparison<'_> {
         Verdict::NotJudged { why: "the motion parts from its neighbours again and again".to_owned() }
     }
 
-    /// Whether the first event is the same, and no later or earlier than errors of the run's steps at the start make it; why
-    /// that is not known where the neighbour is not followed so far.
+    /// Whether the first event is the same, and no later or earlier than errors of the run's steps
+    /// at the start make it; why that is not known where the neighbour is not followed so far.
     fn is_sensitive(
         &self,
         (t, state): (f64, &[f64]),

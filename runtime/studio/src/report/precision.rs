@@ -48,7 +48,7 @@ fn table(rows: &[WorkPrecisionRow]) -> String {
             error(row.event_error),
             row.steps.unwrap_or_default(),
             row.microseconds,
-            if row.is_disturbed() { "*" } else { "" },
+            row.mark_disturbed(),
             row.reference.as_deref().unwrap_or(if row.is_not_judged() { "not judged" } else { "–" }),
             escaped(row.reason.as_deref().unwrap_or_default()),
         );

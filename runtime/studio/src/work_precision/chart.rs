@@ -1,5 +1,6 @@
 //! Error against run time and against evaluations, drawn: all axes logarithmic, panels for the
-//! states over the run, the final state and the events of each system, our methods solid and other tools dashed.
+//! states over the run, the final state and the events of each system, our methods solid and other
+//! tools dashed.
 
 use super::WorkPrecisionRow;
 use crate::plot::{Axis, Chart, Colour, Curve, Figure};

@@ -46,8 +46,8 @@ pub struct WorkPrecisionRow {
     pub median_microseconds: Option<f64>,
     /// Why there are no errors.
     pub reason: Option<String>,
-    /// Who computed what the errors refer to: the independent `judge`, or `replayed` by the run's own equations; none where
-    /// there is nothing to compare with.
+    /// Who computed what the errors refer to: the independent `judge`, a closed form, or `replayed`
+    /// by the run's own equations; none where there is nothing to compare with.
     pub reference: Option<String>,
     /// What an independent judge finds of the motion that the errors refer to.
     pub judge: Option<String>,
@@ -65,6 +65,11 @@ impl WorkPrecisionRow {
     /// Whether the machine did something else too while it was measured.
     pub fn is_disturbed(&self) -> bool {
         self.median_microseconds.is_some_and(|median| median > DISTURBED * self.microseconds)
+    }
+
+    /// The star behind its time where that is so, see [`DISTURBED_NOTE`].
+    pub fn mark_disturbed(&self) -> &'static str {
+        if self.is_disturbed() { "*" } else { "" }
     }
 
     /// Whether there is nothing to compare it with.

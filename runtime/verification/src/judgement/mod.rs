@@ -97,8 +97,8 @@ impl Testimony {
         }
     }
 
-    /// The judge's own motion from where the run began, and the names of its contacts: with the terms and samples of a task; of
-    /// the state only its kept entries count.
+    /// The judge's own motion from where the run began, and the names of its contacts: with the
+    /// terms and samples of a task; of the state only its kept entries count.
     pub(crate) fn followed(&self, task: Task) -> Result<(Motion, Vec<String>), String> {
         let judge = self.judge()?;
         let motion = judge.repeated(&self.record, Task { most_work: MOST_WORK, ..task });

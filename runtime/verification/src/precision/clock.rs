@@ -3,7 +3,8 @@
 use core::time::Duration;
 use std::time::Instant;
 
-/// Rounds in which everything is timed in turn, so that what else the machine does falls on all alike.
+/// Rounds in which everything is timed in turn, so that what else the machine does falls on all
+/// alike.
 pub const ROUNDS: u32 = 8;
 /// What has taken so many times the time asked for has no further round.
 const LONG: u32 = 10;

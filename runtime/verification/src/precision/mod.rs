@@ -1,8 +1,9 @@
 //! Error against run time: a simulation measured with every method and tolerance asked for.
 //!
-//! Errors are those of the states, at the end and over the run, and of the times of events against a [`Reference`], which no method measured has
-//! a part in. Run times are those of whole runs, start and decisions at contacts included, that record nothing but their
-//! events; what is built once for a simulation is not in them.
+//! Errors are those of the states, at the end and over the run, and of the times of events against
+//! a [`Reference`], which no method measured has a part in. Run times are those of whole runs,
+//! start and decisions at contacts included, that record nothing but their events; what is built
+//! once for a simulation is not in them.
 
 mod clock;
 mod spec;
@@ -170,7 +171,8 @@ impl Precision {
         self.time(all, &mut || ControlFlow::Continue(()))
     }
 
-    /// Measures every method at every tolerance, until `go_on` breaks; that is asked before each in each of the [`ROUNDS`].
+    /// Measures every method at every tolerance, until `go_on` breaks; that is asked before each in
+    /// each of the [`ROUNDS`].
     pub fn measure_all(
         &self,
         spec: &PrecisionSpec,

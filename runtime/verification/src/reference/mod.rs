@@ -82,6 +82,7 @@ pub struct Reference {
 }
 
 /// What is computed twice.
+#[derive(Clone)]
 struct Computed {
     events: Vec<ReferenceEvent>,
     samples: Vec<(f64, Vec<DoubleDouble>)>,
@@ -129,8 +130,8 @@ impl Reference {
         Self::replayed_with(run, system(run.parameters()))
     }
 
-    /// A closed form of the state, coordinates then rates, over a run that ends at a given time and has no event before: a motion
-    /// so stiff that nothing else follows it, for instance.
+    /// A closed form of the state, coordinates then rates, over a run that ends at a given time and
+    /// has no event before: a motion so stiff that nothing else follows it, for instance.
     ///
     /// # Errors
     /// The run has events on the way.
@@ -149,12 +150,12 @@ impl Reference {
             t: Some(DoubleDouble::from_f64(event.t)),
             summed: false,
         };
-        let compute = || Computed {
+        let known = Computed {
             events: run.events().iter().map(event).collect(),
             samples: samples(run).into_iter().map(|t| (t, state(t))).collect(),
             end: state(run.end_time()),
         };
-        Self::of_two(run, Source::ClosedForm, compute(), compute())
+        Self::of_two(run, Source::ClosedForm, known.clone(), known)
     }
 
     fn replayed_with(
@@ -262,9 +263,10 @@ impl Reference {
         self.deviation(&self.state, state)
     }
 
-    /// The largest error of a run's states at its end and, as its dense output has them, in the middles of 32 equal parts,
-    /// measured as that of the final state is; none if its events are others. A place between an event of the run and the
-    /// reference's counts as an error of that event's time.
+    /// The largest error of a run's states at its end and, as its dense output has them, in the
+    /// middles of 32 equal parts, measured as that of the final state is; none if its events are
+    /// others. A place between an event of the run and the reference's counts as an error of that
+    /// event's time.
     pub fn run_error(&self, run: &Trajectory) -> Option<f64> {
         let pairs = self.paired(run.events().iter())?;
         let is_between = |at: f64| pairs.iter().any(|(known, t)| (known.to_f64() - at) * (t - at) <= 0.0);

@@ -26,8 +26,9 @@ const SETTLED: [f64; 2] = [1e-14, 1e-7];
 /// The largest correction of positions by the projection, in natural units, of rates in those per R, relative to the kinetic
 /// energy too, and the largest gap.
 ///
-/// Rounding ε of the gaps turns rates at a distance x from the singular position by ε/x². A loop that does not close in the
-/// singular position turns back before it: its gap there is what it lacks.
+/// Rounding ε of the gaps turns rates at a distance x from the singular position by ε/x². A loop
+/// that does not close in the singular position turns back before it: its gap there is what it
+/// lacks.
 const POSITIONS: f64 = 1e-8;
 pub(crate) const RATES: f64 = 1e-6;
 const GAPS: f64 = 1e-12;
