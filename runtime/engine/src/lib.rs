@@ -77,7 +77,7 @@ mod audit;
 #[cfg(feature = "std")]
 mod contact;
 #[cfg(feature = "std")]
-mod decomposition;
+mod context;
 #[cfg(feature = "ensemble")]
 pub mod ensemble;
 #[cfg(feature = "std")]
@@ -91,30 +91,28 @@ mod integration;
 #[cfg(feature = "std")]
 mod modes;
 #[cfg(feature = "std")]
-mod scales;
+mod numerics;
 #[cfg(feature = "std")]
 mod simulation;
 #[cfg(feature = "std")]
 mod trajectory;
 
 #[cfg(feature = "std")]
-pub use assembly::Pose;
+pub use assembly::{Pose, StartError};
 #[cfg(feature = "std")]
 pub use audit::{Audit, Finding, Quantity};
 #[cfg(feature = "std")]
-pub use contact::{ContactError, impulse};
+pub use contact::ContactError;
 #[cfg(feature = "std")]
-pub use error::{ModelError, NameError, RunCause, RunError, ScheduleError, StartError, SupportError};
+pub use error::{ModelError, NameError, OutputError, ScheduleError, SupportError};
 #[cfg(feature = "std")]
 pub use event::{Event, EventKind, ImpactOrder, Note, PreImpact, Reaction};
 #[cfg(feature = "std")]
 pub use expression::contact_set;
 #[cfg(feature = "std")]
-pub use expression::{Condition, Formula, Output, OutputError};
+pub use expression::{Condition, Formula, Output};
 #[cfg(feature = "std")]
 pub use integration::method;
-#[cfg(feature = "std")]
-pub use integration::phase_handle::{PhaseHandle, Phases};
 #[cfg(feature = "std")]
 pub use liftoff_core::batch::{Batch, NoClosedForm, Side};
 #[cfg(feature = "std")]
@@ -158,13 +156,23 @@ pub use model::BarSystem;
 #[cfg(feature = "std")]
 pub use modes::{Change, Mode, Modes, Transition, modes};
 #[cfg(feature = "std")]
-pub use simulation::{Budget, Exhausted, Simulation};
+pub use simulation::phase_handle::{PhaseHandle, Phases};
+#[cfg(feature = "std")]
+pub use simulation::{Budget, Exhausted, RunCause, RunError, Simulation};
 #[cfg(feature = "std")]
 pub use trajectory::observe::{Observer, Step};
 #[cfg(feature = "std")]
 pub use trajectory::{
     AppliedImpulse, Extremum, Instant, LogEntry, LoggedDecision, Segment, Statistics, Trajectory,
 };
+
+/// Collisions in plain numbers: rows of a Jacobian, laws of restitution, the impulses that follow, and the path of a single
+/// contact with friction.
+#[cfg(feature = "std")]
+pub mod impulse {
+    pub use crate::contact::impulse::*;
+    pub use crate::contact::{Path, Striker, Vertex};
+}
 
 /// What a program needs to declare, run and read a simulation.
 pub mod prelude {

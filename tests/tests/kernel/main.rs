@@ -150,12 +150,14 @@ macro_rules! impacts {
 }
 
 impacts! {
-    random_impacts_0_to_249: 0..250, Vocabulary::ALL, [2000, 200, 50];
+    random_impacts_0_to_99: 0..100, Vocabulary::ALL, [800, 80, 20];
+    #[ignore = "`.ci/long promises derivations` tries it"]
+    random_impacts_100_to_249: 100..250, Vocabulary::ALL, [1200, 120, 30];
     #[ignore = "`.ci/long promises derivations` tries it"]
     random_impacts_250_to_499: 250..500, Vocabulary::ALL, [2000, 200, 50];
     #[ignore = "`.ci/long promises derivations` tries it"]
     random_impacts_500_to_999: 500..1000, Vocabulary::ALL, [4000, 400, 100];
-    rough_impacts_1000_to_1199: 1000..1200, ROUGH, [900, 550, 55];
+    rough_impacts_1000_to_1079: 1000..1080, ROUGH, [360, 220, 22];
     #[ignore = "`.ci/long promises derivations` tries it"]
     rough_impacts_1000_to_1399: 1000..1400, ROUGH, [1500, 1200, 100];
 }

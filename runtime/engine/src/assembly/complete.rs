@@ -9,10 +9,11 @@ use nalgebra::{DMatrix, DVector};
 use super::fold::settle_on_fold;
 use super::path::{Path, steps};
 use super::problem::AssemblyProblem;
-use super::{CLOSED, largest, touches, worst};
-use crate::decomposition::svd;
-use crate::error::StartError;
+use super::{largest, touches, worst};
+use crate::assembly::StartError;
+use crate::context::CLOSED;
 use crate::model::ContactSet;
+use crate::numerics::decomposition::svd;
 
 /// Contacts of the nominal figure touch within this, relative to the natural length.
 const NOMINAL: f64 = 1e-9;

@@ -4,12 +4,14 @@
 
 use nalgebra::DMatrix;
 
-use super::{CLOSED, Start};
-use crate::decomposition::symmetric_eigen;
-use crate::error::StartError;
+use super::Start;
+use crate::assembly::StartError;
+use crate::context::CLOSED;
+use crate::context::RunContext;
 use crate::integration::chart;
-use crate::integration::phase_point::{RunContext, coordinate_of};
+use crate::integration::phase_point::coordinate_of;
 use crate::model::{Energy, Form};
+use crate::numerics::decomposition::symmetric_eigen;
 use crate::system::Phase;
 
 /// `start` with the rates that its phase has on the energy level of `level`.

@@ -8,7 +8,7 @@
 use nalgebra::DMatrix;
 
 use super::problem::AssemblyProblem;
-use crate::decomposition::{singular_values, svd};
+use crate::numerics::decomposition::{singular_values, svd};
 
 /// A singular value below this is that of a fold nearby, in natural units.
 const FLAT: f64 = 1e-6;

@@ -2,6 +2,7 @@
 
 mod complete;
 mod energy;
+mod error;
 mod fold;
 mod path;
 mod pose;
@@ -10,20 +11,17 @@ mod rates;
 mod settle;
 
 pub(crate) use energy::on_energy_of;
+pub use error::StartError;
 pub use pose::Pose;
 
-use crate::error::StartError;
+use crate::context::{CLOSED, RunContext};
+use crate::expression::Switches;
 use crate::integration::chart;
-use crate::integration::phase_point::RunContext;
 use crate::model::ContactSet;
 use crate::system::Equations;
 use pose::Given;
 use problem::AssemblyProblem;
 use settle::settled;
-
-/// A gap below this, relative to the natural length, is closed; a rate likewise, relative to the natural speed.
-/// Poses are typed in or printed with ten digits.
-pub(crate) const CLOSED: f64 = 1e-10;
 
 /// How deep contacts may be penetrated at a start, in natural lengths: ten local errors, as deep as events leave them, so that a
 /// motion can be continued from its states. A contact that is penetrated counts as closed. Onto it the pose moves by as much, and
@@ -55,21 +53,26 @@ pub(crate) struct Start {
 }
 
 /// The full state that `pose` asks for at a time; what it leaves open follows from the contacts of the nominal figure.
-pub(crate) fn start(context: &RunContext, pose: &Pose, tolerance: f64, t: f64) -> Result<Start, StartError> {
+pub(crate) fn start(
+    (context, switches): (&RunContext, &Switches),
+    pose: &Pose,
+    tolerance: f64,
+    t: f64,
+) -> Result<Start, StartError> {
     let given = pose.resolve(&context.model)?;
     refuse_lost_units(context)?;
-    if let Some(state) = unbound(context, &given, t) {
+    if let Some(state) = unbound((context, switches), &given, t) {
         return Ok(Start { state, touching: ContactSet::EMPTY, depth: 0.0 });
     }
     let rates = given.rates.iter().map(|rate| rate.unwrap_or(0.0)).collect();
-    let assembly = AssemblyProblem::new(context, deepest(tolerance), rates, t);
+    let assembly = AssemblyProblem::new((context, switches), deepest(tolerance), rates, t);
     let (positions, closed) = complete::positions(&assembly, &given.positions)?;
     let depth = assembly.depth(&positions, closed);
     let moving = |positions: &[f64]| -> Result<_, StartError> {
         let (rates, touching) = rates::rates(&assembly, positions, closed, &given.rates)?;
         let mut state = context.layout().state_at(&[positions, &rates[..]].concat(), t);
-        context.set_switches(&mut state, t);
-        let touching = touching.difference(context.disarmed(&state, t));
+        switches.set(context, &mut state, t);
+        let touching = touching.difference(switches.disarmed(context, &state, t));
         Ok((state, touching))
     };
     let (state, touching) = moving(&positions)?;
@@ -83,7 +86,7 @@ pub(crate) fn start(context: &RunContext, pose: &Pose, tolerance: f64, t: f64) -
 }
 
 /// The state of a model that has neither contacts nor joints, where all rates or none are given: it is as it was asked for.
-fn unbound(context: &RunContext, given: &Given, t: f64) -> Option<Vec<f64>> {
+fn unbound((context, switches): (&RunContext, &Switches), given: &Given, t: f64) -> Option<Vec<f64>> {
     let (layout, nominal) = (context.layout(), &context.model.nominal);
     let any = given.rates.iter().any(Option::is_some);
     if layout.rows() > 0 || any && !given.rates.iter().all(Option::is_some) {
@@ -92,7 +95,7 @@ fn unbound(context: &RunContext, given: &Given, t: f64) -> Option<Vec<f64>> {
     let positions = given.positions.iter().zip(nominal).map(|(given, nominal)| given.unwrap_or(*nominal));
     let values: Vec<f64> = positions.chain(given.rates.iter().map(|rate| rate.unwrap_or(0.0))).collect();
     let mut state = layout.state_at(&values, t);
-    context.set_switches(&mut state, t);
+    switches.set(context, &mut state, t);
     Some(state)
 }
 

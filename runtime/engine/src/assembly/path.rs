@@ -11,9 +11,9 @@
 
 use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
-use super::CLOSED;
 use super::problem::AssemblyProblem;
-use crate::decomposition::svd;
+use crate::context::CLOSED;
+use crate::numerics::decomposition::svd;
 
 /// The longest step of a given coordinate, 11° or a fifth of the natural length, and of one left open: a length may go farther
 /// where the path is straight, as along a slope.

@@ -1,9 +1,9 @@
 //! A pose as the user gives it: some coordinates, some rates.
 
-use super::CLOSED;
+use crate::assembly::StartError;
+use crate::context::CLOSED;
+use crate::context::RunContext;
 use crate::error::NameError;
-use crate::error::StartError;
-use crate::integration::phase_point::RunContext;
 use crate::model::names::CoordinateName;
 use crate::model::{DependentAngle, Layout, Term};
 use crate::system::Model;

@@ -3,9 +3,9 @@
 use core::cell::RefCell;
 use std::rc::Rc;
 
-use super::CLOSED;
-use crate::error::StartError;
-use crate::integration::phase_point::RunContext;
+use super::StartError;
+use crate::context::{CLOSED, RunContext};
+use crate::expression::Switches;
 use crate::model::{ContactKind, ContactSet, Layout};
 use crate::system::Equations;
 
@@ -15,6 +15,7 @@ const ROUNDED: f64 = 16.0 * f64::EPSILON;
 /// A model with its nominal figure.
 pub(super) struct AssemblyProblem<'a> {
     pub(super) context: &'a RunContext,
+    switches: &'a Switches,
     /// How deep contacts may be penetrated, in natural lengths.
     pub(super) deepest: f64,
     /// The rates that are given, zero where none is.
@@ -32,8 +33,13 @@ struct Known {
 
 impl<'a> AssemblyProblem<'a> {
     /// With so deep penetrations in natural lengths, these rates, and this time.
-    pub(super) fn new(context: &'a RunContext, deepest: f64, rates: Vec<f64>, t: f64) -> Self {
-        Self { context, deepest, rates, t, last: RefCell::new(None) }
+    pub(super) fn new(
+        (context, switches): (&'a RunContext, &'a Switches),
+        deepest: f64,
+        rates: Vec<f64>,
+        t: f64,
+    ) -> Self {
+        Self { context, switches, deepest, rates, t, last: RefCell::new(None) }
     }
 
     pub(super) fn layout(&self) -> &'static Layout {
@@ -125,7 +131,7 @@ impl<'a> AssemblyProblem<'a> {
         };
         let off: ContactSet = (0..self.layout().contacts.len()).filter(off).collect();
         let state = self.layout().state_at(&[positions, &self.rates[..]].concat(), self.t);
-        off.union(self.context.disarmed(&state, self.t))
+        off.union(self.switches.disarmed(self.context, &state, self.t))
     }
 
     /// How deep the one-sided contacts of a set are penetrated, m, ≥ 0.

@@ -5,11 +5,12 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::problem::AssemblyProblem;
-use super::{CLOSED, largest, worst};
-use crate::decomposition::svd;
-use crate::error::StartError;
+use super::{largest, worst};
+use crate::assembly::StartError;
+use crate::context::CLOSED;
+use crate::context::Scales;
 use crate::model::ContactSet;
-use crate::scales::Scales;
+use crate::numerics::decomposition::svd;
 use crate::system::Equations;
 
 /// Rows of J below this, in natural units, are those of a singular position: at a fold the gap is quadratic in the position, so

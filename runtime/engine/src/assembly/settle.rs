@@ -9,12 +9,12 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::CLOSED;
 use super::pose::Given;
-use crate::decomposition::svd;
+use crate::context::CLOSED;
+use crate::context::{Numbers, RunContext};
 use crate::integration::chart;
-use crate::integration::phase_point::{Numbers, RunContext};
 use crate::model::{ContactSet, Form};
+use crate::numerics::decomposition::svd;
 use crate::system::Phase;
 use smallvec::smallvec;
 

@@ -8,8 +8,8 @@
 //! of the equations a step, however much the power changes within it. What a projection changes at the end of a step is no work.
 //! A stiff f makes of the error of a state a defect that is too large for that.
 
+use crate::context::{Numbers, RunContext};
 use crate::integrate::DenseOutput;
-use crate::integration::phase_point::{Numbers, RunContext};
 use crate::system::Phase;
 use smallvec::smallvec;
 

@@ -2,9 +2,9 @@
 
 use core::fmt;
 
+use crate::context::Scales;
 use crate::integration::singular::ACROSS;
 use crate::model::Energy;
-use crate::scales::Scales;
 use crate::trajectory::{LogEntry, LoggedDecision};
 
 /// Energies and speeds below this part of natural ones are those of bodies at rest: their rounding is not theirs.

@@ -13,7 +13,6 @@ mod defect;
 mod finding;
 mod phase;
 mod place;
-mod power;
 #[cfg(test)]
 mod tests;
 
@@ -24,13 +23,12 @@ pub(crate) use finding::{Bounds, gain};
 pub use finding::{Finding, Quantity};
 pub(crate) use phase::energy_finding;
 pub(crate) use place::Place;
-pub(crate) use power::{Work, at_rest, of_friction};
 
+use crate::context::RunContext;
 use crate::event::{Event, Note};
 use crate::integration::chart;
-use crate::integration::phase_point::RunContext;
-use crate::integration::phase_run::RecordedPhase;
 use crate::model::ContactSet;
+use crate::trajectory::RecordedPhase;
 use crate::trajectory::{LoggedDecision, Trajectory};
 
 /// What was found in a motion: of each quantity the worst value relative to its bound.

@@ -2,14 +2,15 @@
 
 use super::finding::largest;
 use super::place::worst;
-use super::power::{self, Work};
 use super::{Audit, Bounds, Finding, Place, Quantity};
+use crate::context::RunContext;
 use crate::event::detection::Guard;
 use crate::expression::Variable;
-use crate::integration::phase_point::{PhasePoint, RunContext};
-use crate::integration::phase_run::RecordedPhase;
+use crate::integration::phase_point::PhasePoint;
 use crate::model::{ContactSet, Energy};
+use crate::trajectory::RecordedPhase;
 use crate::trajectory::{LoggedDecision, Trajectory};
+use crate::trajectory::{Work, blur};
 
 /// Roundings of the terms of the equations in a step.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
@@ -138,7 +139,7 @@ impl Trajectory {
             }
             let length = step[1] - step[0];
             let [of_power, of_position] = self.rounding(&point, length);
-            rounding += of_power + power::blur(context, &point, length);
+            rounding += of_power + blur(context, &point, length);
             lost = of_position.max(lost);
             work.note(&now);
             let finding = energy_finding(context, step[1], [&start, &now], (&work, &bounds));

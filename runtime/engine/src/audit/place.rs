@@ -2,8 +2,8 @@
 
 use super::finding::SMALL;
 use super::{Bounds, Finding, Quantity};
+use crate::context::{Numbers, ROUNDINGS, RunContext};
 use crate::integration::chart::nan_max;
-use crate::integration::phase_point::{Numbers, ROUNDINGS, RunContext};
 use crate::model::ContactSet;
 use smallvec::smallvec;
 

@@ -4,14 +4,15 @@ use std::sync::Arc;
 
 use liftoff_fixtures::Particle;
 
-use super::{Audit, Bounds, Quantity, Work};
+use super::{Audit, Bounds, Quantity};
+use crate::context::RunContext;
+use crate::context::scales_of;
 use crate::event::Note;
-use crate::event::root_isolation::NODES;
-use crate::integration::phase_point::RunContext;
 use crate::method::MethodId;
+use crate::numerics::root_isolation::NODES;
 use crate::prelude::*;
-use crate::scales::scales_of;
 use crate::system::Model;
+use crate::trajectory::Work;
 
 /// A bar that a constant couple turns.
 #[derive(BarSystem)]
@@ -162,7 +163,7 @@ fn another_gravity_is_an_energy_that_changes() {
 fn work_follows_from_the_values_at_the_nodes_of_guards() {
     let model = Model::from(&Particle { m: 1.0, g: 1.0, e: 0.5 });
     let scales = scales_of(&model).unwrap();
-    let context = RunContext { model, scales, switches: Vec::new(), signals: Vec::new() };
+    let context = RunContext { model, scales };
     let mut work = Work::default();
     assert!(work.add_sampled(&context, &NODES.map(|theta| -(0.5 * theta).exp()), 3.0));
     let expected = -6.0 * (0.5_f64.exp() - 1.0);

@@ -3,9 +3,8 @@
 use liftoff_core::kernel::lever;
 use nalgebra::DMatrix;
 
-use super::equilibrated_kkt::parts;
-use crate::decomposition::svd;
 use crate::model::{ContactSet, Friction, Layout};
+use crate::numerics::decomposition::{parts, svd};
 use crate::system::System;
 
 /// A singular value below this part of the largest is zero.

@@ -13,7 +13,7 @@ use nalgebra::DVector;
 
 use super::equilibrated_kkt::{EquilibratedKkt, TrialSolution};
 use super::least_constraint::LeastConstraint;
-use super::trials::Trials;
+use super::trials::{LcpError, Trials};
 
 /// Up to this many candidates all sets may be tried.
 const EXHAUSTIVE: usize = 14;
@@ -36,16 +36,6 @@ pub(crate) struct Solution {
     pub(super) tight: Vec<usize>,
     /// Whether λ is the only one.
     pub(crate) unique: bool,
-}
-
-/// Why there is no solution.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum LcpError {
-    Jammed,
-    Singular,
-    NotFinite,
-    /// Too many sets would have to be tried.
-    Exhausted,
 }
 
 /// Which rows may be closed.

@@ -5,10 +5,10 @@
 use nalgebra::{DMatrix, DVector, Dyn, FullPivLU, SVD};
 
 use super::closed_rows::{ClosedRows, levers};
-use super::complementarity::LcpError;
 use super::least_constraint::LeastConstraint;
-use crate::decomposition;
+use super::trials::LcpError;
 use crate::model::Layout;
+use crate::numerics::decomposition::{self, parts};
 
 /// Rounding allowed in reactions and openings of the balanced problem, relative to its right-hand side: the unit
 /// roundoff and a condition number of some thousands.
@@ -285,27 +285,6 @@ fn balance(mass: &DMatrix<f64>, jacobian: &DMatrix<f64>) -> DVector<f64> {
 
 fn reciprocal(x: f64) -> f64 {
     if x > 0.0 { 1.0 / x } else { 1.0 }
-}
-
-/// The connected parts of a matrix, numbered from zero.
-pub(super) fn parts(matrix: &DMatrix<f64>) -> Vec<usize> {
-    let size = matrix.nrows();
-    let mut part = vec![usize::MAX; size];
-    let mut count = 0;
-    for first in 0..size {
-        if part[first] < count {
-            continue;
-        }
-        let mut next = vec![first];
-        while let Some(i) = next.pop() {
-            if part[i] == usize::MAX {
-                part[i] = count;
-                next.extend((0..size).filter(|&j| matrix[(i, j)] != 0.0 && part[j] == usize::MAX));
-            }
-        }
-        count += 1;
-    }
-    part
 }
 
 /// For each entry the largest value of its part.

@@ -37,9 +37,10 @@
 
 use nalgebra::DVector;
 
-use super::complementarity::{LcpError, LcpRows, Solution};
+use super::complementarity::{LcpRows, Solution};
 use super::equilibrated_kkt::EquilibratedKkt;
 use super::impulse::{Collision, CollisionError, Method, Outcome, Row};
+use super::trials::LcpError;
 use super::trials::Trials;
 use crate::model::Law;
 

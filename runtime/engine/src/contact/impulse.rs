@@ -7,7 +7,6 @@
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
 
-pub use super::friction::impact::path::{Path, Striker, Vertex};
 use crate::model::Law;
 
 /// What a row of the Jacobian is during the collision.

@@ -13,7 +13,7 @@
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use super::active_rows::ActiveRows;
-use super::complementarity::LcpError;
+use super::trials::LcpError;
 
 /// Inertia given to motions without any, in units of the others: a light body stands for a massless one. Which contacts bear
 /// then is checked with the equations themselves.

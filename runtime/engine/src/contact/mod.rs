@@ -25,6 +25,7 @@ mod tests;
 mod trials;
 
 pub(crate) use degenerate::{Alternatives, ContactProblem, ContactSolution, decide};
+pub use friction::impact::path::{Path, Striker, Vertex};
 pub(crate) use shares::shortest_reactions;
 pub(crate) use single_impact::Struck;
 pub(crate) use singular::{are_determined, refuse_singular, singular};

@@ -5,14 +5,16 @@
 //! g̈ = 0, that is the one. A smooth contact i with λᵢ = 0 in it is decided by the next order, 0 ≤ g⃛ᵢ ⟂ λ̇ᵢ ≥ 0: it opens if
 //! λ̇ᵢ < 0 while it is closed.
 
+pub(crate) mod slider;
+
 use super::{ContactProblem, ContactSolution};
-use crate::integration::phase_point::{Numbers, RunContext, reactions_of};
+use crate::context::{Numbers, RunContext, reactions_of};
 use crate::model::ContactSet;
 use crate::system::Phase;
 use smallvec::smallvec;
 
 /// A reaction, or its change in one natural time, is clearly nonzero above this fraction of the natural force.
-pub(super) const CLEAR: f64 = 1e-6;
+const CLEAR: f64 = 1e-6;
 /// A reaction of a closed form is rounding below this fraction of the natural force.
 const ROUNDING: f64 = 1e-12;
 /// Half the span of the central difference for the rate of a reaction, in natural times; its relative error is the square of

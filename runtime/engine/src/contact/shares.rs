@@ -14,10 +14,10 @@ use nalgebra::{DMatrix, DVector};
 use super::closed_rows::ClosedRows;
 use super::complementarity::Solution;
 use super::equilibrated_kkt::EquilibratedKkt;
-use crate::decomposition::svd;
-use crate::integration::phase_point::Numbers;
+use crate::context::Numbers;
+use crate::context::slips;
 use crate::model::{ContactSet, Side, Slip};
-use crate::scales::slips;
+use crate::numerics::decomposition::svd;
 use crate::system::System;
 
 /// Newton steps at most.

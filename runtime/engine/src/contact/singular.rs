@@ -2,9 +2,9 @@
 
 use nalgebra::{Cholesky, DMatrix};
 
-use super::degenerate::Ladder;
 use super::equations::Equations;
-use super::{ContactError, ContactProblem, labels};
+use super::equilibrated_kkt::EquilibratedKkt;
+use super::{ContactError, labels};
 use crate::model::{ContactSet, MeasureKind};
 use crate::system::{Model, System};
 
@@ -48,9 +48,12 @@ pub(crate) fn are_determined(system: &dyn System, state: &[f64]) -> bool {
 
 /// The coordinates whose accelerations are all but undetermined with these contacts closed.
 fn undetermined(model: &Model, equations: &Equations, closed: ContactSet) -> Vec<usize> {
-    let (layout, held) = (model.layout(), ContactProblem { held: closed, ..ContactProblem::default() });
+    let layout = model.layout();
     let rows: Vec<usize> = (0..layout.rows()).filter(|&row| layout.is_closed(row, &closed)).collect();
-    Ladder::new(layout, &held).problem(equations, 0).undetermined(&rows)
+    let (force, bias) = (&equations.force[0], &equations.bias[0]);
+    let (mass, jacobian) = (&equations.mass[0], &equations.jacobian[0]);
+    let kkt = EquilibratedKkt::new(mass, jacobian, (force, bias), (&force.abs(), &bias.abs()));
+    kkt.of(layout).undetermined(&rows)
 }
 
 #[cfg(test)]

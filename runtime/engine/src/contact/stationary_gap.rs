@@ -19,9 +19,9 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::ContactProblem;
-use crate::decomposition;
-use crate::integration::phase_point::RunContext;
+use crate::context::RunContext;
 use crate::model::ContactSet;
+use crate::numerics::decomposition;
 use crate::scalar::Jet;
 use crate::system::{Equations, TIME_ORDERS, TimeSeries};
 

@@ -15,8 +15,9 @@ pub(super) mod shared;
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 
-use super::complementarity::{LcpError, LcpRows, Solution};
+use super::complementarity::{LcpRows, Solution};
 use super::equilibrated_kkt::EquilibratedKkt;
+use super::trials::LcpError;
 use super::{ContactProblem, ContactSolution, decide};
 use crate::model::ContactSet;
 use crate::system::Model;

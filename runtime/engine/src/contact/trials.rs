@@ -1,8 +1,16 @@
-//! How many sets of contacts one decision may try.
+//! How many sets of contacts one decision may try, and why a problem has no solution.
 
 use std::cell::Cell;
 
-use super::complementarity::LcpError;
+/// Why there is no solution.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum LcpError {
+    Jammed,
+    Singular,
+    NotFinite,
+    /// Too many sets would have to be tried.
+    Exhausted,
+}
 
 /// Sets of contacts that are left to be tried in one decision.
 #[derive(Debug)]

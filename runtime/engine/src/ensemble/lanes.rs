@@ -1,17 +1,19 @@
 //! Members side by side.
 
 use super::{Member, MemberError};
-use crate::audit::{Bounds, Work, energy_finding};
-use crate::error::{RunCause, StartError};
+use crate::assembly::StartError;
+use crate::audit::{Bounds, energy_finding};
 use crate::expression::Output;
 use crate::integrate::StepError;
 use crate::integration::equilibrium::is_equilibrium;
 use crate::integration::phase_point::PhasePoint;
-use crate::integration::phase_run::absolute_tolerance;
 use crate::model::{ContactSet, Energy, Form, Layout};
 use crate::scalar::LANES;
+use crate::simulation::RunCause;
+use crate::simulation::phase_run::absolute_tolerance;
 use crate::simulation::{Budget, Simulation};
 use crate::system::{LaneConstructor, LaneEnd, LaneGroup, LaneStart};
+use crate::trajectory::Work;
 
 /// A guess at the first step, in natural times.
 const FIRST: f64 = 0.1;

@@ -1,8 +1,11 @@
 //! Results of a member.
 
-use crate::error::{ModelError, RunCause, ScheduleError, StartError, SupportError};
+use crate::assembly::StartError;
+use crate::error::OutputError;
+use crate::error::{ModelError, ScheduleError, SupportError};
 use crate::event::{Event, EventKind};
-use crate::expression::{Output, OutputError};
+use crate::expression::Output;
+use crate::simulation::RunCause;
 use crate::simulation::Simulation;
 
 /// The result of a member.

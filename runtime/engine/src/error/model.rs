@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use crate::expression::OutputError;
+use super::OutputError;
 
 /// Parameters that describe no mechanical system.
 #[derive(Debug, Clone, PartialEq, Error)]

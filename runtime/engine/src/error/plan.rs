@@ -2,8 +2,7 @@
 
 use thiserror::Error;
 
-use super::NameError;
-use crate::expression::OutputError;
+use super::{NameError, OutputError};
 
 /// An unknown support to hold or release, or an invalid time of its release.
 #[derive(Debug, Clone, PartialEq, Error)]

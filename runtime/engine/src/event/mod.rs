@@ -4,7 +4,6 @@ pub(crate) mod detection;
 mod filter;
 mod note;
 mod occurrence;
-pub mod root_isolation;
 
 pub use detection::{Guard, Rub};
 pub use filter::EventFilter;

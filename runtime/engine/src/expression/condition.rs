@@ -4,11 +4,13 @@ use core::fmt;
 use std::sync::Arc;
 
 use super::environment::{self, Environment};
+use super::evaluate;
 use super::parse::Parser;
 use super::resolve::Vocabulary;
 use super::tree::Expression;
-use super::{OutputError, evaluate};
-use crate::integration::phase_point::{PhasePoint, RunContext};
+use crate::context::RunContext;
+use crate::error::OutputError;
+use crate::integration::phase_point::PhasePoint;
 use crate::model::Layout;
 
 /// Of the size of two sides, what they may differ by where they are equal.

@@ -112,34 +112,3 @@ fn operand<E: Environment>(expression: &Expression, environment: &E) -> Result<E
         Expression::Join(..) => of(expression),
     }
 }
-
-/// Parameters, and nothing that moves.
-pub(super) struct Parameters<'a>(pub(super) &'a [f64]);
-
-/// Something moves, or there are too few parameters.
-#[derive(Debug)]
-pub(super) struct NotConstant;
-
-impl Environment for Parameters<'_> {
-    type Value = f64;
-    type Error = NotConstant;
-
-    fn number(&self, x: f64) -> f64 {
-        x
-    }
-
-    fn read(&self, variable: Variable) -> Result<f64, NotConstant> {
-        match variable {
-            Variable::Parameter(i) => self.0.get(i).copied().ok_or(NotConstant),
-            _ => Err(NotConstant),
-        }
-    }
-
-    fn apply(&self, function: Function, x: f64) -> Result<f64, NotConstant> {
-        Ok(function.of(x))
-    }
-
-    fn join(&self, operator: Operator, a: f64, b: f64) -> Result<f64, NotConstant> {
-        Ok(operator.of(a, b))
-    }
-}

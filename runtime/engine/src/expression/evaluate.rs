@@ -5,8 +5,9 @@ use core::convert::Infallible;
 
 use super::environment::{self, Environment, Variable};
 use super::tree::{Expression, Function, Operator};
-use crate::integration::phase_point::{PhasePoint, RunContext};
-use crate::scales::slips;
+use crate::context::RunContext;
+use crate::context::slips;
+use crate::integration::phase_point::PhasePoint;
 use crate::system::{TIME_ORDERS, TimeSeries};
 
 pub(super) fn evaluate(expression: &Expression, context: &RunContext, at: &PhasePoint) -> f64 {

@@ -2,10 +2,10 @@
 
 use core::fmt;
 
-use super::OutputError;
 use super::parse::{Parser, check_length};
 use super::resolve::Vocabulary;
 use super::tree::Expression;
+use crate::error::OutputError;
 
 /// A number that depends on variables, in the language of [`Output`](super::Output): numbers, `+ - * / ^`, parentheses,
 /// `sqrt sin cos tan abs`, `pi`, and the variables' names.

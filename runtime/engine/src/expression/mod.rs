@@ -1,6 +1,7 @@
 //! Quantities of a motion as text: `y(D)`, `phi'`, `N(A, C, E) / (m * g)`, and conditions on them.
 
 mod condition;
+mod constant;
 mod enclosure;
 mod environment;
 mod evaluate;
@@ -12,6 +13,7 @@ mod rounding;
 mod series;
 pub mod si_unit;
 mod significant;
+mod switch;
 #[cfg(test)]
 mod tests;
 mod token;
@@ -26,23 +28,18 @@ pub(crate) use interval::Interval;
 pub use resolve::{contact_of, contact_set, unknown_support};
 pub(crate) use series::{Known, Sides};
 pub use significant::{significant, superscript, unrounded};
+pub(crate) use switch::{Switch, Switched, Switches};
 pub use tree::{Function, Operator};
 
 use core::fmt;
 
-use thiserror::Error;
-
-use crate::error::NameError;
-use crate::integration::phase_point::{PhasePoint, RunContext};
+use crate::context::RunContext;
+use crate::error::OutputError;
+use crate::integration::phase_point::PhasePoint;
 use crate::model::Layout;
 use parse::Parser;
 use resolve::Vocabulary;
 use tree::Expression;
-
-/// Characters of an expression.
-const LONGEST: usize = 10_000;
-/// Operators of an expression, which bound how deep its tree is.
-const MOST_OPERATORS: usize = 1000;
 
 /// A quantity of a motion.
 ///
@@ -90,88 +87,4 @@ impl fmt::Display for Output {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.text)
     }
-}
-
-/// Text that is no expression of the model.
-#[derive(Debug, Clone, PartialEq, Error)]
-pub enum OutputError {
-    /// A character or word in the wrong place.
-    #[error("expected {expected}, found {found} at column {column}")]
-    Unexpected {
-        /// What could have stood there.
-        expected: &'static str,
-        /// What does.
-        found: String,
-        /// Where, counted from 1.
-        column: usize,
-    },
-    /// An unknown name.
-    #[error(transparent)]
-    Name(#[from] NameError),
-    /// What books call a centre of mass, which no point of the model is called.
-    #[error(
-        "no name `{name}`: write `x(A)` for the x of point A; a centre of mass is a point if the declaration says so, `#[point(G = AB, at = l / 2)]`"
-    )]
-    Centre {
-        /// What was asked for.
-        name: String,
-    },
-    /// The share of one support is not determined.
-    #[error("only the total reaction of {contact} is determined: write N({contact})")]
-    NotShared {
-        /// The contact's label.
-        contact: String,
-    },
-    /// Supports that do not make up one contact.
-    #[error("{supports} are no single contact")]
-    NoContact {
-        /// The supports given.
-        supports: String,
-    },
-    /// A friction force or a slip velocity is asked of a smooth contact.
-    #[error(
-        "{contact} is smooth, with neither a friction force nor a slip velocity: declare it with `friction = mu`, or `rough`"
-    )]
-    Smooth {
-        /// The contact's label.
-        contact: String,
-    },
-    /// A slip velocity is asked of a contact that does not slip.
-    #[error("{contact} is rough and does not slip: declare it with `friction = mu` in place of `rough`")]
-    Rough {
-        /// The contact's label.
-        contact: String,
-    },
-    /// A condition on nothing that moves: it holds always or never, and cannot become true.
-    #[error("`{condition}` holds always or never: it cannot end a run")]
-    Constant {
-        /// The condition.
-        condition: String,
-    },
-    /// A condition on what only a recorded motion has.
-    #[error(
-        "`{condition}` depends on the energy lost before, `D`, which only a finished motion has: it cannot end a run"
-    )]
-    History {
-        /// The condition.
-        condition: String,
-    },
-    /// More text than any expression has.
-    #[error("an expression of {characters} characters: {LONGEST} are the most")]
-    Length {
-        /// Length of the text.
-        characters: usize,
-    },
-    /// More operators than any expression has.
-    #[error("more than {MOST_OPERATORS} operators, at column {column}")]
-    Operators {
-        /// Where the first of those is that are too many, counted from 1.
-        column: usize,
-    },
-    /// Parentheses or signs nested too deeply.
-    #[error("nested too deeply at column {column}")]
-    Depth {
-        /// Where, counted from 1.
-        column: usize,
-    },
 }

@@ -3,7 +3,7 @@
 use super::resolve::{DRIVE, Vocabulary};
 use super::token::{Token, tokens, unexpected};
 use super::tree::{Expression, Function, Operator};
-use super::{LONGEST, MOST_OPERATORS, OutputError};
+use crate::error::{LONGEST, MOST_OPERATORS, OutputError};
 
 const DEEPEST: usize = 64;
 

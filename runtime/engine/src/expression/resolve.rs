@@ -1,8 +1,7 @@
 //! Names of a model in expressions; coordinates and parameters go before the words of the language.
 
-use super::OutputError;
 use super::tree::{Expression, Function, Operator};
-use crate::error::NameError;
+use crate::error::{NameError, OutputError};
 use crate::model::{Contact, ContactKind, ContactSet, DependentAngle, Layout, Quantity, Term};
 use core::f64::consts::FRAC_PI_2;
 

@@ -6,7 +6,8 @@ use core::convert::Infallible;
 use super::condition::Condition;
 use super::environment::{Environment, Variable};
 use super::tree::{Function, Operator};
-use crate::integration::phase_point::{PhasePoint, RunContext};
+use crate::context::RunContext;
+use crate::integration::phase_point::PhasePoint;
 
 /// Rounding of what is read of a motion: it comes from some operations.
 const READ: f64 = 32.0 * f64::EPSILON;

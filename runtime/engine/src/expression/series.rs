@@ -3,7 +3,7 @@
 use super::condition::Condition;
 use super::environment::{Environment, Variable};
 use super::tree::{Expression, Function, Operator};
-use crate::event::root_isolation::{self, TERMS};
+use crate::numerics::root_isolation::{self, TERMS};
 use crate::scalar::{Jet, Real};
 
 /// Σ cₖ θᵏ.

@@ -3,7 +3,8 @@
 use super::parse::Parser;
 use super::resolve::Vocabulary;
 use super::tree::{Expression, Operator};
-use super::{Condition, Formula, OutputError};
+use super::{Condition, Formula};
+use crate::error::OutputError;
 use crate::model::{Contact, ContactKind, Coordinate, Friction, Law, Layout, Quantity, QuantityKind};
 
 static LAYOUT: Layout = Layout {

@@ -1,7 +1,5 @@
 //! Expressions with their names resolved.
 
-use super::environment::{self, Parameters};
-
 /// A number that depends on the motion.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Expression {
@@ -159,34 +157,9 @@ impl Expression {
             _ => false,
         }
     }
-
-    /// An expression with the same zeros that also changes its sign where this one may only touch zero: x for |x|, x² and −x.
-    pub(super) fn vanishing(self) -> Self {
-        match self {
-            Self::Apply(Function::Negate | Function::Abs, x) => x.vanishing(),
-            Self::Join(Operator::Power, x, n) if is_count(&n) => x.vanishing(),
-            Self::Join(Operator::Multiply, x, y) if is_factor(&x) => y.vanishing(),
-            Self::Join(Operator::Multiply | Operator::Divide, x, y) if is_factor(&y) => x.vanishing(),
-            Self::Join(Operator::Multiply, x, y) => {
-                Self::join(Operator::Multiply, x.vanishing(), y.vanishing())
-            }
-            Self::Join(Operator::Divide, x, y) => Self::join(Operator::Divide, x.vanishing(), *y),
-            other => other,
-        }
-    }
-
-    /// The value, if it depends on parameters only.
-    pub(super) fn constant(&self, parameters: &[f64]) -> Option<f64> {
-        environment::evaluate(self, &Parameters(parameters)).ok()
-    }
 }
 
 /// A number that is a whole one above zero.
-fn is_count(n: &Expression) -> bool {
+pub(super) fn is_count(n: &Expression) -> bool {
     matches!(n, Expression::Number(n) if *n > 0.0 && n.fract() == 0.0)
-}
-
-/// A number other than zero.
-fn is_factor(x: &Expression) -> bool {
-    x.constant(&[]).is_some_and(|x| x != 0.0 && x.is_finite())
 }

@@ -13,8 +13,8 @@
 //! branches meet, as those of sin α = sin β at cos α = 0, positions within δ leave the Jacobian, and with it the rates, unknown
 //! by √δ; rates are compared to within √δ.
 
+use crate::context::{Numbers, ROUNDINGS, RunContext};
 use crate::integration::form_selection::{eliminates, least_pivot};
-use crate::integration::phase_point::{Numbers, ROUNDINGS, RunContext};
 use crate::model::{ContactSet, Form};
 use crate::system::Phase;
 use smallvec::smallvec;

@@ -10,7 +10,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::integration::phase_point::{Numbers, RunContext};
+use crate::context::{Numbers, RunContext};
 use crate::model::Form;
 use crate::system::Phase;
 use smallvec::smallvec;

@@ -10,12 +10,12 @@ mod text;
 
 use nalgebra::DMatrix;
 
-use crate::decomposition::singular_values;
+use crate::context::RunContext;
+use crate::context::scales_of;
 use crate::error::ModelError;
-use crate::integration::phase_point::RunContext;
+use crate::expression::Switches;
 use crate::model::{Contact, ContactKind, ContactSet, Layout, Slip};
-use crate::scales::scales_of;
-use crate::simulation::Switch;
+use crate::numerics::decomposition::singular_values;
 use crate::system::Model;
 
 /// Of more sets than this only those are listed that have own code.
@@ -90,9 +90,8 @@ pub enum Change {
 /// If the parameters make no mechanical system.
 pub fn modes(model: impl Into<Model>) -> Result<Modes, ModelError> {
     let model = model.into();
-    let layout = model.layout();
-    let (switches, signals) = (Switch::all(layout)?, Vec::new());
-    let context = RunContext { scales: scales_of(&model)?, switches, signals, model };
+    Switches::from_layout(model.layout())?;
+    let context = RunContext { scales: scales_of(&model)?, model };
     let layout = context.layout();
     let complete = number_of_sets(layout).is_some_and(|sets| sets <= ALL);
     let sets = sets(layout, complete);

@@ -1,10 +1,11 @@
 //! Where the equations of a model hold: a distance that is driven is above zero, f(t) > 0, and a coefficient of friction is not
 //! negative, μ(v) ≥ 0.
 
+use crate::context::RunContext;
 use crate::error::ModelError;
 use crate::expression::Condition;
 use crate::expression::resolve::contact_of;
-use crate::integration::phase_point::{PhasePoint, RunContext};
+use crate::integration::phase_point::PhasePoint;
 use crate::model::{ContactSet, Form, Layout, QuantityKind};
 
 /// What has a bound.

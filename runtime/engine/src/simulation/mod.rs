@@ -3,12 +3,16 @@
 mod budget;
 mod domain;
 mod driver;
-mod switch;
+mod error;
+pub(crate) mod phase_handle;
+pub(crate) mod phase_run;
+mod rules;
 
 pub(crate) use budget::Allowance;
 pub use budget::{Budget, Exhausted};
 pub(crate) use domain::Domain;
-pub(crate) use switch::{Switch, Switched};
+pub use error::{RunCause, RunError};
+pub(crate) use rules::Rules;
 
 use core::sync::atomic::AtomicBool;
 use std::sync::Arc;
@@ -16,18 +20,20 @@ use std::sync::Arc;
 use smallvec::smallvec;
 
 use crate::EventKind;
+use crate::assembly::StartError;
 use crate::assembly::{Pose, Start, on_energy_of, start};
+use crate::context::{Numbers, RunContext};
+use crate::context::{Scales, scales_of};
 use crate::error::NameError;
-use crate::error::{ModelError, RunCause, RunError, ScheduleError, StartError, SupportError};
+use crate::error::OutputError;
+use crate::error::{ModelError, ScheduleError, SupportError};
 use crate::event::EventFilter;
-use crate::event::detection::Signal;
 use crate::expression::resolve::{contact_of, unknown_support};
-use crate::expression::{Condition, Output, OutputError};
+use crate::expression::{Condition, Output};
 use crate::integration::method::{Auto, Method};
-use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
+use crate::integration::phase_point::PhasePoint;
 use crate::model::names::{ContactFilter, ContactName, PointName, ThreadName};
 use crate::model::{ContactKind, ContactSet, Form, Layout};
-use crate::scales::{Scales, scales_of};
 use crate::simulation::driver::{Action, Driver, Scheduled, Trigger};
 use crate::system::Model;
 use crate::trajectory::observe::{Observer, Recorder};
@@ -52,7 +58,7 @@ pub struct Simulation {
     pub(crate) restitution: Vec<f64>,
     pub(crate) plan: Vec<Scheduled>,
     pub(crate) conditions: Vec<Condition>,
-    pub(crate) domains: Vec<Domain>,
+    pub(crate) rules: Arc<Rules>,
     /// Events that end the run once all of them have happened.
     pub(crate) event_filters: Vec<EventFilter>,
     pub(crate) stops_at_impacts: bool,
@@ -73,11 +79,8 @@ impl Simulation {
     fn of(model: Model) -> Result<Self, ModelError> {
         let scales = scales_of(&model)?;
         let restitution = model.restitution.clone();
-        let domains = Domain::all(model.layout());
-        let layout = model.layout();
-        let (switches, signals) = (Switch::all(layout)?, Signal::all(layout));
-        let context = RunContext { switches, signals, model, scales };
-        domains.iter().try_for_each(|domain| domain.check(&context))?;
+        let context = RunContext { model, scales };
+        let rules = Rules::from_model(&context)?;
         Ok(Self {
             context: Arc::new(context),
             tolerance: TOLERANCE,
@@ -87,7 +90,7 @@ impl Simulation {
             restitution,
             plan: Vec::new(),
             conditions: Vec::new(),
-            domains,
+            rules: Arc::new(rules),
             event_filters: Vec::new(),
             stops_at_impacts: false,
             limit: None,
@@ -433,7 +436,7 @@ impl Simulation {
     }
 
     fn complete(&self, pose: &Pose) -> Result<Start, StartError> {
-        start(&self.context, pose, self.tolerance, self.begin)
+        start((&self.context, &self.rules.switches), pose, self.tolerance, self.begin)
     }
 }
 

@@ -4,27 +4,32 @@ mod dissipation;
 mod extrema;
 mod log;
 pub(crate) mod observe;
+mod recorded_phase;
+mod work;
 
 use core::fmt;
 
 use std::sync::{Arc, OnceLock};
 
+use crate::context::RunContext;
+use crate::context::Scales;
+use crate::error::OutputError;
 use crate::event::Event;
 use crate::event::Guard;
-use crate::event::root_isolation;
-use crate::expression::{Condition, Output, OutputError, unrounded};
+use crate::expression::{Condition, Output, unrounded};
 use crate::integrate::Counts;
 use crate::integration::method::Choice;
-use crate::integration::phase_point::{PhasePoint, RunContext};
-use crate::integration::phase_run::RecordedPhase;
+use crate::integration::phase_point::PhasePoint;
 use crate::model::{ContactSet, Form, Layout};
-use crate::scales::Scales;
+use crate::numerics::root_isolation;
 use crate::system::Model;
 
-pub use crate::event::root_isolation::ExtremumKind;
+pub use crate::numerics::root_isolation::ExtremumKind;
 use dissipation::Dissipation;
 use extrema::Way;
 pub use log::{LogEntry, LoggedDecision};
+pub(crate) use recorded_phase::RecordedPhase;
+pub(crate) use work::{Work, blur};
 
 /// A motion from its start to the event that ended it. Of a run that was only observed it has the events and what it ends with,
 /// and no motion in between.

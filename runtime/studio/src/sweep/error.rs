@@ -1,7 +1,7 @@
 //! What keeps a sweep from being made.
 
 use crate::registry::MotionError;
-use liftoff::expression::OutputError;
+use liftoff::OutputError;
 use liftoff::{NameError, SupportError};
 use std::path::PathBuf;
 

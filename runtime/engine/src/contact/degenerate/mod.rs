@@ -24,12 +24,13 @@ pub(crate) use rubbing::Alternatives;
 use nalgebra::{Cholesky, DVector};
 use rubbing::Rubbing;
 
-use super::complementarity::{LcpError, LcpRows, Solution};
+use super::complementarity::{LcpRows, Solution};
 use super::equations::Equations;
 use super::equilibrated_kkt::EquilibratedKkt;
 use super::friction::{FrictionError, Frictional, Mode, Question, Slip as KnownSlip};
+use super::trials::LcpError;
 use super::{ContactError, Trials, joint_names, singular};
-use crate::integration::phase_point::reactions_of;
+use crate::context::reactions_of;
 use crate::model::{Contact, ContactSet, Layout};
 use crate::system::{MOST_TIME_ORDERS, Model, TIME_ORDERS};
 

@@ -3,8 +3,8 @@
 use super::{ContactProblem, Ladder};
 use crate::contact::friction::{FrictionSolution, Frictional, Mode, Reason, Sense};
 use crate::contact::{ContactError, refuse_negative_friction};
+use crate::context::slips;
 use crate::model::{ContactKind, ContactSet, Slip};
-use crate::scales::slips;
 use crate::system::Model;
 
 /// Motions that satisfy the law of friction at one state.

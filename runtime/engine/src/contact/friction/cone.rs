@@ -11,8 +11,8 @@ use nalgebra::{DMatrix, DVector};
 
 use super::modes::{Choice, Condition, Mode};
 use super::problem::{self, Closed, Equations, Problem, Trial, Unit};
-use crate::contact::complementarity::LcpError;
-use crate::decomposition::svd;
+use crate::contact::trials::LcpError;
+use crate::numerics::decomposition::svd;
 
 /// A gradient below this part of its terms is zero.
 const STATIONARY: f64 = 1e-12;

@@ -5,9 +5,10 @@ use nalgebra::{DMatrix, DVector};
 use super::enumeration::FEW;
 use super::modes::{Bound, Choice, Condition, Frictional, Mode, Sense};
 use super::problem::{Problem, Trial, Unit};
-use crate::contact::complementarity::{LcpError, LcpRows, Solution};
+use crate::contact::complementarity::{LcpRows, Solution};
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
 use crate::contact::least_constraint::add_change;
+use crate::contact::trials::LcpError;
 
 /// Two accelerations are one up to this, relative to the larger one and to what the forces alone would cause.
 const SAME: f64 = 1e-8;

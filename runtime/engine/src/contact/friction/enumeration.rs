@@ -3,7 +3,7 @@
 use super::decision::Candidate;
 use super::modes::Choice;
 use super::problem::{Problem, Trial};
-use crate::contact::complementarity::LcpError;
+use crate::contact::trials::LcpError;
 
 /// Up to this many combinations all are tried at once.
 pub(super) const FEW: usize = 1024;

@@ -16,9 +16,9 @@ use nalgebra::{DMatrix, DVector};
 use super::lemke;
 use super::modes::Sense;
 use crate::contact::closed_rows::ClosedRows;
-use crate::decomposition;
+use crate::context::{Slips, slips};
 use crate::model::{ContactSet, Layout, Slip, SlipState};
-use crate::scales::{Slips, slips};
+use crate::numerics::decomposition;
 use crate::system::System;
 
 /// An edge moves with the virtual velocity above this part of the fastest.

@@ -10,7 +10,7 @@ use super::decision::Candidate;
 use super::modes::{Mode, Sense};
 use super::planar_lcp::Shape;
 use super::problem::{Closed, Problem};
-use crate::contact::complementarity::LcpError;
+use crate::contact::trials::LcpError;
 
 /// Up to this many contacts are taken in at once.
 const FEW: usize = 12;

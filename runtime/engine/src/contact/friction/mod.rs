@@ -28,7 +28,6 @@ mod modes;
 mod planar_lcp;
 mod problem;
 mod shares;
-pub(crate) mod single;
 mod stability;
 #[cfg(test)]
 pub(in crate::contact) mod tests;

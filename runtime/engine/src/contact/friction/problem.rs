@@ -5,9 +5,9 @@ use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
 use super::decision::Question;
 use super::modes::{Bound, Choice, Condition, Frictional, Given, Mode, Sense, smooth_choices};
-use crate::contact::complementarity::LcpError;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
-use crate::decomposition::svd;
+use crate::contact::trials::LcpError;
+use crate::numerics::decomposition::svd;
 
 /// Pivots that differ by more belong to a matrix that a singular value decomposition has to judge.
 const SOUND: f64 = 1e-9;

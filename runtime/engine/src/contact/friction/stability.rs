@@ -20,9 +20,9 @@ use super::decision::{Candidate, Reason};
 use super::modes::Mode;
 use super::problem::{Closed, Problem};
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
-use crate::decomposition::{eigenvalues, symmetric_eigen};
+use crate::context::slips;
 use crate::model::ContactSet;
-use crate::scales::slips;
+use crate::numerics::decomposition::{eigenvalues, symmetric_eigen};
 use crate::system::System;
 
 /// Eigenvalues below this part of the largest are zero.

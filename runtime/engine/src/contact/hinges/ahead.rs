@@ -4,7 +4,7 @@
 //! enough for order 2 to be seen beside rounding.
 
 use super::place::{Found, Law, Place, ZERO};
-use crate::integration::phase_point::Numbers;
+use crate::context::Numbers;
 
 /// Part of the natural time.
 const MOMENT: f64 = 1e-5;

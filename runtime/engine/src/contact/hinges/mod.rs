@@ -26,7 +26,7 @@ pub(crate) use impact::answer;
 use super::degenerate::Alternatives;
 use super::friction::Reason;
 use super::{ContactError, ContactProblem, ContactSolution, labels, refuse_negative_friction, singular};
-use crate::integration::phase_point::{Numbers, RunContext};
+use crate::context::{Numbers, RunContext};
 use crate::model::{ContactSet, Coordinate};
 use choices::{Options, choices};
 use place::{Found, Place, SAME};

@@ -4,9 +4,9 @@ use smallvec::smallvec;
 
 use super::choices::Choice;
 use crate::Scales;
-use crate::integration::phase_point::{Numbers, RunContext, reactions_of};
+use crate::context::{Numbers, RunContext, reactions_of};
+use crate::context::{Slips, slips};
 use crate::model::ContactSet;
-use crate::scales::{Slips, slips};
 use crate::system::Equations;
 
 /// Forces and accelerations are zero below this part of the natural ones.

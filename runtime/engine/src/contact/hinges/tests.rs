@@ -5,10 +5,10 @@ use super::place::{Found, Place};
 use super::{policy, search};
 use crate::contact::ContactProblem;
 use crate::contact::friction::{Reason, Slip};
-use crate::integration::phase_point::{Numbers, RunContext};
+use crate::context::scales_of;
+use crate::context::{Numbers, RunContext};
 use crate::model::ContactSet;
 use crate::prelude::*;
-use crate::scales::scales_of;
 use crate::system::Model;
 
 /// A chain of five bars on a pin, pulled at its end.
@@ -56,7 +56,7 @@ fn what_is_improved_is_what_all_modes_have() {
         let chain = Chain { m: 1.0, l: 1.0, mu, r, p, q, g: 9.81 };
         let model = Model::of(&chain);
         let scales = scales_of(&model).unwrap();
-        let context = RunContext { model, scales, switches: Vec::new(), signals: Vec::new() };
+        let context = RunContext { model, scales };
         let spread = between(0.0, 0.4);
         let mut state = [0.0; 10];
         state[..5].iter_mut().for_each(|angle| *angle = between(-spread, spread));
@@ -125,7 +125,7 @@ fn all_senses_are_told_apart() {
 fn at(state: [f64; 10]) -> (RunContext, Numbers) {
     let model = Model::of(&Chain { m: 1.0, l: 1.0, mu: 0.3, r: 0.05, p: 3.0, q: 2.0, g: 9.81 });
     let scales = scales_of(&model).unwrap();
-    (RunContext { model, scales, switches: Vec::new(), signals: Vec::new() }, Numbers::from_slice(&state))
+    (RunContext { model, scales }, Numbers::from_slice(&state))
 }
 
 /// With accelerations a + (b − a) τ/Δt the rates gain (a + b) Δt/2, the coordinates u Δt + (2 a + b) Δt²/6.
@@ -220,7 +220,7 @@ pub(super) struct Resting {
 fn each_choice_has_its_laws() {
     let model = Model::of(&Resting { m: 2.0, l: 0.5, mu: 0.3, r: 0.02, g: 9.81 });
     let scales = scales_of(&model).unwrap();
-    let context = RunContext { model, scales, switches: Vec::new(), signals: Vec::new() };
+    let context = RunContext { model, scales };
     let place = Place::new(&context, Numbers::from_slice(&[0.0; 2]));
     let layout = context.layout();
     let support = (0..2).find(|&contact| !layout.contacts[contact].is_hinge()).unwrap();

@@ -3,13 +3,13 @@
 use liftoff_fixtures::{AFrame, Block, Ladder, RodOnSupports};
 
 use super::*;
+use crate::context::scales_of;
 use crate::prelude::*;
-use crate::scales::scales_of;
 use crate::system::Model;
 
 fn context(model: Model) -> RunContext {
     let scales = scales_of(&model).unwrap();
-    RunContext { model, scales, switches: Vec::new(), signals: Vec::new() }
+    RunContext { model, scales }
 }
 
 fn decided(model: Model, state: &[f64], touching: u64, unloaded: u64) -> Option<ContactSolution> {

@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector, RowDVector};
 
 use super::{Factor, Shares};
 use crate::contact::least_constraint::LeastConstraint;
-use crate::decomposition::{singular_values, svd};
+use crate::numerics::decomposition::{singular_values, svd};
 
 /// Rounding of F beside its terms.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;

@@ -3,7 +3,7 @@
 use smallvec::smallvec;
 
 use super::sum::CLEAR;
-use crate::integration::phase_point::Numbers;
+use crate::context::Numbers;
 
 /// L, row by row.
 pub(super) struct Cholesky {

@@ -6,8 +6,9 @@ use smallvec::smallvec;
 use super::cholesky::Cholesky;
 use super::sum::{ROUNDING, Sum};
 use super::{Striking, Struck};
-use crate::contact::impulse::{Path, Row, Striker, Vertex, is_open};
-use crate::integration::phase_point::Numbers;
+use crate::contact::friction::impact::path::{Path, Striker, Vertex};
+use crate::contact::impulse::{Row, is_open};
+use crate::context::Numbers;
 
 pub(super) struct Response<'a, M, J> {
     struck: &'a Struck<'a, M, J>,

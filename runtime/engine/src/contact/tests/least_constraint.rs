@@ -3,9 +3,9 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::contact::active_rows::ActiveRows;
-use crate::contact::complementarity::LcpError;
 use crate::contact::friction::tests::random::{Random, cases};
 use crate::contact::least_constraint::LeastConstraint;
+use crate::contact::trials::LcpError;
 
 /// Accelerations and multipliers with some rows closed.
 fn closed(

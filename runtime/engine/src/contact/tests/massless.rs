@@ -3,8 +3,8 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::solve;
-use crate::contact::complementarity::LcpError;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
+use crate::contact::trials::LcpError;
 
 /// A coordinate without mass is held by a contact that it presses; from one that it is drawn away from it has no acceleration.
 #[test]

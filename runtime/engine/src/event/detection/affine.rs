@@ -9,10 +9,10 @@
 #[cfg(test)]
 mod tests;
 
+use crate::context::RunContext;
+use crate::context::slips;
 use crate::integrate::{DenseOutput, Guards};
-use crate::integration::phase_point::RunContext;
 use crate::model::{ContactSet, Slip};
-use crate::scales::slips;
 use crate::series::ORDERS;
 use crate::system::Phase;
 

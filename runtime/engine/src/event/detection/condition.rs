@@ -5,8 +5,8 @@ use super::guard_source::{EXACT, GuardSource};
 use super::pieces::{Bounded, Followed, Pieces, SHORTEST};
 use super::step::Leaves;
 use super::{EventDetector, StepView, Watch};
-use crate::event::root_isolation::{Accuracy, Crossing, GuardError, NODES, Root, Smooth, Start};
 use crate::expression::{Condition, Relation, Sides, Variable};
+use crate::numerics::root_isolation::{Accuracy, Crossing, GuardError, NODES, Root, Smooth, Start};
 use core::cell::Cell;
 
 /// Halvings of a piece: to the spacing of doubles.

@@ -3,7 +3,7 @@
 use super::advance::Advance;
 use super::guard_source::{self, GuardSource};
 use super::{EventDetector, Guard, StepView, Watch};
-use crate::event::root_isolation::{Crossing, GuardError, Start};
+use crate::numerics::root_isolation::{Crossing, GuardError, Start};
 
 /// Rounding of a gap, relative to the natural length, or to its terms where they are larger.
 const ROUNDED: f64 = 16.0 * f64::EPSILON;

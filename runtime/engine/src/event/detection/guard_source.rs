@@ -1,6 +1,6 @@
 //! One guard over a step: its own series where the method has it to well within the error bound, else its values.
 
-use crate::event::root_isolation::{self, Accuracy, Crossing, GuardError, Root, Start};
+use crate::numerics::root_isolation::{self, Accuracy, Crossing, GuardError, Root, Start};
 
 /// A series whose tail is at most this part of the error bound counts as exact.
 pub(super) const EXACT: f64 = 0.1;

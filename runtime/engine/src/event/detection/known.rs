@@ -4,8 +4,8 @@ use core::cell::Cell;
 
 use super::step::{Kinds, StepView, Values};
 use super::{Guard, Watch};
-use crate::event::root_isolation::NODES;
-use crate::integration::phase_point::Numbers;
+use crate::context::Numbers;
+use crate::numerics::root_isolation::NODES;
 
 /// Values of guards at some places of a step, one row each.
 #[derive(Default)]

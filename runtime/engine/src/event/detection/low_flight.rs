@@ -11,8 +11,8 @@
 //! by Gauss's points. Where g̈ stays above zero there is no landing to look for.
 
 use super::{EventDetector, StepView, Watch};
-use crate::event::root_isolation::{self, Accuracy, Crossing, GuardError, Start};
-use crate::integration::legendre::{POINTS, W, X};
+use crate::numerics::legendre::{POINTS, W, X};
+use crate::numerics::root_isolation::{self, Accuracy, Crossing, GuardError, Start};
 
 /// Order of the first derivative of such a gap that does not vanish.
 const ORDER: usize = 3;

@@ -27,10 +27,10 @@ pub(crate) use watch::ContactStatus;
 
 use std::cell::{Cell, RefCell};
 
-use crate::event::root_isolation::{GuardError, NODES};
+use crate::context::Numbers;
 use crate::expression::{Condition, Relation, Variable};
-use crate::integration::phase_point::Numbers;
 use crate::model::{ContactSet, Layout, Side, Slip};
+use crate::numerics::root_isolation::{GuardError, NODES};
 use known::Known;
 use memo::Memo;
 use smallvec::SmallVec;

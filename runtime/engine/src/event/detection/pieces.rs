@@ -1,8 +1,8 @@
 //! A condition followed over the pieces of a step. A piece is passed over only if bounds of the condition prove that it keeps
 //! its sign there; others are divided until the condition is monotone on them or all of its turns are seen.
 
-use crate::event::root_isolation::GuardError;
 use crate::expression::Enclosure;
+use crate::numerics::root_isolation::GuardError;
 
 /// Bounds evaluated in a step at most.
 const MOST: usize = 20_000;

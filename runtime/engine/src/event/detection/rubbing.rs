@@ -2,10 +2,9 @@
 
 use super::step::{Kinds, StepView, Values};
 use super::{Guard, Rub};
-use crate::audit::{at_rest, of_friction};
-use crate::event::root_isolation::{TERMS, without_zeros};
-use crate::integration::phase_point::Numbers;
-use crate::model::Side;
+use crate::context::{Numbers, RunContext, slips};
+use crate::model::{Side, SlipState};
+use crate::numerics::root_isolation::{TERMS, without_zeros};
 
 /// Whether the series of a contact's friction force and slip velocity are exact enough, given its slip velocity without rates.
 type Judge<'a> = dyn Fn(usize, [&[f64]; 2], f64) -> bool + 'a;
@@ -53,13 +52,13 @@ impl StepView<'_> {
         let tells = has_friction && self.closed == self.phase.info().set && !self.context.is_worked_on();
         tells.then(|| {
             self.sample(0.0, Kinds { slips: true, ..Kinds::default() }, values);
-            at_rest(self.context, &values.state)
+            slip_velocities_at_rest(self.context, &values.state)
         })
     }
 
     /// The power of friction with the values as sampled.
     pub(super) fn friction_power(&self, values: &Values, at_rest: &[f64]) -> f64 {
-        of_friction(self.context, &values.reactions, &values.slips, at_rest)
+        compute_friction_power(self.context, &values.reactions, &values.slips, at_rest)
     }
 
     /// The work of friction up to θ = `end`, ∫ R (v − v°) dt, where `is_exact` holds for the series of the forces and of the
@@ -91,6 +90,24 @@ fn integral(a: &[f64], b: &[f64], c: f64, end: f64) -> f64 {
     }
     let terms = product[..(a.len() + b.len()).min(2 * TERMS)].iter().enumerate().rev();
     terms.fold(0.0, |sum, (k, term)| sum * end + term / (k + 1) as f64) * end
+}
+
+/// The slip velocities that surfaces which move make at a state without rates.
+fn slip_velocities_at_rest(context: &RunContext, state: &[f64]) -> Numbers {
+    let mut still: Numbers = state.into();
+    still[context.rates()].fill(0.0);
+    slips(context.system(), &still).iter().map(|slip| slip.velocity).collect()
+}
+
+/// Σ R J_t u, where J_t u is what rates add to the slip velocity that is there without them.
+fn compute_friction_power(
+    context: &RunContext,
+    reactions: &[f64],
+    slips: &[SlipState<f64>],
+    at_rest: &[f64],
+) -> f64 {
+    let forces = reactions[context.layout().contacts.len()..].iter().zip(slips.iter().zip(at_rest));
+    forces.map(|(force, (slip, at_rest))| force * (slip.velocity - at_rest)).sum()
 }
 
 #[cfg(test)]

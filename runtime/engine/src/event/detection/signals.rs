@@ -10,10 +10,10 @@
 
 use super::step::Values;
 use super::{StepView, Variable};
-use crate::event::root_isolation::Smooth;
+use crate::context::RunContext;
 use crate::expression::{Condition, Enclosure, Interval};
-use crate::integration::phase_point::RunContext;
 use crate::model::Layout;
+use crate::numerics::root_isolation::Smooth;
 
 /// Places of the interpolant, and places between them.
 const NODES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];

@@ -4,12 +4,13 @@ use std::sync::Arc;
 
 use super::{Guard, Rub};
 use crate::contact::friction::LastMargin;
-use crate::event::root_isolation::{GuardError, Smooth, TERMS};
+use crate::context::Slips;
+use crate::context::{Numbers, RunContext};
 use crate::expression::{Condition, Enclosure, Interval, Known, Sides, Variable};
 use crate::integrate::{DenseOutput, Guards};
-use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
+use crate::integration::phase_point::PhasePoint;
 use crate::model::{ContactSet, Form, Layout, Side, SlipState};
-use crate::scales::Slips;
+use crate::numerics::root_isolation::{GuardError, Smooth, TERMS};
 use crate::system::Phase;
 use smallvec::smallvec;
 

@@ -13,9 +13,9 @@ mod tests;
 
 use nalgebra::DMatrix;
 
-use crate::decomposition::{least_ratio_bound, singular_values, svd};
-use crate::integration::phase_point::{Numbers, RunContext};
+use crate::context::{Numbers, RunContext};
 use crate::model::{ContactSet, Layout};
+use crate::numerics::decomposition::{least_ratio_bound, singular_values, svd};
 use crate::system::Equations;
 pub(crate) use bridge::Bridge;
 use bridge::Motion;

@@ -5,13 +5,15 @@ use std::sync::Arc;
 use super::jumps::Before;
 use super::switch::Role;
 use super::{Driver, Next};
-use crate::assembly::{CLOSED, deepest, touches};
-use crate::error::{RunCause, StartError};
+use crate::assembly::StartError;
+use crate::assembly::{deepest, touches};
+use crate::context::CLOSED;
+use crate::context::reactions_of;
 use crate::event::{Event, EventKind, Guard, Note, reactions};
 use crate::expression::Condition;
 use crate::integration::equilibrium::is_equilibrium;
-use crate::integration::phase_point::reactions_of;
 use crate::model::ContactSet;
+use crate::simulation::RunCause;
 use crate::simulation::Simulation;
 use crate::system::Phase;
 use crate::trajectory::{LogEntry, LoggedDecision};
@@ -153,7 +155,7 @@ impl Driver<'_> {
         let moves = !self.trajectory.events.is_empty()
             || !self.setup.plan.is_empty()
             || self.trajectory.log.iter().any(is_one_of_several)
-            || !self.setup.context.switches.is_empty();
+            || !self.setup.rules.switches.is_empty();
         if !moves && self.phase.as_ref().is_some_and(rests) {
             return Err(StartError::Equilibrium.into());
         }

@@ -6,12 +6,12 @@ use super::Driver;
 use super::plan::split;
 use crate::contact::impulse::{Collision, CollisionError, Outcome, Row};
 use crate::contact::{ContactError, Struck, hinges, labels, singular};
-use crate::error::RunCause;
+use crate::context::Numbers;
+use crate::context::without_rounding;
 use crate::event::detection::LOW;
 use crate::event::{EventKind, ImpactOrder, Note};
-use crate::integration::phase_point::Numbers;
 use crate::model::{ContactSet, Layout, SlipState};
-use crate::scales::without_rounding;
+use crate::simulation::RunCause;
 use crate::system::Equations;
 use crate::trajectory::{LogEntry, LoggedDecision};
 

@@ -11,11 +11,11 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::Driver;
-use crate::assembly::CLOSED;
-use crate::decomposition::singular_values;
-use crate::error::RunCause;
-use crate::integration::phase_run::{Outcome, Termination};
+use crate::context::CLOSED;
 use crate::model::{ContactKind, ContactSet, Form};
+use crate::numerics::decomposition::singular_values;
+use crate::simulation::RunCause;
+use crate::simulation::phase_run::{Outcome, Termination};
 
 /// A position is singular if contacts that depend on each other there no longer do at one this far away, in natural units.
 const ASIDE: f64 = 1e-4;

@@ -1,11 +1,11 @@
 //! Runs that leave the domain of their equations end with an error that names what has left it.
 
 use super::Driver;
-use crate::error::RunCause;
 use crate::event::Guard;
-use crate::integration::phase_run::Termination;
 use crate::simulation::Domain;
+use crate::simulation::RunCause;
 use crate::simulation::domain::{Bounded, driven};
+use crate::simulation::phase_run::Termination;
 
 /// A driven distance is at zero below this part of the natural length, where its row vanishes and steps fail.
 const VANISHED: f64 = 1e-6;
@@ -13,7 +13,7 @@ const VANISHED: f64 = 1e-6;
 impl Driver<'_> {
     /// Whether a bound matters now: of a drive that is there, of a contact that slides.
     pub(super) fn is_bound(&self, domain: usize) -> bool {
-        match self.setup.domains[domain].of {
+        match self.setup.rules.domains[domain].of {
             Bounded::Distance(_, contact) => contact.is_none_or(|contact| !self.removed.contains(contact)),
             Bounded::Friction(entry) => self.closed.sense(self.layout().frictions[entry].contact) != 0,
         }
@@ -22,7 +22,7 @@ impl Driver<'_> {
     /// The equations have left a bound.
     pub(super) fn left(&self, domain: usize) -> RunCause {
         let (t, layout) = (self.t, self.layout());
-        match self.setup.domains[domain].of {
+        match self.setup.rules.domains[domain].of {
             Bounded::Distance(entry, _) => {
                 RunCause::DrivenDistance { t, drive: driven(layout.quantities[entry].name).to_owned() }
             }
@@ -48,12 +48,12 @@ impl Driver<'_> {
                 && self.is_bound(*k)
                 && domain.left.difference(context, &point).0 <= zero
         };
-        self.setup.domains.iter().enumerate().find(is_below).map_or(Ok(()), |(k, _)| Err(self.left(k)))
+        self.setup.rules.domains.iter().enumerate().find(is_below).map_or(Ok(()), |(k, _)| Err(self.left(k)))
     }
 
     /// The cause of a failed step or of a singular loop may be a distance that vanishes; then that is the error.
     pub(super) fn refuse_vanishing(&self) -> Result<(), RunCause> {
-        match self.setup.domains.is_empty() {
+        match self.setup.rules.domains.is_empty() {
             true => Ok(()),
             false => self.refuse_distances(VANISHED * self.setup.context.scales.length),
         }
@@ -61,6 +61,6 @@ impl Driver<'_> {
 
     /// The bound that a condition is for.
     pub(super) fn domain_of(&self, condition: usize) -> Option<usize> {
-        (condition + self.setup.domains.len()).checked_sub(self.conditions.len())
+        (condition + self.setup.rules.domains.len()).checked_sub(self.conditions.len())
     }
 }

@@ -3,9 +3,9 @@
 use nalgebra::DVector;
 
 use super::Driver;
-use crate::error::RunCause;
 use crate::event::EventKind;
 use crate::model::ContactSet;
+use crate::simulation::RunCause;
 
 /// Where a drive comes smoothly to what it drives, the time is that of a double root, known to the square root of rounding, and with it
 /// the difference of the rates.

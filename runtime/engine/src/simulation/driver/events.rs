@@ -6,12 +6,13 @@ use super::friction::LocatedSlips;
 use super::plan::split;
 use super::switch::Role;
 use super::{Driver, Next};
-use crate::error::RunCause;
 use crate::event::detection::Guard;
 use crate::event::{Event, EventKind, Note, PreImpact, reactions, supports};
 use crate::expression::Condition;
-use crate::integration::phase_run::{LastStep, RecordedPhase, Touch};
 use crate::model::{ContactSet, Energy, Form, Slip};
+use crate::simulation::RunCause;
+use crate::simulation::phase_run::{LastStep, Touch};
+use crate::trajectory::RecordedPhase;
 use crate::trajectory::{LogEntry, LoggedDecision, Trajectory};
 
 impl Driver<'_> {

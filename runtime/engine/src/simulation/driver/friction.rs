@@ -4,13 +4,13 @@ use super::Driver;
 use crate::contact::friction::{Reason, Sense, Slip as KnownSlip, margin};
 use crate::contact::impulse::{Outcome, Row};
 use crate::contact::{Alternatives, ContactError};
-use crate::error::RunCause;
+use crate::context::Numbers;
+use crate::context::{Slips, slips};
 use crate::event::detection::{Guard, Rub};
 use crate::event::{EventKind, FrictionState, Note};
 use crate::integrate::StepError;
-use crate::integration::phase_point::Numbers;
 use crate::model::{ContactSet, Friction, Slip};
-use crate::scales::{Slips, slips};
+use crate::simulation::RunCause;
 use crate::trajectory::LoggedDecision;
 
 /// An energy gained by less than this part of a natural one is rounding.

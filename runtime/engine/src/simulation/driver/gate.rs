@@ -1,12 +1,13 @@
 //! What every motion satisfies, checked at the ends of phases and at impacts: it costs nothing per step.
 
 use super::Driver;
-use crate::audit::{Bounds, Finding, Place, Quantity, Seam, Work, energy_finding, gain};
-use crate::error::RunCause;
+use crate::audit::{Bounds, Finding, Place, Quantity, Seam, energy_finding, gain};
 use crate::integrate::Counts;
 use crate::model::{ContactSet, Energy};
+use crate::simulation::RunCause;
 use crate::simulation::Simulation;
 use crate::trajectory::LogEntry;
+use crate::trajectory::Work;
 
 impl Driver<'_> {
     /// Refuses the end of a phase that has left its contacts, or whose energy has changed by anything but work.

@@ -3,12 +3,12 @@
 
 use super::switch::Role;
 use super::{Driver, Next};
-use crate::error::RunCause;
 use crate::event::{EventKind, Guard, Note};
 use crate::expression::Relation;
 use crate::integration::phase_point::PhasePoint;
-use crate::integration::phase_run::RecordedPhase;
 use crate::model::{ContactSet, Form};
+use crate::simulation::RunCause;
+use crate::trajectory::RecordedPhase;
 
 /// Of a jump this part is rounding.
 const ROUNDED: f64 = 1e-9;

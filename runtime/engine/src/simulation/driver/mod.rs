@@ -26,17 +26,18 @@ use tiny::Tiny;
 use zeno::{BounceHistory, Rise, ZenoClosure};
 
 use crate::contact::{ContactError, are_determined, labels, refuse_singular};
-use crate::error::{RunCause, RunError};
 use crate::model::{ContactSet, Energy, Form, Layout};
+use crate::simulation::{RunCause, RunError};
 
 use crate::assembly::Start;
+use crate::context::Numbers;
 use crate::event::detection::{Broken, Guard, KnownAffineGuards};
 use crate::expression::Condition;
 use crate::integrate::Counts;
-use crate::integration::phase_point::Numbers;
-use crate::integration::phase_run::{Outcome, RecordedPhase, Termination};
+use crate::simulation::phase_run::{Outcome, Termination};
 use crate::simulation::{Allowance, Exhausted, Simulation};
 use crate::system::Phase;
+use crate::trajectory::RecordedPhase;
 use crate::trajectory::observe::Observer;
 use crate::trajectory::{LoggedDecision, Trajectory};
 
@@ -114,9 +115,9 @@ impl<'a> Driver<'a> {
             Trigger::If(condition) => Some(condition),
             Trigger::At(_) => None,
         });
-        let switches = setup.context.switches.iter().flat_map(|switch| &switch.conditions);
-        let domains = setup.domains.iter().map(|domain| &domain.left);
-        let removed = setup.context.disarmed(&start.state, setup.begin);
+        let switches = setup.rules.switches.iter().flat_map(|switch| &switch.conditions);
+        let domains = setup.rules.domains.iter().map(|domain| &domain.left);
+        let removed = setup.rules.switches.disarmed(&setup.context, &start.state, setup.begin);
         let mut driver = Self {
             conditions: setup
                 .conditions

@@ -7,9 +7,9 @@ use super::{Driver, Next};
 use crate::contact::friction::{Sense, Slip as KnownSlip, holds};
 use crate::contact::impulse::Row;
 use crate::contact::{ContactError, labels};
-use crate::error::RunCause;
 use crate::event::{EventKind, Note};
 use crate::model::{ContactSet, Slip};
+use crate::simulation::RunCause;
 
 /// A contact is beyond the border of Painlevé's region with a coefficient of friction that is larger by this part.
 const BEYOND: f64 = 1e-12;

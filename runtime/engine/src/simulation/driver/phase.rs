@@ -5,22 +5,24 @@ use std::sync::Arc;
 use super::Driver;
 use super::friction::LocatedSlips;
 use super::switch::Role;
-use crate::assembly::CLOSED;
-use crate::audit::Work;
-use crate::contact::friction::{Grip, single};
+use crate::assembly::StartError;
+use crate::contact::friction::Grip;
+use crate::contact::nondegenerate::slider;
 use crate::contact::{
     ContactError, ContactProblem, ContactSolution, StationaryGaps, decide, hinges, joint_names, labels,
     nondegenerate,
 };
-use crate::error::{RunCause, StartError};
+use crate::context::CLOSED;
+use crate::context::Numbers;
 use crate::event::detection::{Bounds, ContactStatus, EventDetector, Signals};
 use crate::integration::chart::{self, Chart};
-use crate::integration::phase_point::Numbers;
-use crate::integration::phase_run::{Outcome, PhaseRun};
 use crate::model::{ContactSet, Form};
+use crate::simulation::RunCause;
+use crate::simulation::phase_run::{Outcome, PhaseRun};
 use crate::simulation::{Exhausted, Simulation};
 use crate::system::{Equations, Phase};
 use crate::trajectory::LoggedDecision;
+use crate::trajectory::Work;
 use smallvec::smallvec;
 
 /// A change of the energy by this part of its terms is rounding.
@@ -56,7 +58,7 @@ impl Driver<'_> {
                     nondegenerate::decide(context, &self.state, &question, reduced.as_deref())
                         .map_or_else(searched, Ok)
                 }
-                (false, false) => single::decide(context, &self.state, &question).map_or_else(searched, Ok),
+                (false, false) => slider::decide(context, &self.state, &question).map_or_else(searched, Ok),
             }
         };
         let greatest = stationary.greatest();
@@ -262,7 +264,7 @@ impl Driver<'_> {
         let forces = &self.forces();
         let orders = &self.liftoff_orders();
         let (off, heights) = (self.beyond_end(), &self.low_flights());
-        self.sunk = off.intersection(self.setup.context.switched());
+        self.sunk = off.intersection(self.setup.rules.switches.contacts());
         let (closed, held, removed, passed) = (self.closed, self.held, self.removed, self.passed);
         let kept = core::mem::replace(&mut self.kept, ContactSet::EMPTY);
         let grip = Grip::of(context.system(), &self.state, &closed);
@@ -280,7 +282,7 @@ impl Driver<'_> {
             phase: self.phase.take().unwrap_or_else(|| context.phase(self.bearing, self.form)),
             closed: self.closed,
             detector: &mut detector,
-            signals: Signals::new(self.layout(), &context.signals, &context.model.parameters),
+            signals: Signals::new(self.layout(), &self.setup.rules.signals, &context.model.parameters),
             tolerance: *tolerance,
             t: self.t,
             horizon: self.horizon(),
@@ -374,7 +376,7 @@ impl Driver<'_> {
             .filter_map(|(i, contact)| Some((i, contact.foot?)))
             .filter(|(i, _)| !self.closed.contains(*i))
             .peekable();
-        if open.peek().is_none() && context.switches.is_empty() {
+        if open.peek().is_none() && self.setup.rules.switches.is_empty() {
             return ContactSet::EMPTY;
         }
         let mut feet: Numbers = smallvec![0.0; 2 * self.layout().feet()];
@@ -382,7 +384,7 @@ impl Driver<'_> {
         let bound = self.relative_bound() * context.scales.length;
         let is_off = |(_, k): &(usize, usize)| feet[2 * k..2 * k + 2].iter().any(|margin| *margin <= bound);
         let off: ContactSet = open.filter(is_off).map(|(i, _)| i).collect();
-        if context.switches.is_empty() {
+        if self.setup.rules.switches.is_empty() {
             return off;
         }
         off.union(self.sunk(&self.gaps(), self.gap_bounds()))

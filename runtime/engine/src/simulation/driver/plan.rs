@@ -4,11 +4,12 @@ use nalgebra::DVector;
 
 use super::Driver;
 use super::switch::Role;
-use crate::error::{RunCause, ScheduleError};
+use crate::context::without_rounding;
+use crate::error::ScheduleError;
 use crate::event::{EventKind, Note};
 use crate::expression::Condition;
 use crate::model::{ContactKind, ContactSet, Layout};
-use crate::scales::without_rounding;
+use crate::simulation::RunCause;
 use crate::system::{TIME_ORDERS, TimeSeries};
 use crate::trajectory::AppliedImpulse;
 

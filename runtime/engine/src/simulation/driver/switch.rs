@@ -4,12 +4,12 @@ use smallvec::smallvec;
 use std::sync::Arc;
 
 use super::Driver;
-use crate::error::RunCause;
+use crate::context::Numbers;
 use crate::event::{EventKind, Note};
-use crate::expression::Condition;
-use crate::integration::phase_point::{Numbers, PhasePoint};
+use crate::expression::{Condition, Switch, Switched};
+use crate::integration::phase_point::PhasePoint;
 use crate::model::{ContactSet, Form};
-use crate::simulation::{Switch, Switched};
+use crate::simulation::RunCause;
 
 /// Part of the natural time over which the slope of a condition is a difference.
 const MOMENT: f64 = 1e-6;
@@ -38,7 +38,7 @@ impl Driver<'_> {
         match self.planned_on(condition) {
             Some(entry) => Role::Planned(entry),
             None => {
-                let behind = 2 * self.setup.context.switches.len() + self.setup.domains.len();
+                let behind = 2 * self.setup.rules.switches.len() + self.setup.rules.domains.len();
                 let place = condition + behind - self.conditions.len();
                 Role::Switch { switch: place / 2, arms: place.is_multiple_of(2) }
             }
@@ -47,7 +47,7 @@ impl Driver<'_> {
 
     /// Whether what a switch has is there.
     pub(super) fn is_there(&self, switch: usize) -> bool {
-        match self.setup.context.switches[switch].switched {
+        match self.setup.rules.switches[switch].switched {
             Switched::Contact(i) => !self.removed.contains(i),
             Switched::Loads(i) => self.state[self.layout().switch(i)] != 0.0,
         }
@@ -64,7 +64,7 @@ impl Driver<'_> {
         let before = self.closed;
         let mut changed = Vec::new();
         for &(switch, arms) in met {
-            let Switch { switched, conditions } = &self.setup.context.switches[switch];
+            let Switch { switched, conditions } = &self.setup.rules.switches[switch];
             let Switched::Loads(i) = *switched else { continue };
             let entry = self.layout().switch(i);
             self.state[entry] = f64::from(u8::from(arms));
@@ -89,7 +89,7 @@ impl Driver<'_> {
 
     /// Refuses loads or contacts that turn the motion back across the border of their condition.
     fn refuse_chatter(&self, met: &[(usize, bool)], is_asked: fn(&Switched) -> bool) -> Result<(), RunCause> {
-        let switches = &self.setup.context.switches;
+        let switches = &self.setup.rules.switches;
         for &(switch, arms) in met.iter().filter(|it| is_asked(&switches[it.0].switched)) {
             let Switch { switched, conditions } = &switches[switch];
             let [behind, here, ahead] = self.margins_along(&conditions[usize::from(arms)]);
@@ -120,7 +120,7 @@ impl Driver<'_> {
 
     /// Arms and disarms contacts. One that is armed below its ground is there once it has come up.
     fn switch_contacts(&mut self, met: &[(usize, bool)]) -> Result<(), RunCause> {
-        let switches = &self.setup.context.switches;
+        let switches = &self.setup.rules.switches;
         let of = |arms: bool| -> ContactSet {
             met.iter().filter(|it| it.1 == arms).filter_map(|it| switches[it.0].contact()).collect()
         };
@@ -181,7 +181,7 @@ impl Driver<'_> {
     /// Contacts that have been armed below their grounds.
     pub(super) fn sunk(&self, gaps: &[f64], bound: impl Fn(usize) -> f64) -> ContactSet {
         let aside = self.closed.union(self.removed).union(self.layout().drives());
-        let open = self.setup.context.switched().difference(aside);
+        let open = self.setup.rules.switches.contacts().difference(aside);
         open.iter().filter(|&i| gaps[i] < -bound(i)).collect()
     }
 }

@@ -4,7 +4,7 @@
 use std::cell::Ref;
 
 use super::Driver;
-use crate::integration::phase_point::{Numbers, ROUNDINGS};
+use crate::context::{Numbers, ROUNDINGS};
 use crate::simulation::Simulation;
 
 /// What is too small to be told from zero at a time and a state.

@@ -3,7 +3,7 @@
 use super::super::Trajectory;
 use crate::expression::Variable;
 use crate::integration::phase_point::PhasePoint;
-use crate::integration::phase_run::RecordedPhase;
+use crate::trajectory::RecordedPhase;
 
 /// What the energy falls by from the end of a phase to the start of the next, and what was done on the model in between. Not a number
 /// where impulses of drives that hold throughout, or of rough surfaces that move, did work: events do not have them.

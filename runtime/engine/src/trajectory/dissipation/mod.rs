@@ -12,8 +12,7 @@ mod jump;
 mod power;
 
 use super::Trajectory;
-use crate::audit::Work;
-use crate::integration::phase_run::RecordedPhase;
+use crate::trajectory::{RecordedPhase, Work};
 use power::Losses;
 
 /// D at the start of each step of each phase.

@@ -1,9 +1,10 @@
 //! The power that friction and dampers take.
 
+use crate::context::slips;
+use crate::context::{Numbers, RunContext};
 use crate::expression::Variable;
-use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
+use crate::integration::phase_point::PhasePoint;
 use crate::model::{Layout, MeasureKind, QuantityKind};
-use crate::scales::slips;
 use crate::system::Model;
 
 /// What of a model takes energy while it moves.

@@ -10,6 +10,5 @@ mod oracle;
 pub(in crate::contact) mod random;
 mod rough;
 mod rounding;
-mod single;
 mod solutions;
 mod twins;

@@ -4,7 +4,8 @@ use super::super::modes::{Mode, Slip};
 use super::oracle::Motion;
 use super::random::{Random, Sorted, cases, in_units, kkt, linkage};
 use crate::contact::Trials;
-use crate::contact::complementarity::{LcpError, LcpRows, Solution};
+use crate::contact::complementarity::{LcpRows, Solution};
+use crate::contact::trials::LcpError;
 
 /// What is found is one of the motions that there are, the same in any units; nothing is found only where there is none.
 #[test]

@@ -5,15 +5,15 @@ use crate::contact::ContactProblem;
 use crate::contact::friction::Slip;
 use crate::contact::hinges::choices::choices;
 use crate::contact::hinges::tests::Resting;
-use crate::integration::phase_point::{Numbers, RunContext};
+use crate::context::scales_of;
+use crate::context::{Numbers, RunContext};
 use crate::model::ContactSet;
-use crate::scales::scales_of;
 use crate::system::Model;
 
 fn context((m, l, g): (f64, f64, f64)) -> RunContext {
     let model = Model::of(&Resting { m, l, mu: 0.3, r: 0.02 * l, g });
     let scales = scales_of(&model).unwrap();
-    RunContext { model, scales, switches: Vec::new(), signals: Vec::new() }
+    RunContext { model, scales }
 }
 
 /// A law holds down to −1e-9 of its unit, and is open within ±1e-9 of it; one whose reaction was located holds and is open anyhow.

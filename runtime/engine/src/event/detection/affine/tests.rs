@@ -3,8 +3,8 @@
 use super::super::step::Values;
 use super::super::{Guard, Rub, StepView};
 use super::*;
-use crate::event::root_isolation::without_zeros;
 use crate::model::{Form, Side};
+use crate::numerics::root_isolation::without_zeros;
 use crate::prelude::*;
 
 /// A block on a belt, held by a spring.

@@ -2,8 +2,8 @@
 
 use super::super::{ContactStatus, Guard};
 use super::given::*;
-use crate::event::root_isolation::GuardError;
 use crate::model::{ContactSet, Form, Side, Slip};
+use crate::numerics::root_isolation::GuardError;
 
 const BOUND: f64 = BOUNDS.relative * FORCES[PLAIN];
 

@@ -6,12 +6,12 @@ use std::sync::Arc;
 use liftoff_fixtures::Particle;
 
 use super::super::{Bounds, ContactStatus, EventDetector, Guard, StepView};
-use crate::event::root_isolation::GuardError;
+use crate::context::RunContext;
+use crate::context::scales_of;
 use crate::expression::Condition;
 use crate::integrate::DenseOutput;
-use crate::integration::phase_point::RunContext;
 use crate::model::*;
-use crate::scales::scales_of;
+use crate::numerics::root_isolation::GuardError;
 use crate::system::{Equations, Model, Phase, PhaseInfo, System};
 
 pub(super) const CONTACTS: usize = 8;
@@ -239,11 +239,7 @@ impl Scene {
         let mut model = Model::of(&Particle { m: 1.0, g: 1.0, e: 0.0 });
         let scales = scales_of(&model).expect("natural scales");
         model.system = given.clone();
-        Self {
-            context: RunContext { model, scales, switches: Vec::new(), signals: Vec::new() },
-            phase: given,
-            asked,
-        }
+        Self { context: RunContext { model, scales }, phase: given, asked }
     }
 
     /// Of guards that are evaluated one by one, with some contacts closed.

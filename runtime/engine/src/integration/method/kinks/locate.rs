@@ -7,7 +7,7 @@ use super::CutAtKinks;
 use crate::model::Kink;
 use smallvec::smallvec;
 
-use crate::integration::phase_point::Numbers;
+use crate::context::Numbers;
 
 /// Where a step is looked at. Near its ends too, so that what turns there is seen to.
 const NODES: [f64; 11] =

@@ -15,8 +15,8 @@ use std::cell::RefCell;
 
 use super::pair::StepperPair;
 use super::{InitialValueProblem, Problem, StartedStepper};
+use crate::context::Numbers;
 use crate::integrate::{Counts, DenseOutput, Guards, PhaseStepper, StepError};
-use crate::integration::phase_point::Numbers;
 use crate::model::Kink;
 use locate::Samples;
 use near::Near;

@@ -1,7 +1,7 @@
 //! How far a state is from a kink, in time.
 
 use super::CutAtKinks;
-use crate::integration::phase_point::Numbers;
+use crate::context::Numbers;
 use crate::model::Kink;
 use smallvec::smallvec;
 

@@ -22,11 +22,11 @@ pub(super) use rest::ZenoClosure;
 use sequence::Sequence;
 
 use super::Driver;
-use crate::assembly::CLOSED;
 use crate::contact::impulse::Outcome;
-use crate::error::RunCause;
-use crate::integration::phase_point::Numbers;
+use crate::context::CLOSED;
+use crate::context::Numbers;
 use crate::model::ContactSet;
+use crate::simulation::RunCause;
 use crate::simulation::{Exhausted, Simulation};
 use crate::system::Equations;
 

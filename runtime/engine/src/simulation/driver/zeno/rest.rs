@@ -6,10 +6,10 @@ use nalgebra::DVector;
 use smallvec::smallvec;
 
 use crate::contact::impulse::{Collision, CollisionError, Outcome};
-use crate::error::RunCause;
+use crate::context::Numbers;
 use crate::event::{EventKind, Note};
-use crate::integration::phase_point::Numbers;
 use crate::model::{ContactSet, Slip};
+use crate::simulation::RunCause;
 use crate::simulation::driver::Driver;
 use crate::simulation::driver::collide::allowed_gain;
 use crate::simulation::driver::plan::split;

@@ -1,7 +1,7 @@
 //! Routh's path by small steps of the impulse.
 
+use crate::contact::friction::impact::path::{Striker, Vertex};
 use crate::contact::friction::tests::random::{Random, cases};
-use crate::contact::impulse::{Striker, Vertex};
 use crate::model::Law;
 
 /// Steps until a path from ġ = −1 has compressed.

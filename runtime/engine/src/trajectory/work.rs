@@ -1,12 +1,12 @@
 //! The power of all forces that have no potential: that of friction, or where others act dE/dt along the accelerations of the
 //! equations, E = T + V. Powers are told in joules per natural time: of motions that take 1e±130 s one per second is no number.
 
-use crate::event::root_isolation::{NODES, last_coefficients};
-use crate::integration::legendre::{Series, W, X};
-use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
-use crate::integration::phase_run::RecordedPhase;
-use crate::model::{Energy, SlipState};
-use crate::scales::slips;
+use crate::context::{Numbers, RunContext};
+use crate::integration::phase_point::PhasePoint;
+use crate::model::Energy;
+use crate::numerics::legendre::{Series, W, X};
+use crate::numerics::root_isolation::{NODES, last_coefficients};
+use crate::trajectory::RecordedPhase;
 
 /// The last two of a step's coefficients may be this part of the largest; those that the integral leaves out are as small as the
 /// square of it.
@@ -60,7 +60,7 @@ impl Work {
     }
 
     /// What a change of energy is relative to, given its parts at the start and now.
-    pub(super) fn size(&self, ends: f64) -> f64 {
+    pub(crate) fn size(&self, ends: f64) -> f64 {
         ends.max(self.passed).max(self.largest)
     }
 
@@ -185,24 +185,6 @@ fn power(context: &RunContext, point: &PhasePoint, step: f64) -> f64 {
     forces.map(|(force, friction)| force * (along(friction.row) * context.scales.time)).sum()
 }
 
-/// The slip velocities that surfaces which move make at a state without rates.
-pub(crate) fn at_rest(context: &RunContext, state: &[f64]) -> Numbers {
-    let mut still: Numbers = state.into();
-    still[context.rates()].fill(0.0);
-    slips(context.system(), &still).iter().map(|slip| slip.velocity).collect()
-}
-
-/// Σ R J_t u, where J_t u is what rates add to the slip velocity that is there without them.
-pub(crate) fn of_friction(
-    context: &RunContext,
-    reactions: &[f64],
-    slips: &[SlipState<f64>],
-    at_rest: &[f64],
-) -> f64 {
-    let forces = reactions[context.layout().contacts.len()..].iter().zip(slips.iter().zip(at_rest));
-    forces.map(|(force, (slip, at_rest))| force * (slip.velocity - at_rest)).sum()
-}
-
 /// dE/dt in that unit, by a difference of order four.
 fn change_of_energy(context: &RunContext, point: &PhasePoint, step: f64) -> f64 {
     let (state, dt) = (point.state(), difference(context, point, step));
@@ -218,7 +200,7 @@ fn change_of_energy(context: &RunContext, point: &PhasePoint, step: f64) -> f64 
 }
 
 /// What the rounding of the energy makes of such differences over a step; nothing where none is taken.
-pub(super) fn blur(context: &RunContext, point: &PhasePoint, step: f64) -> f64 {
+pub(crate) fn blur(context: &RunContext, point: &PhasePoint, step: f64) -> f64 {
     if !context.is_worked_on() {
         return 0.0;
     }

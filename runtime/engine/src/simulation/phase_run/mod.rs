@@ -5,24 +5,25 @@ mod paradox;
 mod record;
 mod singular;
 
-pub(crate) use record::{LastStep, RecordedPhase};
+pub(crate) use record::LastStep;
 
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use crate::audit::{Finding, Work};
+use crate::audit::Finding;
 use crate::contact::ContactError;
+use crate::context::Scales;
+use crate::context::{Numbers, RunContext};
 use crate::event::detection::{Broken, EventDetector, Guard, KnownAffineGuards, Signals, StepView};
 use crate::integrate::{Counts, DenseOutput, InitialValueProblem, StepError};
 use crate::integration::method::{Method, Problem, StartedStepper, Switches, cut};
-use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
+use crate::integration::phase_point::PhasePoint;
 use crate::integration::singular::{ROUNDED, SingularityMonitor};
 use crate::model::{ContactSet, Energy, Form};
-use crate::scales::Scales;
 use crate::simulation::{Allowance, Exhausted};
 use crate::system::Phase;
 use crate::trajectory::observe::Observer;
-use crate::trajectory::{LogEntry, LoggedDecision};
+use crate::trajectory::{LogEntry, LoggedDecision, RecordedPhase, Work};
 use record::Recording;
 use smallvec::smallvec;
 

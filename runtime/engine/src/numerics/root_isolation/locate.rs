@@ -13,20 +13,6 @@ const BEHIND: f64 = 1e-13;
 /// The values across a change of sign are compared with values this many times farther away.
 const WIDER: f64 = 1e6;
 
-/// The first root of `g` in (0, 1]: a change of sign either way, or an extremum within its error bound of zero. A change of
-/// sign through a pole or a jump is no root. At θ = 0 there is a root only where the step [continues](Start::Continues) one
-/// that ended with the other sign.
-///
-/// # Errors
-/// If `g` is infinite or not a number somewhere, or turns too often to be followed.
-pub fn first_root(
-    mut g: impl FnMut(f64) -> f64,
-    start: Start,
-    accuracy: impl Into<Accuracy>,
-) -> Result<Option<f64>, GuardError> {
-    Ok(find_root(&mut g, start, accuracy.into())?.map(|root| root.theta))
-}
-
 /// A root, or an extremum so near zero that it may be one.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Root {
@@ -47,7 +33,9 @@ impl Root {
     }
 }
 
-/// [`first_root`] with the value of an extremum that counts as one.
+/// The first root of `g` in (0, 1]: a change of sign either way, or an extremum within its error bound of zero. A change of
+/// sign through a pole or a jump is no root. At θ = 0 there is a root only where the step [continues](Start::Continues) one
+/// that ended with the other sign.
 ///
 /// # Errors
 /// If `g` is infinite or not a number somewhere, or turns too often to be followed.
@@ -95,16 +83,8 @@ fn is_continuous(g: &mut dyn FnMut(f64) -> f64, ends: [Point; 2], rounding: f64)
     jump <= 0.5 * (a - b).abs()
 }
 
-/// [`first_root`] of Σ cₖ θᵏ, exact for these coefficients; `delta` bounds the error of the series. Those after the first
+/// [`find_root`] of Σ cₖ θᵏ, exact for these coefficients; `delta` bounds the error of the series. Those after the first
 /// [`TERMS`](super::TERMS) do not count.
-///
-/// # Errors
-/// If a coefficient is infinite or not a number.
-pub fn first_root_series(c: &[f64], start: Start, delta: f64) -> Result<Option<f64>, GuardError> {
-    Ok(find_root_series(c, start, delta)?.map(|root| root.theta))
-}
-
-/// [`first_root_series`] with the value of an extremum that counts as one.
 ///
 /// # Errors
 /// If a coefficient is infinite or not a number.
@@ -144,15 +124,6 @@ pub fn extrema(
     let accuracy = Accuracy { delta, is_noisy: true };
     let division = Division { accuracy, dull: |_, _| false };
     division.visit(&mut g, &mut |node| turn(&mut zigzag, node, delta, &mut visit))
-}
-
-/// [`extrema`] of Σ cₖ θᵏ.
-///
-/// # Errors
-/// If a coefficient is infinite or not a number.
-pub fn extrema_series(c: &[f64], delta: f64, mut visit: impl FnMut(Extremum)) -> Result<(), GuardError> {
-    let mut zigzag = Zigzag::default();
-    Series::new(c, Start::Free).visit(&mut |node| turn(&mut zigzag, node, delta, &mut visit))
 }
 
 fn turn(zigzag: &mut Zigzag, node: Node, delta: f64, visit: &mut dyn FnMut(Extremum)) {

@@ -1,15 +1,14 @@
 //! A single contact decided in closed form, against the decision of any number of contacts.
 
-use super::super::single;
-use super::super::{Sense, Slip as KnownSlip};
-use super::random::Random;
+use super::decide as decide_slider;
 use crate::contact::closed_rows::ClosedRows;
-use crate::contact::friction::{holds, least_hold};
+use crate::contact::friction::tests::random::Random;
+use crate::contact::friction::{Sense, Slip as KnownSlip, holds, least_hold};
 use crate::contact::{ContactProblem, decide};
-use crate::integration::phase_point::RunContext;
+use crate::context::RunContext;
+use crate::context::scales_of;
 use crate::model::{self, ContactSet};
 use crate::prelude::*;
-use crate::scales::scales_of;
 use crate::system::Model;
 
 /// A rod on a rough slope, pulled at its other end, which does not reach a wall far away.
@@ -52,7 +51,7 @@ fn a_single_contact_is_decided_alike() {
         let rod = Pulled { m: 1.0, l: 1.0, g: 9.81 * unit, p, q, alpha, far: -9.0, mu, mu_s };
         let model = Model::from(&rod);
         let scales = scales_of(&model).unwrap();
-        let context = RunContext { model, scales, switches: Vec::new(), signals: Vec::new() };
+        let context = RunContext { model, scales };
         let senses = [KnownSlip::Forward, KnownSlip::Backward, KnownSlip::Rest, KnownSlip::Rest];
         let known = senses[random.below(4)];
         let speed = match known {
@@ -69,7 +68,7 @@ fn a_single_contact_is_decided_alike() {
             let touching = ContactSet::EMPTY.with(1);
             let question = ContactProblem { touching, slips, ..ContactProblem::default() };
             let (found, expected) =
-                (single::decide(&context, &state, &question), decide(&context.model, &state, &question));
+                (decide_slider(&context, &state, &question), decide(&context.model, &state, &question));
             let Some(found) = found else {
                 let one = expected.is_ok_and(|it| it.unique && it.alternatives.is_none());
                 missed += usize::from(one && slips[0].1 == KnownSlip::Rest);
@@ -99,7 +98,7 @@ fn a_single_contact_is_decided_alike() {
 fn on_the_floor(rod: &Pulled) -> RunContext {
     let model = Model::of(rod);
     let scales = scales_of(&model).unwrap();
-    RunContext { model, scales, switches: Vec::new(), signals: Vec::new() }
+    RunContext { model, scales }
 }
 
 const LYING: Pulled =
@@ -113,7 +112,7 @@ fn other_questions_are_not_answered_in_closed_form() {
     let (own, other) = (ContactSet::EMPTY.with(1), ContactSet::EMPTY.with(0));
     let slips = [(1, KnownSlip::Forward), (0, KnownSlip::Rest)];
     let alone = ContactProblem { touching: own, slips: &slips[..1], ..ContactProblem::default() };
-    let is_answered = |question: ContactProblem| single::decide(&context, &state, &question).is_some();
+    let is_answered = |question: ContactProblem| decide_slider(&context, &state, &question).is_some();
     assert!(is_answered(alone));
     assert!(!is_answered(ContactProblem { held: own, ..alone }));
     assert!(!is_answered(ContactProblem { held: other, ..alone }));
@@ -125,7 +124,7 @@ fn other_questions_are_not_answered_in_closed_form() {
     assert!(!is_answered(ContactProblem { slips: &[], ..alone }));
     // Without friction it is one.
     let context = on_the_floor(&Pulled { mu: 0.0, mu_s: 0.0, ..LYING });
-    assert!(single::decide(&context, &state, &alone).is_some());
+    assert!(decide_slider(&context, &state, &alone).is_some());
 }
 
 /// 1 + 3 cos²θ ± 3 μ sin θ cos θ of a rod that slides forward or backward, relative to what it is without friction, whatever its mass

@@ -1,7 +1,8 @@
 //! Functions that no polynomial fits over all of the step.
 
 use super::super::polynomial::{FINE, node};
-use super::super::{Accuracy, GuardError, Start, first_root, watch};
+use super::super::{Accuracy, GuardError, Start, watch};
+use super::first_root;
 use super::{ULPS, crossing};
 
 /// Eight kinks are followed, each in a 32nd of the step, and what comes behind them is seen; nine are too many.

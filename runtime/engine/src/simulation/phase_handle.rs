@@ -2,9 +2,10 @@
 
 use std::sync::Arc;
 
+use crate::context::Numbers;
 use crate::error::NameError;
 use crate::expression::resolve::contact_set;
-use crate::integration::phase_point::{Numbers, PhasePoint, coordinate_of};
+use crate::integration::phase_point::{PhasePoint, coordinate_of};
 use crate::model::{ContactSet, Energy, Form};
 use crate::system::{Model, Phase};
 

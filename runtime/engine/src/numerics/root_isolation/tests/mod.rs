@@ -19,8 +19,9 @@ use core::f64::consts::PI;
 
 use proptest::prelude::*;
 
-use super::{Crossing, Extremum, ExtremumKind, GuardError, Start};
-use super::{extrema, first_root, watch};
+use super::extrema::Extremum;
+use super::{Accuracy, Crossing, ExtremumKind, GuardError, Root, Start};
+use super::{extrema, find_root, find_root_series, watch};
 
 /// θ of a root found by bisection on a function good to an ulp: the spacing of θ, twice.
 const ULPS: f64 = 4.0 * f64::EPSILON;
@@ -32,6 +33,24 @@ fn product(roots: &[f64], theta: f64) -> f64 {
 /// A positive factor that is no polynomial.
 fn bend(phase: f64, theta: f64) -> f64 {
     1.0 + 0.5 * (3.0 * theta + phase).sin()
+}
+
+/// Where the first root of a function is.
+fn first_root(
+    mut g: impl FnMut(f64) -> f64,
+    start: Start,
+    accuracy: impl Into<Accuracy>,
+) -> Result<Option<f64>, GuardError> {
+    Ok(find_root(&mut g, start, accuracy.into())?.map(theta))
+}
+
+/// Where the first root of Σ cₖ θᵏ is.
+fn first_root_series(c: &[f64], start: Start, delta: f64) -> Result<Option<f64>, GuardError> {
+    Ok(find_root_series(c, start, delta)?.map(theta))
+}
+
+fn theta(root: Root) -> f64 {
+    root.theta
 }
 
 fn all_extrema(g: impl FnMut(f64) -> f64, delta: f64) -> Vec<Extremum> {

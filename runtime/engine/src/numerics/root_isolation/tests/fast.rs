@@ -2,8 +2,9 @@
 
 use core::f64::consts::PI;
 
-use super::super::{Crossing, GuardError, Start, first_root, watch};
+use super::super::{Crossing, GuardError, Start, watch};
 use super::crossing;
+use super::first_root;
 use super::known::Random;
 
 /// 1/(1 + ((θ − p)/w)²) − ½ is zero at p ± w.

@@ -22,8 +22,8 @@ mod smooth;
 mod tests;
 
 pub use decide::{Crossing, watch, watch_series};
-pub use extrema::{Extremum, ExtremumKind};
-pub use locate::{Root, extrema, extrema_series, find_root, find_root_series, first_root, first_root_series};
+pub use extrema::ExtremumKind;
+pub use locate::{Root, extrema, find_root, find_root_series};
 pub use partition::{Accuracy, NODES};
 pub use polynomial::last_coefficients;
 pub use series::{TERMS, is_above, rest, stays_above, tail, without_zeros};

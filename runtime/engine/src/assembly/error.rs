@@ -2,8 +2,8 @@
 
 use thiserror::Error;
 
-use super::NameError;
 use crate::contact::ContactError;
+use crate::error::NameError;
 
 /// A start from which no motion follows.
 #[derive(Debug, Clone, PartialEq, Error)]

@@ -7,13 +7,13 @@ use super::record::{LastStep, Recording};
 use super::{PhaseRun, Termination, Touch};
 use crate::audit::{Finding, Seam, work_of};
 use crate::contact::{ContactError, refuse_singular};
+use crate::context::Numbers;
 use crate::event::detection::{AffineGuards, Guard, StepEvents, StepView, Unseen};
-use crate::event::root_isolation::GuardError;
 use crate::integrate::{Counts, DenseOutput, Guards, PhaseStepper, StepError};
 use crate::integration::form_selection::{eliminates, least_pivot};
-use crate::integration::phase_point::Numbers;
 use crate::integration::singular::SingularityMonitor;
 use crate::model::{ContactSet, Form};
+use crate::numerics::root_isolation::GuardError;
 use crate::trajectory::{LogEntry, LoggedDecision};
 use smallvec::smallvec;
 

@@ -9,14 +9,14 @@
 //! open, stick, and a slide in either sense. Where the conditions of one are met and those of the others are not, that one
 //! follows, as it always does where w₊, w₋ > 0 and μ_s = μ: the complementarity problem is one of a P-matrix (Pfeiffer and
 //! Glocker, *Multibody Dynamics with Unilateral Contacts*, 1996). Where several modes can follow, as between the cones of μ and
-//! μ_s or in Painlevé's paradox, [`enumeration`](super::enumeration) finds and tells them.
+//! μ_s or in Painlevé's paradox, [`enumeration`](crate::contact::friction) finds and tells them.
 
-use super::{Sense, Slip as KnownSlip};
-use crate::contact::nondegenerate::{CLEAR, solve};
+use super::{CLEAR, solve};
+use crate::contact::friction::{Sense, Slip as KnownSlip};
 use crate::contact::{ContactProblem, ContactSolution};
-use crate::integration::phase_point::{Numbers, RunContext};
+use crate::context::slips;
+use crate::context::{Numbers, RunContext};
 use crate::model::{ContactKind, ContactSet, Slip, SlipState};
-use crate::scales::slips;
 use crate::system::Equations;
 
 /// The contact, and what is clearly not zero.
@@ -130,3 +130,6 @@ impl Contact<'_> {
         (least.abs() > 1.0).then_some(least > 0.0)
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,7 +1,8 @@
 //! A hundred thousand random guards with known roots: none missed, none invented.
 
-use super::super::{Crossing, Start, first_root, first_root_series, rest, watch, watch_series};
+use super::super::{Crossing, Start, rest, watch, watch_series};
 use super::known::{Known, Random, Root};
+use super::{first_root, first_root_series};
 
 /// What is followed along one guard; after a root it goes on from there, the root known.
 #[derive(Clone, Copy, PartialEq, Debug)]

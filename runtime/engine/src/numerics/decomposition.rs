@@ -149,6 +149,27 @@ fn decomposed<T>(matrix: DMatrix<f64>, by: impl Fn(DMatrix<f64>, usize) -> Optio
     found.or_else(|| by(DMatrix::zeros(rows, columns), sweeps)).expect("zeros are diagonal")
 }
 
+/// The connected parts of a matrix, numbered from zero.
+pub(crate) fn parts(matrix: &DMatrix<f64>) -> Vec<usize> {
+    let size = matrix.nrows();
+    let mut part = vec![usize::MAX; size];
+    let mut count = 0;
+    for first in 0..size {
+        if part[first] < count {
+            continue;
+        }
+        let mut next = vec![first];
+        while let Some(i) = next.pop() {
+            if part[i] == usize::MAX {
+                part[i] = count;
+                next.extend((0..size).filter(|&j| matrix[(i, j)] != 0.0 && part[j] == usize::MAX));
+            }
+        }
+        count += 1;
+    }
+    part
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

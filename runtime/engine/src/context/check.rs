@@ -1,12 +1,9 @@
 //! The natural scales of a model, and checks of its parameters.
 
-pub(crate) use liftoff_core::scales::Scales;
-
-use crate::assembly::CLOSED;
+use super::{CLOSED, Scales, slips};
 use crate::error::ModelError;
 use crate::model::{Layout, Measure, MeasureKind, SlipState};
-use crate::system::{Model, System};
-use smallvec::SmallVec;
+use crate::system::Model;
 
 /// A distance that the figure wants positive may be negative by this much, relative to the natural length: it counts as zero.
 /// Rounding is far smaller.
@@ -16,15 +13,6 @@ const NEAR: f64 = 1e-9;
 const UNRESOLVED: f64 = 10.0 * CLOSED;
 /// A moment of inertia below this part of the mass at the natural length is lost in the sum of both, as in W = J M⁻¹ Jᵀ.
 const WEIGHTLESS: f64 = 1e-14;
-
-/// A value below this part of its natural unit is what the rounding of a state makes of zero.
-const STILL: f64 = 16.0 * f64::EPSILON;
-
-/// A rate or impulse, or zero where it is no more than rounding makes of zero in its unit: that would open a contact at rest which has
-/// nothing to do with it.
-pub(crate) fn without_rounding(value: f64, unit: f64) -> f64 {
-    if value.abs() < STILL * unit { 0.0 } else { value }
-}
 
 /// The natural scales of a model; refuses parameters that are no numbers, negative masses and lengths that are not positive.
 pub(crate) fn scales_of(model: &Model) -> Result<Scales, ModelError> {
@@ -157,17 +145,6 @@ fn without_slip(model: &Model, entry: usize) -> Option<SlipState<f64>> {
     let rates: Vec<f64> = along.iter().map(|entry| factor * entry).collect();
     let slip = slips(system, &state(&rates)).get(entry).copied();
     slip.filter(|_| drift == 0.0 || square > 0.0)
-}
-
-/// Some slips; those of few contacts need no allocation.
-pub(crate) type Slips = SmallVec<[SlipState<f64>; 4]>;
-
-/// The slips of all contacts with friction at a state.
-pub(crate) fn slips(system: &dyn System, state: &[f64]) -> Slips {
-    let zero = SlipState { velocity: 0.0, kinetic: 0.0, limit: 0.0 };
-    let mut slips = Slips::from_elem(zero, system.layout().frictions.len());
-    system.slips(state, &mut slips);
-    slips
 }
 
 fn check_restitution(layout: &Layout, values: &[f64]) -> Result<(), ModelError> {

@@ -4,12 +4,12 @@ use core::fmt;
 
 use thiserror::Error;
 
-use super::StartError;
+use super::Exhausted;
+use crate::assembly::StartError;
 use crate::audit::Finding;
 use crate::contact::ContactError;
 use crate::expression::Condition;
 use crate::integrate::StepError;
-use crate::simulation::Exhausted;
 use crate::trajectory::Trajectory;
 
 /// Why a run stopped short.
