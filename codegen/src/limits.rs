@@ -6,6 +6,9 @@
 use crate::algebra::work;
 use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
 
+/// Own code is emitted for at most this many contact sets unless the declaration says otherwise.
+pub const CLOSED_FORMS: usize = 64;
+
 /// Levels of brackets.
 const LEVELS: usize = 48;
 

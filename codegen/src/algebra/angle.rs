@@ -1,6 +1,6 @@
 //! Angles Σ kᵢ·symbolᵢ + quarters·π/2: what a sine or cosine is taken of.
 
-use super::{Powers, Series, Symbol};
+use super::{Powers, Symbol};
 use std::ops::{Add, Neg, Sub};
 
 /// An integer combination of symbols plus a whole number of quarter turns.
@@ -67,18 +67,6 @@ impl Angle {
         let rest =
             Self { terms: self.terms.as_ref().map(|terms| terms.without(symbol)), quarters: self.quarters };
         &rest + &value.scale(i32::from(self.coefficient(symbol)))
-    }
-
-    /// Its time derivative Σ kᵢ·q̇ᵢ; parameters are constant.
-    pub fn rate(&self) -> Series {
-        if self.terms.is_none() {
-            return Series::overflow();
-        }
-        let rates = self
-            .terms()
-            .iter()
-            .filter_map(|&(symbol, k)| Some(Series::symbol(symbol.derivative()?).scale(i64::from(k).into())));
-        rates.sum()
     }
 
     pub(super) fn from_multipliers(terms: Powers) -> Self {

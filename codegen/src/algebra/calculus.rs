@@ -3,7 +3,7 @@
 
 use super::collect::Collector;
 use super::product::push_wave;
-use super::{Monomial, Powers, Rational, Series, Symbol, Term};
+use super::{Angle, Monomial, Powers, Rational, Series, Symbol, Term};
 
 impl Series {
     /// ∂/∂symbol, of monomials and waves, all other symbols held.
@@ -26,6 +26,20 @@ impl Series {
                 }
             }
         })
+    }
+}
+
+impl Angle {
+    /// Its time derivative Σ kᵢ·q̇ᵢ; parameters are constant.
+    pub fn rate(&self) -> Series {
+        if self.multipliers().is_none() {
+            return Series::overflow();
+        }
+        let rates = self
+            .terms()
+            .iter()
+            .filter_map(|&(symbol, k)| Some(Series::symbol(symbol.derivative()?).scale(i64::from(k).into())));
+        rates.sum()
     }
 }
 

@@ -64,6 +64,18 @@ impl Collector {
     }
 }
 
+impl Series {
+    /// The sum of coefficient · term over what `emit` pushes; overflow if `self` is.
+    pub(super) fn collect(&self, emit: impl FnOnce(&mut Collector)) -> Self {
+        if self.is_overflow() {
+            return Self::overflow();
+        }
+        let mut sum = Collector::with_capacity(self.entries().len());
+        emit(&mut sum);
+        sum.finish()
+    }
+}
+
 /// The sum of two sorted lists, each without equal terms.
 pub(super) fn merge(left: Vec<Entry>, right: Vec<Entry>) -> Vec<Entry> {
     let (short, long) = match left.len().cmp(&right.len()) {

@@ -1,6 +1,5 @@
 //! Poisson series Σ c · monomial · sin|cos(argument) in canonical form.
 
-use super::collect::Collector;
 use super::{Angle, Monomial, Powers, Rational, Symbol, Term, Wave};
 use std::collections::BTreeSet;
 
@@ -87,16 +86,6 @@ impl Series {
     /// From terms in strictly increasing order, with non-zero coefficients.
     pub(super) fn from_sorted(terms: Vec<(Term, Rational)>) -> Self {
         Self { terms, overflow: false }
-    }
-
-    /// The sum of coefficient · term over what `emit` pushes; overflow if `self` is.
-    pub(super) fn collect(&self, emit: impl FnOnce(&mut Collector)) -> Self {
-        if self.overflow {
-            return Self::overflow();
-        }
-        let mut sum = Collector::with_capacity(self.terms.len());
-        emit(&mut sum);
-        sum.finish()
     }
 
     /// The same terms in the same order, each with its coefficient mapped to a non-zero one.

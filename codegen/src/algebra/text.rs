@@ -6,5 +6,6 @@ mod shorter;
 mod sums;
 
 pub use names::{Names, lettered, printed};
+pub use products::lead;
 pub use shorter::Shorthand;
-pub use sums::{lead, rank};
+pub use sums::rank;

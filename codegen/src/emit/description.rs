@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 
 use super::defaults::defaults;
 use super::numbers::{measures, restitution};
-use super::{count, geometry, nominal, option, phases, quantities};
+use super::{contact_sets, count, geometry, nominal, option, quantities};
 use crate::functions::Kink;
 use crate::geometry::Geometry;
 use crate::motion::Contact;
@@ -91,7 +91,7 @@ fn layout(analysis: &Analysis, drawn: &Geometry) -> TokenStream {
         Kink::Radicand(_) => quote!(Kink::Radicand),
     });
     let (geometry, defaults) = (geometry::geometry(drawn), defaults(system));
-    let closed = analysis.functions.phases.iter().map(phases::set);
+    let closed = analysis.functions.phases.iter().map(contact_sets::set);
     let frictions = analysis.motion.frictions().map(|(contact, row)| {
         let follows_slip = analysis.motion.follows_slip(system, contact);
         let [contact, row] = [contact, row].map(count);

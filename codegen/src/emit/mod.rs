@@ -9,6 +9,7 @@ macro_rules! quote {
 mod body;
 mod chain;
 mod constants;
+mod contact_sets;
 mod defaults;
 mod description;
 mod fallback;

@@ -1,17 +1,18 @@
 //! One set of functions per closed form, and the selection among them.
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Ident, TokenStream};
 use quote::format_ident;
 
 use super::chain::by_loops;
 use super::constants::Constants;
+use super::contact_sets::{bits, bits_method, set};
 use super::count;
 use super::functions::{Entries, body, energies};
 use super::projected::{held_motions, projected};
 use super::series;
 use crate::Analysis;
 use crate::functions::{PhaseFunctions, phase_names};
-use crate::motion::{ClosedSet, UNROLLED};
+use crate::motion::UNROLLED;
 use crate::program::Id;
 
 /// The method `phase`, and the free functions it refers to.
@@ -115,26 +116,6 @@ fn closed_form(
                 k.fill(of, put);
             }
         }
-    }
-}
-
-/// The method of a contact set that tells its bits.
-pub(super) fn bits_method(analysis: &Analysis) -> TokenStream {
-    if analysis.functions.slips.is_empty() { quote!(bits) } else { quote!(bits_and_stick) }
-}
-
-/// The pattern of a contact set.
-pub(super) fn bits(analysis: &Analysis, set: ClosedSet) -> TokenStream {
-    let [closed, stick] = [set.closed, set.stick].map(Literal::u64_unsuffixed);
-    if analysis.functions.slips.is_empty() { quote!(#closed) } else { quote!((#closed, #stick)) }
-}
-
-/// A phase's contact set.
-pub(super) fn set(phase: &PhaseFunctions) -> TokenStream {
-    let [closed, stick] = [phase.set.closed, phase.set.stick].map(Literal::u64_unsuffixed);
-    match phase.set.stick {
-        0 => quote!(ContactSet::from_bits(#closed)),
-        _ => quote!(ContactSet::from_bits_and_stick(#closed, #stick)),
     }
 }
 

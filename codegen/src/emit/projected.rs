@@ -5,9 +5,9 @@ use proc_macro2::{Ident, TokenStream};
 use quote::format_ident;
 
 use super::constants::Constants;
+use super::contact_sets::{bits, bits_method};
 use super::count;
 use super::functions::{Entries, body};
-use super::phases::bits;
 use crate::Analysis;
 use crate::functions::{HeldMotion, phase_names};
 use crate::program::Id;
@@ -27,7 +27,7 @@ pub(super) fn projected(analysis: &Analysis) -> TokenStream {
                     let set = bits(analysis, motion.set);
                     quote!(::core::option::Option::Some(#set) => #name::#method,)
                 });
-                let bits = super::phases::bits_method(analysis);
+                let bits = bits_method(analysis);
                 quote!(match set.#bits() { #(#arms)* _ => Held::#method })
             };
             ["derivative", "reactions"].map(|method| own(&format_ident!("{method}")))

@@ -7,7 +7,7 @@ use super::action::{Action, Scene};
 use super::dot;
 use super::expression::OpaqueTerms;
 use super::feeler::{self, Feeler};
-use super::gap::{Measured, Sliding, inverse, slips};
+use super::measured::{Measured, Sliding, inverse, slips};
 use super::row::{Row, bias};
 use crate::algebra::{Rational, Series};
 use crate::system::{Centre, Support};

@@ -3,7 +3,8 @@
 
 use super::action::{Action, Scene};
 use super::expression::{Expression, OpaqueTerms};
-use super::gap::{Foot, Measured, is_fixed, measure};
+use super::gap::measure;
+use super::measured::{Foot, Measured, is_fixed};
 use super::row::Row;
 use crate::algebra::{Rational, Series};
 use crate::system::{Drive, Support, System};
@@ -141,7 +142,7 @@ pub(super) fn merge(scene: &Scene, opaque_terms: &mut OpaqueTerms) -> syn::Resul
                 }
                 None => format!("support `{name}` does nothing: what it supports cannot move"),
             };
-            combine(&mut errors, syn::Error::new(support.span, text));
+            super::combine(&mut errors, syn::Error::new(support.span, text));
         }
         match contacts.iter_mut().find(|contact| contact.takes(scene, i, &measured)) {
             Some(contact) => contact.join(i, measured),
@@ -176,17 +177,10 @@ pub(super) fn merge(scene: &Scene, opaque_terms: &mut OpaqueTerms) -> syn::Resul
                  symmetric; leave `mirror` out",
                 support.name
             );
-            combine(&mut errors, syn::Error::new(support.span, text));
+            super::combine(&mut errors, syn::Error::new(support.span, text));
         }
     }
     errors.map_or(Ok(contacts), Err)
-}
-
-pub(super) fn combine(errors: &mut Option<syn::Error>, error: syn::Error) {
-    match errors {
-        Some(all) => all.combine(error),
-        None => *errors = Some(error),
-    }
 }
 
 /// The coefficients of a support with the slip of its row.

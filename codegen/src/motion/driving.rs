@@ -1,11 +1,10 @@
 //! Forces of drives: of those that hold throughout, joints, and of those on a condition, contacts.
 
 use super::action::{Action, Scene, unit};
-use super::dot;
 use super::expression::{Expression, OpaqueTerms};
-use super::forces::Vector;
-use super::gap::Measured;
+use super::measured::Measured;
 use super::row::Row;
+use super::{Vector, dot};
 use crate::algebra::{Rational, Series, Symbol};
 use crate::system::{CoordinateKind, Driven, Reading, Reference};
 

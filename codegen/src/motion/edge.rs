@@ -5,7 +5,7 @@
 use super::action::Scene;
 use super::dot;
 use super::feeler::{self, Feeler};
-use super::gap::{Foot, Measured, Sliding, slips};
+use super::measured::{Foot, Measured, Sliding, slips};
 use super::row::Row;
 use crate::algebra::{Rational, Series};
 use crate::kinematics::offset;

@@ -8,12 +8,10 @@
 use super::action::{Action, Holder, Scene, normal};
 use super::expression::OpaqueTerms;
 use super::parts::Part;
-use super::{Motion, Products, driving};
+use super::{Motion, Products, Vector, driving};
 use crate::algebra::{Rational, Series, Symbol};
 use crate::kinematics::JointKind;
 use crate::system::Guide;
-
-pub(super) type Vector = [Series; 2];
 
 /// Every force with its multiplier, and whom it is not known to act on.
 pub(super) struct Forces<'a> {

@@ -22,68 +22,12 @@ use super::action::{Action, Scene, normal, unit};
 use super::circle::{self, Ring};
 use super::expression::{Expression, OpaqueTerms};
 use super::feeler::Feeler;
+use super::measured::{Foot, Measured, Sliding, slips};
 use super::row::{Row, bias};
 use super::{dot, driving, edge, hinge, stop, thread};
 use crate::algebra::{Rational, Series, Symbol};
 use crate::kinematics::height;
 use crate::system::{OneSided, Support};
-
-/// Where a corner touches its bar.
-#[derive(Clone, Debug)]
-pub struct Foot {
-    /// Distance from the bar's first point.
-    pub from_first: Series,
-    /// Distance from the bar's last point.
-    pub from_last: Series,
-}
-
-impl Foot {
-    /// Whether both lie under their bars together; a bar may be named from either end.
-    pub(super) fn equals(&self, other: &Self) -> bool {
-        let straight = self.from_first == other.from_first && self.from_last == other.from_last;
-        straight || self.from_first == other.from_last && self.from_last == other.from_first
-    }
-}
-
-/// What a support contributes.
-pub(super) struct Measured {
-    pub row: Row,
-    pub foot: Option<Foot>,
-    /// The tangential row of a support that is rough or has friction.
-    pub tangent: Option<Row>,
-    /// The forces of a unit reaction, and of a unit tangential one.
-    pub actions: [Vec<Action>; 2],
-}
-
-pub(super) fn slips(support: &Support) -> bool {
-    support.rough || support.friction.is_some()
-}
-
-/// What slips along a tangent: `t · ẋ + Σ c ω`, and what its rate is without accelerations beside `t · ẍ`.
-pub(super) struct Sliding<'a> {
-    pub span: &'a [Series; 2],
-    pub tangent: &'a [Series; 2],
-    pub spins: &'a [(usize, Series)],
-    pub bias: Series,
-}
-
-impl<'a> Sliding<'a> {
-    /// Along a tangent that does not turn, or turns with what slips alone: `ṫ · ẋ = 0`.
-    pub fn of(span: &'a [Series; 2], tangent: &'a [Series; 2]) -> Self {
-        Self { span, tangent, spins: &[], bias: Series::zero() }
-    }
-
-    pub fn row(&self, scene: &Scene) -> Row {
-        let n = scene.n();
-        let entry = |i: usize| {
-            let slope = self.span.each_ref().map(|part| part.derivative(Symbol::coordinate(i)));
-            let spins = self.spins.iter().map(|(body, factor)| factor * &scene.turn(*body, i));
-            &dot(self.tangent, &slope) + &spins.sum()
-        };
-        let bias = &dot(self.tangent, &self.span.each_ref().map(|part| bias(part, n))) + &self.bias;
-        Row::tangential((0..n).map(entry).collect(), bias)
-    }
-}
 
 pub(super) fn measure(scene: &Scene, opaque_terms: &mut OpaqueTerms, support: &Support) -> Measured {
     let mut measured = at_rest(scene, opaque_terms, support);
@@ -151,18 +95,4 @@ fn corner(scene: &Scene, body: usize, at: &[Series; 2], side: i8, slips: bool) -
     let force = |direction| vec![Action::at_place(body, at.clone(), from_first.clone(), direction)];
     let actions = [force(push), force(along)];
     Measured { row, foot: Some(Foot { from_first, from_last }), tangent: slips.then_some(slip), actions }
-}
-
-/// 1/x of a length given by parameters.
-pub(super) fn inverse(opaque_terms: &mut OpaqueTerms, x: &Series) -> Series {
-    x.recip_monomial().unwrap_or_else(|| {
-        let one = Expression::series(Series::one());
-        opaque_terms.symbol("inverse", one.over(Expression::series(x.clone())))
-    })
-}
-
-/// Whether nothing that moves occurs in a row.
-pub(super) fn is_fixed(row: &Row) -> bool {
-    let moves = |series: &Series| series.symbols().iter().any(|s| matches!(s, Symbol::Coordinate { .. }));
-    !moves(&row.gap) && row.jacobian.iter().all(Series::is_zero)
 }

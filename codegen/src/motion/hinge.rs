@@ -3,7 +3,7 @@
 //! without it, and F is a joint force of the motion.
 
 use super::action::{Action, Scene};
-use super::gap::Measured;
+use super::measured::Measured;
 use super::row::Row;
 use super::{MOST_HINGES, Motion};
 use crate::algebra::Series;
@@ -59,7 +59,7 @@ impl Motion {
                     support.name
                 ),
             };
-            super::contacts::combine(&mut errors, syn::Error::new(support.span, error));
+            super::combine(&mut errors, syn::Error::new(support.span, error));
         }
         errors.map_or(Ok(()), Err)
     }

@@ -17,6 +17,7 @@ mod forces;
 mod gap;
 mod hinge;
 mod loads;
+mod measured;
 mod parts;
 mod quantities;
 mod quantity;
@@ -35,8 +36,8 @@ pub use action::{Action, Holder, Scene};
 pub use contacts::{Contact, Friction, Tangent};
 pub use dense::Dense;
 pub use expression::{Expression, OpaqueTerm};
-pub use gap::Foot;
 pub use loads::Loads;
+pub use measured::Foot;
 pub use quantity::{Quantity, QuantityKind};
 pub use row::Row;
 pub(crate) use row::bias;
@@ -269,6 +270,15 @@ impl Motion {
 fn overflow(system: &System) -> syn::Error {
     let text = "the exact coefficients overflow 128 bits; write long decimals as parameters";
     syn::Error::new(system.longest_number(), text)
+}
+
+type Vector = [Series; 2];
+
+fn combine(errors: &mut Option<syn::Error>, error: syn::Error) {
+    match errors {
+        Some(all) => all.combine(error),
+        None => *errors = Some(error),
+    }
 }
 
 fn dot(a: &[Series; 2], b: &[Series; 2]) -> Series {

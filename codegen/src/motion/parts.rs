@@ -3,7 +3,7 @@
 use super::Inertia;
 use super::action::{Action, Holder, Scene};
 use super::expression::{Expression, OpaqueTerms};
-use super::gap::inverse;
+use super::measured::inverse;
 use crate::algebra::{Rational, Series};
 use crate::system::{Body, Section};
 

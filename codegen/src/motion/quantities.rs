@@ -1,8 +1,9 @@
 //! Forces at joints, tensions, forces of drives, internal forces and momenta, by name. Only what is asked for is computed.
 
+use super::Vector;
 use super::action::{Holder, Scene, normal, unit};
 use super::expression::{Expression, OpaqueTerms};
-use super::forces::{Forces, Vector, moment, multiplier};
+use super::forces::{Forces, moment, multiplier};
 use super::parts::Part;
 use super::{Motion, Products, Quantity, QuantityKind, dot};
 use crate::algebra::Series;

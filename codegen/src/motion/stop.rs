@@ -3,7 +3,7 @@
 
 use super::action::{Action, Scene, unit};
 use super::dot;
-use super::gap::Measured;
+use super::measured::Measured;
 use super::row::Row;
 use crate::algebra::{Rational, Series};
 

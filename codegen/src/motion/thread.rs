@@ -4,13 +4,11 @@
 //! `d̈ = ((r×ṙ)² / d² + r·β) / d`, β what r̈ is without them; a difference of ṙ·ṙ and ḋ² would lose digits.
 
 use super::action::{Action, Scene};
-use super::dot;
 use super::expression::{Expression, OpaqueTerms};
-use super::gap::{Measured, inverse};
+use super::measured::{Measured, inverse};
 use super::row::{Row, bias};
+use super::{Vector, dot};
 use crate::algebra::{Rational, Series, Symbol};
-
-type Vector = [Series; 2];
 
 /// A part of a thread between two of its points.
 struct Segment {

@@ -1,6 +1,7 @@
 //! What parameters alone determine: measures, restitution, the nominal figure and the numbers of a drawing. Each is a list of
 //! values of a program of its own, and what is made of them.
 
+mod measure;
 mod measures;
 mod nominal;
 mod settled;
@@ -11,9 +12,9 @@ use crate::geometry::{self, Geometry};
 use crate::program::{Id, Lowering, Program};
 use crate::system::System;
 
-pub use measures::{Measure, MeasureKind, Measures, Value};
+pub use measure::{Measure, MeasureKind, Turned, Value};
+pub use measures::Measures;
 pub use nominal::{Direction, Nominal, Reading, Reference};
-pub use settled::Turned;
 
 /// Values that parameters determine.
 #[derive(Clone, Debug)]

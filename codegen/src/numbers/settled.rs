@@ -1,20 +1,11 @@
 //! What the figure settled, as measures that are not negative where it holds with a model's own parameters.
 
-use super::measures::{Measure, MeasureKind, Value};
+use super::measure::{Measure, MeasureKind, Turned, Value};
 use crate::Analysis;
 use crate::algebra::{Angle, Series, Symbol};
 use crate::phases::Branch;
 use crate::program::{Id, Lowering};
 use crate::system::{Settled, Settles};
-
-/// An angle of the figure: a number plus multiples of coordinates.
-#[derive(Clone, Debug)]
-pub struct Turned {
-    /// The number.
-    pub constant: usize,
-    /// Coordinates and their multipliers.
-    pub terms: Vec<(usize, i16)>,
-}
 
 /// What is to be checked.
 pub(super) struct Open<'a> {

@@ -5,6 +5,7 @@
 //! reactions follow from the eliminated rows of the full equations, `J_eᵀ λ = (M a + h − Q)_e`. The friction forces R of
 //! sliding contacts are loads in both: Q contains `J_tᵀ R`, and `R = −σ μ N` closes the equations.
 
+mod eliminate;
 mod elimination;
 mod reduction;
 mod rules;
@@ -18,8 +19,6 @@ use crate::system::System;
 
 pub use elimination::{Branch, Elimination, Value};
 
-/// Own code is emitted for at most this many contact sets unless the declaration says otherwise.
-pub const LIMIT: usize = 64;
 /// Term operations for all closed forms; those that would need more are left to the projected form.
 const WORK: u64 = 5_000_000;
 /// In a closed form so many contacts slide at most: their reactions follow by Cramer's rule.
@@ -102,7 +101,7 @@ pub fn closed_forms(system: &System, kinematics: &Kinematics, motion: &Motion, d
     work::limited(WORK, || {
         for set in sets {
             let rows = rows(motion, set);
-            let eliminated = elimination::eliminate(kinematics, motion, &rows, &samples);
+            let eliminated = eliminate::eliminate(kinematics, motion, &rows, &samples);
             let phase = eliminated.and_then(|e| reduction::reduce(motion, dense, set, e));
             if phases.len() >= system.sets || work::is_spent() {
                 break;

@@ -1,6 +1,7 @@
 //! Reduced equations of a contact set from the full ones and the eliminated coordinates.
 
-use super::elimination::{Elimination, Value, substitute_all, turned_by_all};
+use super::eliminate::{substitute_all, turned_by_all};
+use super::elimination::{Elimination, Value};
 use super::{Phase, Sliding};
 use crate::algebra::{Angle, Quotient, Rational, Series, Symbol};
 use crate::motion::{ClosedSet, Dense, Expression, Motion, OpaqueTerm};

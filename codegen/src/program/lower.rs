@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use super::group::{Group, Plan, Product, groups, may_cancel, plan};
 use super::polynomial::Factored;
-use super::waves::Waves;
+use super::wave::Waves;
 use super::{Id, Program, perfect};
 use crate::algebra::{Angle, Quotient, Rational, Series, Symbol};
 use crate::motion::{Expression, OpaqueTerm};

@@ -11,6 +11,7 @@ mod lower;
 mod perfect;
 mod polynomial;
 mod solve;
+mod wave;
 mod waves;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -23,7 +24,7 @@ pub use cost::Cost;
 pub use lower::Lowering;
 pub(crate) use polynomial::Polynomial;
 pub use solve::{Factored, solve_symmetric};
-pub use waves::{Part, Wave};
+pub use wave::{Part, Wave};
 
 /// A value of the program.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]

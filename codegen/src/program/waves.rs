@@ -3,41 +3,9 @@
 //! An angle whose versed sine is wanted is evaluated at its half, `sin α = 2 sin ½α cos ½α`,
 //! `cos α = 1 − vers α`, `vers α = 2 sin² ½α`.
 
-use std::collections::{BTreeMap, BTreeSet};
-
+use super::wave::{Argument, Part, Wave};
 use super::{Id, Lowering, Operation};
 use crate::algebra::{Rational, Symbol};
-
-type Argument = Vec<(Symbol, i16)>;
-
-/// A function of an angle that a value is.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Part {
-    /// Its sine.
-    Sine,
-    /// Its cosine.
-    Cosine,
-    /// 1 less its cosine.
-    Versed,
-}
-
-/// What a value made by addition theorems is in one step.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Wave {
-    /// Which function of the angle.
-    pub part: Part,
-    /// The angle: values, all of which vary, and their multiples.
-    pub angle: Vec<(Id, i16)>,
-    /// The sine and the cosine of the angle.
-    pub sin_cos: (Id, Id),
-}
-
-/// Waves that are computed already, and the angles that are evaluated at their halves.
-#[derive(Default)]
-pub(super) struct Waves {
-    pub half: BTreeSet<Symbol>,
-    known: BTreeMap<(bool, Argument), (Id, Id)>,
-}
 
 impl Lowering<'_> {
     /// (sin, cos) of an argument.

@@ -73,7 +73,7 @@ impl ContactLaw {
             restitution: options.take("restitution"),
             law,
             stop: options.flag("stop"),
-            armed: Switch::take(options),
+            armed: options.take_switch(),
         })
     }
 }

@@ -26,6 +26,6 @@ pub(super) fn read(input: ParseStream) -> syn::Result<Couple> {
     let name = input.parse()?;
     let value = options::assigned(input)?;
     let mut options = Options::read(input, &["on", "from", "while"])?;
-    let armed = Switch::take(&mut options);
+    let armed = options.take_switch();
     Ok(Couple { name, on: options.take_name("on")?, from: options.take_name("from")?, value, armed })
 }

@@ -65,7 +65,7 @@ pub(super) fn read(input: ParseStream) -> syn::Result<DriveDeclaration> {
     if input.peek(Token![,]) && !(input.peek2(Token![while]) && input.peek3(syn::token::Paren)) {
         return Err(input.error("one drive has one value; write another `#[drive(…)]`"));
     }
-    let armed = Switch::take(&mut Options::read(input, &["while"])?);
+    let armed = Options::read(input, &["while"])?.take_switch();
     Ok(DriveDeclaration { target, value, armed })
 }
 

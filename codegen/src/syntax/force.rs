@@ -27,6 +27,6 @@ pub(super) fn read(input: ParseStream) -> syn::Result<Force> {
     let name = input.parse()?;
     let value = options::pair(options::assigned(input)?)?;
     let mut options = Options::read(input, &["at", "frame", "while"])?;
-    let armed = Switch::take(&mut options);
+    let armed = options.take_switch();
     Ok(Force { name, at: options.take_name("at")?, value, frame: options.take_name("frame")?, armed })
 }

@@ -6,7 +6,8 @@ use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
 use syn::{Expr, Ident, Lit, Token};
 
-use super::{Pair, switch, unknown};
+use super::switch::{self, Switch};
+use super::{Pair, unknown};
 
 /// What friction is asked for by instead of `friction = mu`.
 const FRICTION: [&str; 5] = ["mu", "coulomb", "mu_s", "mu_k", "rough"];
@@ -111,6 +112,11 @@ impl Options {
     pub fn take(&mut self, name: &str) -> Option<Expr> {
         let index = self.0.iter().position(|(given, _)| given == name)?;
         self.0.remove(index).1
+    }
+
+    /// Takes the condition that something is there on.
+    pub fn take_switch(&mut self) -> Option<Switch> {
+        self.take("while").and_then(Switch::from_value)
     }
 
     /// Takes the value of an option that `owner` cannot do without.

@@ -52,6 +52,6 @@ pub(super) fn read(input: ParseStream) -> syn::Result<SpringDeclaration> {
     let (name, ends) = route::ends("spring", input)?;
     let mut options = Options::read(input, &[&RESISTANCE[..], &["length", "while"]].concat())?;
     let law = Resistance::take(&mut options, &name)?;
-    let armed = Switch::take(&mut options);
+    let armed = options.take_switch();
     Ok(SpringDeclaration { ends, length: options.take("length"), law, armed, name })
 }

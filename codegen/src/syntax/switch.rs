@@ -3,8 +3,6 @@
 use syn::parse::ParseStream;
 use syn::{Expr, ExprLit, Lit, LitStr, parenthesized};
 
-use super::options::Options;
-
 /// The condition that something is there on.
 #[derive(Clone, Debug)]
 pub struct Switch {
@@ -15,9 +13,9 @@ pub struct Switch {
 }
 
 impl Switch {
-    /// Takes it from options.
-    pub(super) fn take(options: &mut Options) -> Option<Self> {
-        match options.take("while")? {
+    /// From the value that the option has been parsed to.
+    pub(super) fn from_value(value: Expr) -> Option<Self> {
+        match value {
             Expr::Lit(ExprLit { lit: Lit::Str(quoted), .. }) => {
                 Some(Self { sides: sides(&quoted), condition: quoted.value() })
             }

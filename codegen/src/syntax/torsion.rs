@@ -27,6 +27,6 @@ pub(super) fn read(input: ParseStream) -> syn::Result<TorsionDeclaration> {
     let (first, second) = options::one_or_two_names(input)?;
     let mut options = Options::read(input, &[&RESISTANCE[..], &["angle", "while"]].concat())?;
     let law = Resistance::take(&mut options, &first)?;
-    let armed = Switch::take(&mut options);
+    let armed = options.take_switch();
     Ok(TorsionDeclaration { first, second, angle: options.take("angle"), law, armed })
 }

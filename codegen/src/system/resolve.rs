@@ -5,28 +5,14 @@ use super::bodies::Structure;
 use super::contact_law::Contacts;
 use super::figure::Figure;
 use super::formula::Readable;
-use super::mirror::Line;
+use super::mirror_line::Line;
+use super::parts::Parts;
 use super::scope::Scope;
 use super::{
-    Declared, Drive, Equal, Load, Section, Slider, Spring, Support, System, Torsion, Weld, checks,
-    coordinates, drives, edges, equal, forces, hinges, mirror, names, sections, sliders, springs, supports,
-    threads, welds,
+    System, checks, coordinates, drives, edges, equal, forces, hinges, mirror, names, sections, sliders,
+    springs, supports, threads, welds,
 };
 use crate::syntax::Description;
-
-/// What constrains, drives and loads the structure.
-pub(super) struct Parts {
-    pub coordinates: Vec<Declared>,
-    pub supports: Vec<Support>,
-    pub equal: Vec<Equal>,
-    pub welds: Vec<Weld>,
-    pub sliders: Vec<Slider>,
-    pub drives: Vec<Drive>,
-    pub springs: Vec<Spring>,
-    pub torsions: Vec<Torsion>,
-    pub loads: Vec<Load>,
-    pub sections: Vec<Section>,
-}
 
 impl Parts {
     fn resolve(scope: &mut Scope, structure: &Structure, figure: &mut Option<Figure>) -> Self {
@@ -116,7 +102,7 @@ impl System {
             figure: figure.positions,
             settled: figure.settled,
             samples,
-            sets: description.sets.unwrap_or(crate::phases::LIMIT),
+            sets: description.sets.unwrap_or(crate::limits::CLOSED_FORMS),
         })
     }
 }

@@ -1,8 +1,10 @@
 //! Symbols by their names.
 
 use super::super::Symbol;
-use super::shorter::PRODUCT;
 use crate::math::{Math, Name};
+
+/// The order of derivative that no opaque term has: it marks products of waves.
+pub(super) const PRODUCT: u8 = u8::MAX;
 
 /// The names under which symbols are written; Greek letters are given spelled out.
 pub trait Names {

@@ -1,9 +1,7 @@
 //! Single terms as they are written: number, parameters, reactions, coordinates by order, wave.
 
 use super::super::{Angle, Monomial, Rational, Symbol, Term, Wave};
-use super::names::{Names, symbol};
-use super::shorter::PRODUCT;
-use super::sums::lead;
+use super::names::{Names, PRODUCT, symbol};
 use crate::math::Math;
 
 /// c · term.
@@ -108,5 +106,12 @@ impl Angle {
             quarters => Some(Math::Multiple(Box::new(half()), Box::new(pi())).signed(quarters == 3)),
         };
         Math::sum(terms.chain(turns))
+    }
+}
+
+/// Puts the first of which this is true in front.
+pub fn lead<T>(terms: &mut [T], is_leader: impl Fn(&T) -> bool) {
+    if let Some(leader) = terms.iter().position(is_leader) {
+        terms[..=leader].rotate_right(1);
     }
 }

@@ -14,7 +14,7 @@
 use std::collections::BTreeMap;
 
 use super::super::{Monomial, Powers, Rational, Series, Symbol, Term, Wave};
-use super::names::Names;
+use super::names::{Names, PRODUCT};
 use super::products::wave;
 use crate::math::Math;
 
@@ -85,9 +85,6 @@ impl<'a> Shorthand<'a> {
         Symbol::Opaque { index: index as u16, order: PRODUCT }
     }
 }
-
-/// The order of derivative that no opaque term has: it marks products of waves.
-pub(super) const PRODUCT: u8 = u8::MAX;
 
 impl Names for Shorthand<'_> {
     fn parameter(&self, index: u16) -> Math {

@@ -2,9 +2,8 @@
 //! monomial, constants before waves, low multiples first; a positive term leads where there is one.
 
 use super::super::{Powers, Quotient, Rational, Series, Symbol, Term};
-use super::names::Names;
-use super::products::{monomial, numbered, term, wave};
-use super::shorter::PRODUCT;
+use super::names::{Names, PRODUCT};
+use super::products::{lead, monomial, numbered, term, wave};
 use crate::math::Math;
 use std::cmp::Reverse;
 
@@ -86,13 +85,6 @@ impl Quotient {
     /// The quotient in textbook notation.
     pub fn text(&self, names: &dyn Names) -> String {
         self.math(names).to_string()
-    }
-}
-
-/// Puts the first of which this is true in front.
-pub fn lead<T>(terms: &mut [T], is_leader: impl Fn(&T) -> bool) {
-    if let Some(leader) = terms.iter().position(is_leader) {
-        terms[..=leader].rotate_right(1);
     }
 }
 

@@ -9,7 +9,7 @@ mod settle;
 use std::collections::BTreeSet;
 
 use super::bodies::Structure;
-use super::mirror::{Line, search};
+use super::mirror_line::{self, Line};
 use super::scope::Scope;
 use super::{Body, Settled};
 use crate::algebra::Series;
@@ -51,7 +51,7 @@ impl Figure {
             return None;
         }
         draft.spread(scope);
-        let images = match line.map(|line| search::images(scope, structure, line, &draft.places)) {
+        let images = match line.map(|line| mirror_line::images(scope, structure, line, &draft.places)) {
             Some(Err(error)) => {
                 scope.report.add(error);
                 return None;

@@ -3,7 +3,7 @@
 use proc_macro2::Span;
 
 use super::Pairing;
-use crate::system::resolve::Parts;
+use crate::system::parts::Parts;
 use crate::system::scope::Scope;
 
 /// The images of points and bodies, and what they are asked for.

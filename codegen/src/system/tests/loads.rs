@@ -218,7 +218,7 @@ fn sections_cut_uniform_bars() {
 fn the_most_sets_can_be_given() {
     assert_eq!(bars("#[liftoff(crate = other::name, sets = 16)]").sets, 16);
     assert_eq!(bars("#[liftoff(sets = 0)]").sets, 0);
-    assert_eq!(bars("").sets, crate::phases::LIMIT);
+    assert_eq!(bars("").sets, crate::limits::CLOSED_FORMS);
     let wrong = " (for example `#[liftoff(crate = path, sets = 16)]`)";
     assert_eq!(
         told("#[liftoff(sets = 5000)]"),

@@ -15,6 +15,7 @@ mod elimination;
 mod emitted;
 mod lever;
 mod refinement;
+mod view;
 
 #[cfg(feature = "std")]
 pub(crate) use balance::balance;

@@ -1,8 +1,7 @@
 //! The full equations at a state.
 
 use super::{ContactSet, Layout};
-use crate::kernel;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::Scalar;
 
 /// The full equations at a state: `M a = f + Jᵀ λ`, and `g`, `J a + b = g̈` for each row.
 ///
@@ -58,53 +57,4 @@ pub trait KernelView<S> {
     fn correction(&self, layout: &Layout, set: &ContactSet, residual: &dyn Fn(usize) -> S, change: &mut [S])
     where
         S: Scalar;
-}
-
-impl<S: Real, const N: usize, const C: usize, const D: usize> KernelView<S> for Kernel<S, N, C, D> {
-    fn mass(&self, i: usize) -> &[S] {
-        &self.mass[i]
-    }
-    fn force(&self) -> &[S] {
-        &self.force
-    }
-    fn gap(&self) -> &[S] {
-        &self.gap
-    }
-    fn jacobian(&self, i: usize) -> &[S] {
-        &self.jacobian[i]
-    }
-    fn bias(&self) -> &[S] {
-        &self.bias
-    }
-    fn drift(&self) -> &[S] {
-        &self.drift
-    }
-    fn friction(&self) -> &[S] {
-        &self.friction
-    }
-    fn push(&mut self, row: usize, multiplier: S) {
-        for (force, entry) in self.force.iter_mut().zip(&self.jacobian[row]) {
-            *force = entry.mul_add(multiplier, *force);
-        }
-    }
-    fn solve(&self, layout: &Layout, set: &ContactSet, accelerations: &mut [S], multipliers: &mut [S]) -> bool
-    where
-        S: Scalar,
-    {
-        match (accelerations.try_into(), multipliers.try_into()) {
-            (Ok(accelerations), Ok(multipliers)) => {
-                kernel::solution(self, layout, set, accelerations, multipliers)
-            }
-            _ => false,
-        }
-    }
-    // One copy for all models of these dimensions.
-    #[inline(never)]
-    fn correction(&self, layout: &Layout, set: &ContactSet, residual: &dyn Fn(usize) -> S, change: &mut [S])
-    where
-        S: Scalar,
-    {
-        let mut room = kernel::Room::<S, C, D>::default();
-        kernel::correct_in(room.workspace(), self, layout, set, residual, change);
-    }
 }

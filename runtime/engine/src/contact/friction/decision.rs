@@ -4,8 +4,8 @@ use nalgebra::{DMatrix, DVector};
 
 use super::enumeration::FEW;
 use super::modes::{Bound, Choice, Condition, Frictional, Mode, Sense};
-use super::problem::{Problem, Trial, Unit};
-use crate::contact::complementarity::{LcpRows, Solution};
+use super::problem::{Candidate, Problem, Question, Trial, Unit};
+use crate::contact::complementarity::Solution;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
 use crate::contact::least_constraint::add_change;
 use crate::contact::trials::LcpError;
@@ -17,15 +17,6 @@ const SIZE: f64 = 1e12;
 
 /// A singular value below this is zero.
 const DEPENDENT: f64 = 1e-10;
-
-/// Contacts of both kinds.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Question<'a> {
-    /// Two-sided rows, contacts without friction, rough ones.
-    pub(crate) rows: LcpRows<'a>,
-    /// Contacts with friction.
-    pub(crate) contacts: &'a [Frictional],
-}
 
 /// Why one of the solutions was taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -87,15 +78,6 @@ pub(crate) struct FrictionSolution {
     pub(crate) complete: bool,
     /// Whether the accelerations do not depend on how contacts that are redundant share their load.
     pub(crate) determined: bool,
-}
-
-/// A solution with one choice of every contact.
-#[derive(Debug, Clone)]
-pub(super) struct Candidate {
-    pub(super) chosen: Vec<usize>,
-    /// The modes it was found with, contacts that it does not need open.
-    pub(super) acting: Vec<Mode>,
-    pub(super) trial: Trial,
 }
 
 /// What some of the contacts do: one choice of each, in the order of the problem's units.

@@ -1,8 +1,7 @@
 //! All combinations of modes, one after the other: every solution is found.
 
-use super::decision::Candidate;
 use super::modes::Choice;
-use super::problem::{Problem, Trial};
+use super::problem::{Candidate, Problem, Trial};
 use crate::contact::trials::LcpError;
 
 /// Up to this many combinations all are tried at once.

@@ -6,9 +6,9 @@
 //! rough contact is taken to stick; those that open are released with their tangents. What is found is checked by the
 //! equations with these contacts closed.
 
-use super::decision::Candidate;
 use super::modes::{Mode, Sense};
 use super::planar_lcp::Shape;
+use super::problem::Candidate;
 use super::problem::{Closed, Problem};
 use crate::contact::trials::LcpError;
 

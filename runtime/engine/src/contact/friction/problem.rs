@@ -3,8 +3,8 @@
 
 use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
-use super::decision::Question;
 use super::modes::{Bound, Choice, Condition, Frictional, Given, Mode, Sense, smooth_choices};
+use crate::contact::complementarity::LcpRows;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
 use crate::contact::trials::LcpError;
 use crate::numerics::decomposition::svd;
@@ -17,6 +17,15 @@ const CONSISTENT: f64 = 1e3;
 const FREE: f64 = 1e-6;
 /// The error of a located event in units of rounding.
 const LOCATED: f64 = 1e3;
+
+/// Contacts of both kinds.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Question<'a> {
+    /// Two-sided rows, contacts without friction, rough ones.
+    pub(crate) rows: LcpRows<'a>,
+    /// Contacts with friction.
+    pub(crate) contacts: &'a [Frictional],
+}
 
 /// A contact of either kind with its modes.
 #[derive(Clone)]
@@ -80,6 +89,15 @@ pub(super) struct Trial {
     pub(super) unique: bool,
     /// Whether the accelerations are the only ones in these modes.
     pub(super) determined: bool,
+}
+
+/// A solution with one choice of every contact.
+#[derive(Debug, Clone)]
+pub(super) struct Candidate {
+    pub(super) chosen: Vec<usize>,
+    /// The modes it was found with, contacts that it does not need open.
+    pub(super) acting: Vec<Mode>,
+    pub(super) trial: Trial,
 }
 
 /// A matrix of the balanced problem with its right-hand side, over some rows.

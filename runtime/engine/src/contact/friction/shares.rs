@@ -2,7 +2,8 @@
 
 use nalgebra::DVector;
 
-use super::decision::{FrictionSolution, Question};
+use super::decision::FrictionSolution;
+use super::problem::Question;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
 use crate::contact::shares::{Factor, share};
 

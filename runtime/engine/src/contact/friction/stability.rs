@@ -16,8 +16,9 @@ use std::collections::BTreeSet;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::decision::{Candidate, Reason};
+use super::decision::Reason;
 use super::modes::Mode;
+use super::problem::Candidate;
 use super::problem::{Closed, Problem};
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
 use crate::context::slips;

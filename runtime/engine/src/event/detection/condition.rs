@@ -21,9 +21,7 @@ const LOOKS: u32 = 64;
 const FLAT: f64 = 1e-3;
 const POLE: f64 = 8.0;
 
-/// A condition is evaluated so often in a step at most, or bounded over a piece of it. Beyond, it is undecided whether it is met
-/// there, and less is tried in the steps that follow.
-pub(super) const PATIENCE: u32 = 100_000;
+/// And at least so many.
 const LEAST_PATIENCE: u32 = 256;
 
 /// What a condition reads is fitted to this part of it at least, and to its error bound where that is less.

@@ -10,32 +10,17 @@
 //!
 //! by Gauss's points. Where g̈ stays above zero there is no landing to look for.
 
+use super::watch::LowFlight;
 use super::{EventDetector, StepView, Watch};
 use crate::numerics::legendre::{POINTS, W, X};
 use crate::numerics::root_isolation::{self, Accuracy, Crossing, GuardError, Start};
 
-/// Order of the first derivative of such a gap that does not vanish.
-const ORDER: usize = 3;
 /// Rounding of g̈, relative to the natural acceleration.
 const ROUNDED: f64 = 64.0 * f64::EPSILON;
 /// A gap so much larger than its rounding, in natural lengths, is seen well enough by itself: √ε.
 const SEEN: f64 = 1e-8;
 /// Where a flight that begins as t³ and lands is highest, as a part of its length.
 const HIGHEST: f64 = 2.0 / 3.0;
-
-/// g and ġ at the start of a step, integrated since the lift-off.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct LowFlight {
-    gap: f64,
-    rate: f64,
-}
-
-impl LowFlight {
-    /// At a lift-off where the first nonzero derivative is of this order.
-    pub(super) fn begin(order: usize) -> Option<Self> {
-        (order == ORDER).then_some(Self { gap: 0.0, rate: 0.0 })
-    }
-}
 
 impl EventDetector<'_> {
     /// Where a contact that has lifted off lands, if it stays low. Its gap by itself is seen to close at `end`, at the start where it

@@ -2,12 +2,16 @@
 
 use std::cell::Cell;
 
-use super::condition::PATIENCE;
-use super::low_flight::LowFlight;
 use super::{Guard, Rub, StepView};
 use crate::contact::friction::Grip;
 use crate::expression::Condition;
 use crate::model::{ContactKind, ContactSet, Layout, Slip};
+
+/// A condition is evaluated so often in a step at most, or bounded over a piece of it. Beyond, it is undecided whether it is met
+/// there, and less is tried in the steps that follow.
+const PATIENCE: u32 = 100_000;
+/// Order of the first derivative of the gap of a low flight that does not vanish.
+const ORDER: usize = 3;
 
 /// Contacts as the run treats them.
 #[derive(Debug, Clone, Copy, Default)]
@@ -48,6 +52,21 @@ impl ContactStatus<'_> {
             Guard::Parting(_) => true,
             Guard::Gap(_) | Guard::Foot { .. } | Guard::Condition(_) => false,
         }
+    }
+}
+
+/// A flight of a contact that has lifted off with its reaction at zero: g and ġ at the start of a step,
+/// integrated since the lift-off.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct LowFlight {
+    pub(super) gap: f64,
+    pub(super) rate: f64,
+}
+
+impl LowFlight {
+    /// At a lift-off where the first nonzero derivative is of this order.
+    fn begin(order: usize) -> Option<Self> {
+        (order == ORDER).then_some(Self { gap: 0.0, rate: 0.0 })
     }
 }
 

@@ -3,30 +3,8 @@
 
 use super::partition::{Accuracy, Division};
 use super::series::Series;
-use super::sign_history::History;
+use super::sign_history::{Crossing, History};
 use super::{GuardError, Start};
-
-/// The first thing that happens to a guard in (0, 1].
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub enum Crossing {
-    /// Nothing.
-    Clear,
-    /// It changes from + to − and goes below −δ.
-    At {
-        /// The root.
-        theta: f64,
-    },
-    /// It has a minimum within ±δ and rises again.
-    Touch {
-        /// Where the rate is zero.
-        theta: f64,
-        /// The value there.
-        value: f64,
-    },
-    /// It goes below −δ without having been positive: from its known root, or from a start at or
-    /// below zero. The event is at θ = 0.
-    LeavesAtStart,
-}
 
 /// Follows the guard `g` from θ = 0 to the first event. It counts as clear only where a fit that has been compared with it
 /// between its nodes stays above the error bound by more than it may differ.

@@ -21,12 +21,13 @@ mod smooth;
 #[cfg(test)]
 mod tests;
 
-pub use decide::{Crossing, watch, watch_series};
+pub use decide::{watch, watch_series};
 pub use extrema::ExtremumKind;
 pub use locate::{Root, extrema, find_root, find_root_series};
 pub use partition::{Accuracy, NODES};
 pub use polynomial::last_coefficients;
 pub use series::{TERMS, is_above, rest, stays_above, tail, without_zeros};
+pub use sign_history::Crossing;
 pub use smooth::Smooth;
 
 impl GuardError {

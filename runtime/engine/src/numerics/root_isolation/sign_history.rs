@@ -2,9 +2,30 @@
 
 use super::Start;
 use super::bracket::{Point, root};
-use super::decide::Crossing;
 use super::extrema::{Extremum, ExtremumKind, Zigzag};
 use super::partition::Node;
+
+/// The first thing that happens to a guard in (0, 1].
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Crossing {
+    /// Nothing.
+    Clear,
+    /// It changes from + to − and goes below −δ.
+    At {
+        /// The root.
+        theta: f64,
+    },
+    /// It has a minimum within ±δ and rises again.
+    Touch {
+        /// Where the rate is zero.
+        theta: f64,
+        /// The value there.
+        value: f64,
+    },
+    /// It goes below −δ without having been positive: from its known root, or from a start at or
+    /// below zero. The event is at θ = 0.
+    LeavesAtStart,
+}
 
 #[derive(Clone, Copy, Default)]
 enum Finding {

@@ -19,7 +19,8 @@ use nalgebra::DVector;
 
 use super::super::super::impact::Stages;
 use super::super::super::impulse::{CollisionError, Method, Outcome, Row};
-use super::super::decision::{FrictionError, FrictionSolution, Question};
+use super::super::Question;
+use super::super::decision::{FrictionError, FrictionSolution};
 use super::super::modes::{Bound, Frictional, Given};
 use super::Rubbing;
 use crate::contact::complementarity::LcpRows;

@@ -2,9 +2,9 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::super::decision::Question;
 use super::super::modes::{Frictional, Mode, Sense, Slip};
 use super::super::problem::Problem;
+use super::super::problem::Question;
 use super::{closed, least, sticking};
 use crate::contact::complementarity::LcpRows;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;

@@ -4,8 +4,9 @@ use std::f64::consts::PI;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::super::decision::{FrictionError, FrictionSolution, Question, Reason};
+use super::super::decision::{FrictionError, FrictionSolution, Reason};
 use super::super::modes::{Condition, Frictional, Mode, Sense, Slip};
+use super::super::problem::Question;
 use super::super::stability::{Sliding, painleve};
 use crate::contact::complementarity::LcpRows;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;

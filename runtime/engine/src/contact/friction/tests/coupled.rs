@@ -2,8 +2,9 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::super::decision::{FrictionError, Question};
+use super::super::decision::FrictionError;
 use super::super::modes::{Bound, Condition, Frictional, Given, Mode, Sense, Slip};
+use super::super::problem::Question;
 use super::closed_forms::solve;
 use crate::contact::complementarity::LcpRows;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;

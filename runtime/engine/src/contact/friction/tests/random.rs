@@ -2,8 +2,9 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::super::decision::{FrictionError, FrictionSolution, Question};
+use super::super::decision::{FrictionError, FrictionSolution};
 use super::super::modes::{Bound, Frictional, Given, Mode, Slip};
+use super::super::problem::Question;
 use super::oracle::{Contact, Linkage};
 use crate::contact::complementarity::LcpRows;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
