@@ -32,7 +32,7 @@ const CONTACTS: &[&str] = &[
     "liftoff::assembly",
     "liftoff_core::integrate::radau",
     "liftoff_core::integrate::gauss",
-    "liftoff_core::integrate::erased",
+    "liftoff_core::system::erased",
 ];
 
 /// Methods that only dampers and springs need, or that nobody asked for.
@@ -69,7 +69,7 @@ fn modules_are_found_by_their_names() {
     let path = env!("CARGO_BIN_EXE_dropped_bar");
     let functions = Binary::built(path).expect("a program of this package").functions();
     let needed =
-        ["liftoff::event", "liftoff::contact", "liftoff::simulation", "liftoff_core::integrate::erased"];
+        ["liftoff::event", "liftoff::contact", "liftoff::simulation", "liftoff_core::system::erased"];
     for module in needed.iter().filter(|_| !functions.is_empty()) {
         assert!(has_code(&functions, module), "{module}");
     }

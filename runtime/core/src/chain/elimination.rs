@@ -5,22 +5,10 @@
 //! hands `X′ = D′ − Y X⁻¹ Y`, `β′ = r′ + Y X⁻¹ β` to its neighbour, whose λ′ gives its own by `λ = X⁻¹ Y λ′ + X⁻¹ β`.
 
 use super::geometry::Bars;
-use super::plane::{Matrix, Symmetric, Vector};
+use super::joint::{Eliminated, Joint};
+use super::plane::{Symmetric, Vector};
 use super::two_ended::TwoEnded;
 use crate::scalar::Real;
-
-/// X and β of a joint.
-#[derive(Clone, Copy)]
-pub(super) struct Joint<S> {
-    pub(super) compliance: Symmetric<S>,
-    pub(super) parting: Vector<S>,
-}
-
-/// X⁻¹Y and X⁻¹β of an eliminated joint.
-pub(super) struct Eliminated<S> {
-    pub(super) carried: Matrix<S>,
-    pub(super) own: Vector<S>,
-}
 
 impl<S: Real> Joint<S> {
     /// Eliminates this joint across a bar with this Y into the joint `next`.

@@ -3,7 +3,7 @@
 use core::array::from_fn;
 
 use super::Chain;
-use super::elimination::{Eliminated, Joint};
+use super::joint::{Eliminated, Joint};
 use super::plane::{Matrix, Symmetric, Vector};
 use super::two_ended::TwoEnded;
 use crate::scalar::Real;

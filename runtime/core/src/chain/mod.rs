@@ -19,6 +19,7 @@ mod articulated;
 mod dense;
 mod elimination;
 mod geometry;
+mod joint;
 mod plane;
 mod two_ended;
 

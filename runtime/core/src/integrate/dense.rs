@@ -114,7 +114,7 @@ impl<S: Scalar, const N: usize> Dense<S, N> {
 
     /// All coefficients c₀, c₁, ….
     #[cfg(feature = "std")]
-    pub(super) fn coefficients(&self) -> &[[S; N]] {
+    pub(crate) fn coefficients(&self) -> &[[S; N]] {
         &self.coefficients
     }
 

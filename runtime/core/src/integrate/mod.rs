@@ -8,8 +8,6 @@ mod combination;
 mod controller;
 mod dense;
 mod dop853;
-#[cfg(feature = "std")]
-pub mod erased;
 mod explicit;
 mod gauss;
 mod initial_step;
@@ -26,10 +24,6 @@ mod tsit5;
 
 pub use dense::Dense;
 pub use dop853::Dop853;
-#[cfg(feature = "std")]
-pub use erased::{
-    ByOrders, DenseOutput, InitialValueProblem, Methods, PhaseStepper, SeriesExpansion, SeriesOrders,
-};
 pub use explicit::Explicit;
 pub use gauss::Gauss;
 #[cfg(feature = "std")]

@@ -35,7 +35,7 @@ impl<const N: usize> Tolerance<N> {
     }
 
     /// Of the first components of a state that is filled up with others, which stand still and do not count.
-    pub(super) fn of_first(relative: f64, absolute: &[f64]) -> Result<Self, ToleranceError> {
+    pub(crate) fn of_first(relative: f64, absolute: &[f64]) -> Result<Self, ToleranceError> {
         if !(relative >= 0.0 && relative.is_finite()) {
             return Err(ToleranceError::Relative(relative));
         }
@@ -60,7 +60,7 @@ impl<const N: usize> Tolerance<N> {
 
     /// The same, wider by a factor.
     #[cfg(feature = "std")]
-    pub(super) fn times(&self, factor: f64) -> Self {
+    pub(crate) fn times(&self, factor: f64) -> Self {
         Self { relative: factor * self.relative, absolute: self.absolute.map(|a| factor * a) }
     }
 

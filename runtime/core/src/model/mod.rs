@@ -1,8 +1,10 @@
 //! What the derive macro implements: a model's names, its constants, its full equations and its phases.
 
 mod array;
+mod closed_form;
 mod contact_set;
 mod defaults;
+mod energy;
 mod equations;
 mod friction;
 pub mod geometry;
@@ -17,8 +19,10 @@ pub mod variables;
 
 pub use crate::series::{Columns, SeriesOps, Tape};
 pub use array::Array;
+pub use closed_form::{ClosedForm, least};
 pub use contact_set::{ContactSet, Side, Slip};
 pub use defaults::Defaults;
+pub use energy::Energy;
 pub use equations::{Kernel, KernelView};
 pub use friction::SlipState;
 pub use geometry::Geometry;
@@ -27,7 +31,7 @@ pub use layout::{
     Signal, Switch, Term,
 };
 pub use measure::{Measure, MeasureKind};
-pub use phase::{ClosedForm, Energy, Form, InSet, OfState, Phase, PhaseVisitor, least};
+pub use phase::{Form, InSet, OfState, Phase, PhaseVisitor};
 pub use quantity::{Quantity, QuantityKind};
 pub use series::{KernelSeries, PhaseSeries, Terms, TermsOf, Varying};
 

@@ -1,6 +1,6 @@
 //! The equations of one contact set.
 
-use super::{BarSystem, ContactSet, KernelSeries, PhaseSeries};
+use super::{BarSystem, ClosedForm, ContactSet, KernelSeries, PhaseSeries};
 use crate::scalar::{Real, Scalar};
 
 /// How a phase is integrated.
@@ -10,22 +10,6 @@ pub enum Form {
     Closed,
     /// All coordinates are kept; multipliers hold the contacts and each accepted step is projected.
     Projected,
-}
-
-/// Kinetic and potential energy.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Energy<S> {
-    /// T.
-    pub kinetic: S,
-    /// V.
-    pub potential: S,
-}
-
-impl Energy<f64> {
-    /// What the sum has gained since another; the parts are compared first, so that large ones do not hide it.
-    pub fn gained_since(&self, before: &Self) -> f64 {
-        (self.kinetic - before.kinetic) + (self.potential - before.potential)
-    }
 }
 
 /// A function of a reduced state in a contact set.
@@ -95,30 +79,4 @@ pub trait PhaseVisitor<M: BarSystem, S: Scalar> {
     {
         self.visit_closed::<N, Q>(phase)
     }
-}
-
-/// The equations of a closed form, most of them on numbers that need no order, as those side by side; implemented by the
-/// derive macro, one type for each closed form.
-pub trait ClosedForm<M: BarSystem, const N: usize>: 'static {
-    /// How many entries of the reduced state are coordinates; they come first.
-    const COORDINATES: usize;
-    /// How many entries are rates; they follow.
-    const RATES: usize;
-    /// The derivative of a reduced state.
-    fn derivative<S: Real>(constants: &M::Constants<S>, state: &[S; N]) -> [S; N];
-    /// The reduced state of a full one.
-    fn restrict<S: Real>(state: &M::State<S>) -> [S; N];
-    /// The least pivot of the elimination, relative to its natural size; 1 where there is none.
-    fn pivot<S: Scalar>(_: &M::Constants<S>, _: &[S; N]) -> S {
-        S::ratio(1, 1)
-    }
-    /// T and V with the eliminated coordinates substituted, so that no digits cancel.
-    fn energy<S: Real>(constants: &M::Constants<S>, state: &[S; N]) -> Energy<S>;
-    /// Puts the constants of one model, one by one, into those of another scalar: of many models, say, each in its place.
-    fn fill<S: Real, T: Real>(constants: &mut M::Constants<S>, of: &M::Constants<T>, put: impl Fn(&mut S, T));
-}
-
-/// The least magnitude among pivots relative to their natural sizes; 1 without pivots.
-pub fn least<S: Scalar, const P: usize>(pivots: [S; P]) -> S {
-    pivots.into_iter().map(S::abs).fold(S::ratio(1, 1), |least, p| if p < least { p } else { least })
 }

@@ -1,7 +1,8 @@
 //! The exact Jacobian of a phase: its equations, run on dual numbers.
 
 use super::Jacobian;
-use super::lifted::{Lifted, array};
+use super::arrays::array;
+use super::lifted::Lifted;
 use crate::hinge;
 use crate::kernel::slopes;
 use crate::model::{Array, BarSystem, ClosedForm, ContactSet, KernelView};

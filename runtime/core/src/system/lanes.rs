@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::lifted::array;
+use super::arrays::array;
 use crate::integrate::{Counts, Ended, LaneStepper, StepError, StepState, Tolerance, ToleranceError};
 use crate::model::{BarSystem, ContactSet, Form, Layout, Phase, PhaseSeries, PhaseVisitor};
 use crate::scalar::Lanes;

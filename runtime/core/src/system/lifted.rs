@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use super::phase::Liftable;
+use super::arrays::array;
 use super::{Equations, Phase, System};
 use crate::hinge;
 use crate::model::{Array, BarSystem, ContactSet, Energy, Form, KernelView, Layout, SlipState};
 use crate::project::project;
-use crate::scalar::Real;
+use crate::scalar::{Real, Scalar};
 
 /// The constants of a model's equations on numbers `S`.
 pub(super) struct Lifted<M: BarSystem, S: Real> {
@@ -34,9 +34,9 @@ impl<M: BarSystem, S: Real> Lifted<M, S> {
     }
 }
 
-/// A slice as an array, not a number beyond its end.
-pub(super) fn array<S: Real, A: Array<S>>(values: &[S]) -> A {
-    A::from_fn(|i| values.get(i).copied().unwrap_or_else(|| S::from_f64(f64::NAN)))
+/// A scalar that compiled models are lifted on; with `f64` go Taylor series and Jacobians.
+pub(super) trait Liftable: Scalar {
+    fn lift<M: BarSystem>(system: Arc<Lifted<M, Self>>, set: ContactSet, form: Form) -> Arc<dyn Phase<Self>>;
 }
 
 impl<M: BarSystem, S: Liftable> System<S> for Lifted<M, S> {

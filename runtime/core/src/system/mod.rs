@@ -3,8 +3,10 @@
 //! `M: BarSystem` and constant dimensions end here. [`Model::of`] lifts a compiled model; whatever else can evaluate its own
 //! equations implements [`System`] and [`Phase`] itself. A call through them happens once per right-hand side.
 
+mod arrays;
 mod derivative;
 mod equations;
+pub mod erased;
 mod jacobian;
 mod lanes;
 mod lifted;
@@ -14,16 +16,17 @@ mod projected;
 mod series;
 
 pub use equations::Equations;
+pub use erased::{
+    ByOrders, DenseOutput, InitialValueProblem, Methods, PhaseStepper, SeriesExpansion, SeriesOrders,
+};
 pub use lanes::{LaneConstructor, LaneEnd, LaneGroup, LaneStart, lanes};
 pub use model::{Model, ModelOn, precise, varied};
 pub use phase::PhaseInfo;
-pub(crate) use phase::to_array;
 pub use projected::{KernelOrders, TakeOrder, projected_series};
 pub use series::{LongTimeSeries, MOST_TIME_ORDERS, SeriesEquations, TIME_ORDERS, TimeSeries};
 
 use std::sync::Arc;
 
-use crate::integrate::{Methods, SeriesExpansion};
 use crate::model::{ContactSet, Energy, Form, Layout, SlipState};
 use crate::scalar::Scalar;
 

@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
-use super::lifted::{Lifted, array};
-use super::phase::Liftable;
+use super::arrays::array;
+use super::lifted::Liftable;
+use super::lifted::Lifted;
 use super::series::TimeSeries;
 use super::{SeriesEquations, System};
 use crate::model::{BarSystem, Layout, Measure};

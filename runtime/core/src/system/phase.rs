@@ -3,12 +3,13 @@
 use core::marker::PhantomData;
 use std::sync::Arc;
 
+use super::arrays::to_array;
 use super::derivative::{Derivative, fused};
 use super::jacobian::{self, JacobianOf};
-use super::lifted::Lifted;
+use super::lifted::{Liftable, Lifted};
 use super::projected::{KernelOrders, TakeOrder, projected_series};
 use super::{Jacobian, Phase, System};
-use crate::integrate::{ExpansionBy, Methods, PhaseExpansion, SeriesExpansion};
+use crate::integrate::{ExpansionBy, PhaseExpansion};
 use crate::model::{
     self, Array, BarSystem, ClosedForm, ContactSet, Energy, Form, KernelSeries, OfState, PhaseSeries,
     PhaseVisitor, Varying,
@@ -16,6 +17,7 @@ use crate::model::{
 use crate::scalar::dispatch::{ForDouble, by_doubles};
 use crate::scalar::{Double, DoubleDouble, Dual4, Scalar};
 use crate::series::TaylorTape;
+use crate::system::{Methods, SeriesExpansion};
 
 /// What a phase is and how large.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -39,11 +41,6 @@ impl PhaseInfo {
     pub const fn places_of_rates(&self) -> core::ops::Range<usize> {
         self.coordinates..self.coordinates + self.rates
     }
-}
-
-/// A scalar that compiled models are lifted on; with `f64` go Taylor series and Jacobians.
-pub(super) trait Liftable: Scalar {
-    fn lift<M: BarSystem>(system: Arc<Lifted<M, Self>>, set: ContactSet, form: Form) -> Arc<dyn Phase<Self>>;
 }
 
 impl Liftable for f64 {
@@ -213,11 +210,6 @@ impl<M: BarSystem, const N: usize> LiftedPhase<M, f64, N> {
         let (reduced, jacobian) = (Reduced::of::<Q>(), jacobian::of_closed::<M, Q, N>());
         Self { reduced, jacobian, fused: fused::<M, Q, N>(), ..Self::new(system, phase) }
     }
-}
-
-/// A reduced state as an array; not a number where it has another length.
-pub(crate) fn to_array<S: Scalar, const N: usize>(y: &[S]) -> [S; N] {
-    y.try_into().unwrap_or([S::from_f64(f64::NAN); N])
 }
 
 impl<M: BarSystem, S: Liftable, const N: usize> Phase<S> for LiftedPhase<M, S, N> {

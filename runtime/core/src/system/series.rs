@@ -1,7 +1,8 @@
 //! The full equations along a motion, as Taylor series in time.
 
 use super::Equations;
-use super::lifted::{Lifted, array};
+use super::arrays::array;
+use super::lifted::Lifted;
 use crate::model::{Array, BarSystem};
 use crate::scalar::{Jet, Real};
 

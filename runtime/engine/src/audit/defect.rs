@@ -9,7 +9,7 @@
 //! A stiff f makes of the error of a state a defect that is too large for that.
 
 use crate::context::{Numbers, RunContext};
-use crate::integrate::DenseOutput;
+use crate::system::DenseOutput;
 use crate::system::Phase;
 use smallvec::smallvec;
 

@@ -7,11 +7,11 @@ use smallvec::smallvec;
 use super::Segment;
 use crate::context::{Numbers, RunContext};
 use crate::event::supports;
-use crate::integrate::DenseOutput;
 use crate::integration::chart;
 use crate::integration::method::Choice;
 use crate::integration::phase_point::PhasePoint;
 use crate::model::{ContactSet, Form};
+use crate::system::DenseOutput;
 use crate::system::Phase;
 
 /// What a projection moves a state by at most, in natural units: some errors of a step at the loosest tolerances.

@@ -1,7 +1,7 @@
 //! The series of a closed form with the guards of its contacts.
 
-use liftoff_core::integrate::{ByOrders, SeriesExpansion, SeriesOrders};
 use liftoff_core::series::TapeOf;
+use liftoff_core::system::{ByOrders, SeriesExpansion, SeriesOrders};
 
 use super::SeriesCode;
 use crate::code::Register;

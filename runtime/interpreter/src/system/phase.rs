@@ -7,11 +7,11 @@ use liftoff_codegen::algebra::Symbol;
 use liftoff_codegen::functions::PhaseFunctions;
 use liftoff_codegen::motion::UNROLLED;
 use liftoff_codegen::program::Id;
-use liftoff_core::integrate::{Methods, SeriesExpansion};
 use liftoff_core::kernel::are_trusted;
 use liftoff_core::model::{ContactSet, Energy, Form};
 use liftoff_core::scalar::{DoubleDouble, Dual4};
 use liftoff_core::system::{Jacobian, Phase, PhaseInfo, System, projected_series};
+use liftoff_core::system::{Methods, SeriesExpansion};
 
 use super::evaluator::Evaluator;
 use super::full::HeldCode;

@@ -19,7 +19,8 @@ use super::{Dense, StepError, StepState, Stepper, is_finite};
 use crate::scalar::Elementary as _;
 use dense::{Fine, TERMS};
 use legendre::STAGES;
-use stages::{Equations, IterationFailure, Stages, Sum};
+use stages::{Equations, IterationFailure, Sum};
+use tableau::Stages;
 use tableau::Tableau;
 
 /// The error of a step is O(h¹³).

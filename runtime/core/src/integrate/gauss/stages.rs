@@ -2,16 +2,13 @@
 //! criterion is that of Antoñana, Makazaga, Murua, *Numer. Algorithms* 76 (2017) 861): until no component changes, or
 //! none changes less than it did before.
 
-use super::tableau::Tableau;
+use super::tableau::{Stages, Tableau};
 use crate::integrate::{Rates, is_finite};
 
 /// An iteration that takes longer has a step that is too long.
 const MOST: usize = 40;
 /// Changes in units of rounding, relative to the state, that an iteration may stall with.
 const ROUNDING: f64 = 1e4 * f64::EPSILON;
-
-/// L₁ … L_s.
-pub(super) type Stages<const N: usize, const S: usize> = [[f64; N]; S];
 
 /// Why there are no stages.
 pub(super) enum IterationFailure {

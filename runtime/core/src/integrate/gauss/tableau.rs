@@ -6,7 +6,9 @@
 //! h y′ = Σ (2k+1) mₖ Pₖ with the modes mₖ = Σ Pₖ(xⱼ) Lⱼ.
 
 use super::legendre::{nodes, round, values};
-use super::stages::Stages;
+/// L₁ … L_s.
+pub(super) type Stages<const N: usize, const S: usize> = [[f64; N]; S];
+
 #[cfg(not(feature = "std"))]
 use crate::scalar::Elementary as _;
 use crate::scalar::{DoubleDouble, Real};

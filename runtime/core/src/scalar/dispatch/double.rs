@@ -33,12 +33,3 @@ pub(crate) trait ForDouble {
     #[allow(dead_code, reason = "of targets that need not have them")]
     fn with<S: Double>(self) -> Self::Output;
 }
-
-/// Hands out doubles that multiply and add in one instruction, where the processor has it and the target need not.
-pub(crate) fn by_doubles<F: ForDouble>(wanted: F) -> F::Output {
-    #[cfg(all(feature = "std", target_arch = "x86_64", not(target_feature = "fma")))]
-    if super::has_fma() {
-        return wanted.with::<super::fused::Fused>();
-    }
-    wanted.plain()
-}

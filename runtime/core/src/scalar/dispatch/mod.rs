@@ -20,7 +20,7 @@ mod tests;
 mod vector;
 
 pub use double::Double;
-pub(crate) use double::{ForDouble, by_doubles};
+pub(crate) use double::ForDouble;
 #[cfg(feature = "std")]
 pub use vector::Vector;
 
@@ -31,6 +31,15 @@ pub trait Inside {
     /// Does it. To be marked `#[inline(always)]`, like all that it calls with such numbers: what is not inlined calls each instruction
     /// as a function.
     fn run(self) -> Self::Output;
+}
+
+/// Hands out doubles that multiply and add in one instruction, where the processor has it and the target need not.
+pub(crate) fn by_doubles<F: ForDouble>(wanted: F) -> F::Output {
+    #[cfg(all(feature = "std", target_arch = "x86_64", not(target_feature = "fma")))]
+    if has_fma() {
+        return wanted.with::<fused::Fused>();
+    }
+    wanted.plain()
 }
 
 /// A loop that is worth it.

@@ -11,8 +11,8 @@
 mod factors;
 mod linear;
 
-use crate::integrate::{ByOrders, SeriesExpansion, SeriesOrders};
 use crate::model::{ContactSet, KernelView, Layout, Varying};
+use crate::system::{ByOrders, SeriesExpansion, SeriesOrders};
 use linear::LinearSeries;
 
 /// What the order of the equations is given to: the equations, and the distances of the feet.

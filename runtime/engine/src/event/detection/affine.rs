@@ -11,9 +11,10 @@ mod tests;
 
 use crate::context::RunContext;
 use crate::context::slips;
-use crate::integrate::{DenseOutput, Guards};
+use crate::integrate::Guards;
 use crate::model::{ContactSet, Slip};
 use crate::series::ORDERS;
+use crate::system::DenseOutput;
 use crate::system::Phase;
 
 /// Where slopes are taken, in natural units: so far away that what a guard is at zero is lost in the rounding of the difference. An

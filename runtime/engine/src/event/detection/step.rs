@@ -7,10 +7,11 @@ use crate::contact::friction::LastMargin;
 use crate::context::Slips;
 use crate::context::{Numbers, RunContext};
 use crate::expression::{Condition, Enclosure, Interval, Known, Sides, Variable};
-use crate::integrate::{DenseOutput, Guards};
+use crate::integrate::Guards;
 use crate::integration::phase_point::PhasePoint;
 use crate::model::{ContactSet, Form, Layout, Side, SlipState};
 use crate::numerics::root_isolation::{GuardError, Smooth, TERMS};
+use crate::system::DenseOutput;
 use crate::system::Phase;
 use smallvec::smallvec;
 

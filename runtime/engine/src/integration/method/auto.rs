@@ -2,8 +2,8 @@
 
 use super::stiffness::{damping, watched};
 use super::{Dop853, Method, Problem, StartedStepper, Taylor, Tsit5};
-use crate::integrate::InitialValueProblem;
 use crate::model::Form;
+use crate::system::InitialValueProblem;
 
 /// Damping is stiff where −tr ∂f/∂y exceeds this per natural time: what it damps has decayed long before anything else moves.
 pub(super) const STIFF: f64 = 1e3;

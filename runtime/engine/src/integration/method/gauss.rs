@@ -1,7 +1,7 @@
 //! Gauss's method as a method.
 
 use super::{Dop853, Method, Problem, StartedStepper};
-use crate::integrate::erased;
+use crate::system::erased;
 
 /// Gauss collocation of order 12 with a constant step, for long smooth runs without drift of the energy:
 /// [`crate::integrate::Gauss`]; DOP853 beyond 1024 entries.

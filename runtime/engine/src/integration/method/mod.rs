@@ -23,7 +23,7 @@ pub use tsit5::Tsit5;
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use crate::integrate::{InitialValueProblem, PhaseStepper};
+use crate::system::{InitialValueProblem, PhaseStepper};
 
 /// A way of integrating phases.
 pub trait Method: Send + Sync + 'static {

@@ -1,6 +1,7 @@
 //! Two integrations of one phase, of which one is at work: another method takes over from the usual one, and gives back.
 
-use crate::integrate::{Counts, PhaseStepper};
+use crate::integrate::Counts;
+use crate::system::PhaseStepper;
 
 /// The usual integration and another.
 pub(super) struct StepperPair<'a> {

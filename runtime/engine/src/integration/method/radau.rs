@@ -1,7 +1,7 @@
 //! Radau IIA as a method, with the exact Jacobian of the phase where its equations can be stiff.
 
 use super::{Dop853, Method, Problem, StartedStepper};
-use crate::integrate::erased;
+use crate::system::erased;
 
 /// Radau IIA of order 5, for stiff springs and dampers: [`crate::integrate::Radau`]; DOP853 for phases of more than
 /// 64 entries.

@@ -9,8 +9,9 @@
 use super::auto::STIFF;
 use super::pair::StepperPair;
 use super::{Choice, Method, Problem, Radau, StartedStepper, Switches};
-use crate::integrate::{Counts, DenseOutput, Guards, PhaseStepper, StepError};
+use crate::integrate::{Counts, Guards, StepError};
 use crate::system::Jacobian;
+use crate::system::{DenseOutput, PhaseStepper};
 
 /// Steps from one look to the next.
 const OFTEN: u32 = 16;

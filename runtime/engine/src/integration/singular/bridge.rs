@@ -12,10 +12,10 @@
 //! has left to correct, and the gaps between the points, the singular position among them, say whether there is such a branch.
 
 use crate::context::RunContext;
-use crate::integrate::DenseOutput;
 use crate::integration::chart::nan_max;
 use crate::model::ContactSet;
 use crate::numerics::legendre::{POINTS, Series, X};
+use crate::system::DenseOutput;
 use crate::system::Phase;
 
 /// Repeated integrations; each is ten times nearer and more.

@@ -9,11 +9,12 @@ use crate::audit::{Finding, Seam, work_of};
 use crate::contact::{ContactError, refuse_singular};
 use crate::context::Numbers;
 use crate::event::detection::{AffineGuards, Guard, StepEvents, StepView, Unseen};
-use crate::integrate::{Counts, DenseOutput, Guards, PhaseStepper, StepError};
+use crate::integrate::{Counts, Guards, StepError};
 use crate::integration::form_selection::{eliminates, least_pivot};
 use crate::integration::singular::SingularityMonitor;
 use crate::model::{ContactSet, Form};
 use crate::numerics::root_isolation::GuardError;
+use crate::system::{DenseOutput, PhaseStepper};
 use crate::trajectory::{LogEntry, LoggedDecision};
 use smallvec::smallvec;
 

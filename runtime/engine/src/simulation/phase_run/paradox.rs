@@ -7,7 +7,7 @@
 //! Accelerations grow beyond all bounds towards it, so that steps shrink and guards turn ever faster. A phase ends there.
 
 use crate::contact::friction::least_hold;
-use crate::integrate::PhaseStepper;
+use crate::system::PhaseStepper;
 
 use super::PhaseRun;
 use super::record::Recording;

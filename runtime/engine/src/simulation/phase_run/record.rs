@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use crate::context::{Numbers, RunContext};
 use crate::expression::Output;
-use crate::integrate::DenseOutput;
 use crate::integration::method::Choice;
 use crate::model::{ContactSet, Energy};
+use crate::system::DenseOutput;
 use crate::system::Phase;
 use crate::trajectory::observe::Step;
 use crate::trajectory::{RecordedPhase, Segment, Work};

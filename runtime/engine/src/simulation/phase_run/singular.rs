@@ -3,8 +3,9 @@
 use super::record::Recording;
 use super::{PhaseRun, Termination, Touch};
 use crate::event::detection::{Guard, StepView};
-use crate::integrate::{PhaseStepper, StepError};
+use crate::integrate::StepError;
 use crate::integration::singular::{Bridge, Forecast, SingularityMonitor};
+use crate::system::PhaseStepper;
 use crate::trajectory::{LogEntry, LoggedDecision};
 
 /// The first step beyond, in units of the step across.

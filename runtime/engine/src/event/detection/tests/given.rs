@@ -9,9 +9,9 @@ use super::super::{Bounds, ContactStatus, EventDetector, Guard, StepView};
 use crate::context::RunContext;
 use crate::context::scales_of;
 use crate::expression::Condition;
-use crate::integrate::DenseOutput;
 use crate::model::*;
 use crate::numerics::root_isolation::GuardError;
+use crate::system::DenseOutput;
 use crate::system::{Equations, Model, Phase, PhaseInfo, System};
 
 pub(super) const CONTACTS: usize = 8;

@@ -3,9 +3,9 @@
 use super::super::step::Values;
 use super::super::{EventDetector, Guard, Rub, StepView};
 use super::given::*;
-use crate::integrate::DenseOutput;
 use crate::model::{ContactSet, Form, Side, Slip};
 use crate::numerics::root_isolation::NODES;
+use crate::system::DenseOutput;
 use crate::system::Model;
 use liftoff_fixtures::Particle;
 

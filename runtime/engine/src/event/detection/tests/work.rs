@@ -3,9 +3,10 @@
 use super::super::EventDetector;
 use super::super::guard_source::EXACT;
 use super::given::*;
-use crate::integrate::{DenseOutput, Guards};
+use crate::integrate::Guards;
 use crate::model::{ContactSet, Slip};
 use crate::series::ORDERS;
+use crate::system::DenseOutput;
 
 /// Terms of a series whose rest sums to 0.002/0.9 by the last four.
 const TERMS: [f64; 5] = [1.0, 0.1, 0.1, 0.01, 0.01];

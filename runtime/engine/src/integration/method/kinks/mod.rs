@@ -16,8 +16,9 @@ use std::cell::RefCell;
 use super::pair::StepperPair;
 use super::{InitialValueProblem, Problem, StartedStepper};
 use crate::context::Numbers;
-use crate::integrate::{Counts, DenseOutput, Guards, PhaseStepper, StepError};
+use crate::integrate::{Counts, Guards, StepError};
 use crate::model::Kink;
+use crate::system::{DenseOutput, PhaseStepper};
 use locate::Samples;
 use near::Near;
 

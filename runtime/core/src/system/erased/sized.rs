@@ -4,12 +4,22 @@
 use super::expansion::Padded;
 use super::problem::JacobianMatrix;
 use super::{InitialValueProblem, PhaseStepper};
-use crate::integrate::{Dop853, Gauss, Radau, Taylor, Tsit5};
+use crate::integrate::{Dop853, Gauss, Radau, StepState, Stepper, Taylor, Tsit5};
 
 /// An integration of the first `entries` entries of `N`.
 pub(super) struct Sized<T, const N: usize> {
     pub(super) stepper: T,
     pub(super) entries: usize,
+}
+
+impl<'a> InitialValueProblem<'a> {
+    /// An integration of the problem; none where its tolerance is none.
+    fn stepper<const N: usize, T: Stepper<f64, N> + 'a>(
+        &self,
+        begin: impl FnOnce(StepState<f64, N>) -> T,
+    ) -> Option<Box<dyn PhaseStepper + 'a>> {
+        Some(Box::new(Sized { stepper: begin(self.step_state()?), entries: self.len() }))
+    }
 }
 
 type Started<'a> = Option<Box<dyn PhaseStepper + 'a>>;

@@ -14,7 +14,7 @@ pub use expansion::SeriesExpansion;
 pub use methods::{ExplicitMethods, Methods, StartStepper, gauss, radau};
 pub use problem::InitialValueProblem;
 
-use super::{Counts, Guards, StepError, StepState, Stepper};
+use crate::integrate::{Counts, Guards, StepError, StepState, Stepper, Tolerance};
 use sized::Sized;
 
 /// An integration of a phase in progress, forward in time; see [`Stepper`].
@@ -97,7 +97,7 @@ fn filled<const N: usize>(values: &[f64], filling: f64) -> [f64; N] {
 
 impl InitialValueProblem<'_> {
     fn step_state<const N: usize>(&self) -> Option<StepState<f64, N>> {
-        let tolerance = super::Tolerance::of_first(self.relative, self.absolute).ok()?.times(self.tightness);
+        let tolerance = Tolerance::of_first(self.relative, self.absolute).ok()?.times(self.tightness);
         let step_state = StepState::new(tolerance, self.t, filled(self.start, 0.0)).with_end(self.end);
         Some(match self.longest {
             Some(h) => step_state.with_longest_step(h),

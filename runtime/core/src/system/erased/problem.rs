@@ -2,9 +2,8 @@
 
 use core::cell::RefCell;
 
-use super::sized::Sized;
-use super::{PhaseStepper, filled};
-use crate::integrate::{StepState, Stepper};
+use super::filled;
+use crate::integrate::StepState;
 use crate::system::{Jacobian, Phase};
 
 /// An initial value problem of a phase.
@@ -42,14 +41,6 @@ impl<'a> InitialValueProblem<'a> {
             phase.derivative(&y[..entries], &mut f[..entries]);
             f
         }
-    }
-
-    /// An integration of the problem; none where its tolerance is none.
-    pub(super) fn stepper<const N: usize, T: Stepper<f64, N> + 'a>(
-        &self,
-        begin: impl FnOnce(StepState<f64, N>) -> T,
-    ) -> Option<Box<dyn PhaseStepper + 'a>> {
-        Some(Box::new(Sized { stepper: begin(self.step_state()?), entries: self.len() }))
     }
 
     /// How many coordinates have the entries that follow as their rates: all or none, as f says where those are 1, 2, ….

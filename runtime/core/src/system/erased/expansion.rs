@@ -7,7 +7,7 @@ use crate::integrate::{Expansion, ExpansionBy, Guards};
 use crate::model::{BarSystem, Form, PhaseSeries};
 use crate::scalar::Double;
 use crate::series::ORDERS;
-use crate::system::to_array;
+use crate::system::arrays::to_array;
 
 /// [`Expansion`] with its dimension forgotten.
 pub trait SeriesExpansion {
