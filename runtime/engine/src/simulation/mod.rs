@@ -1,5 +1,6 @@
 //! A simulation in preparation, as a builder.
 
+mod awaited;
 mod budget;
 mod domain;
 mod driver;
@@ -51,7 +52,8 @@ const LIMIT: f64 = 1000.0;
 pub struct Simulation {
     pub(crate) context: Arc<RunContext>,
     pub(crate) tolerance: f64,
-    pub(crate) start: Option<Start>,
+    /// The start that was asked for.
+    start: Option<GivenStart>,
     /// When it begins.
     pub(crate) begin: f64,
     pub(crate) held: ContactSet,
@@ -68,6 +70,16 @@ pub struct Simulation {
     pub(crate) method: Arc<dyn Method>,
     pub(crate) cancel: Option<Arc<AtomicBool>>,
     pub(crate) budget: Budget,
+}
+
+/// A start that was asked for, and what it is at the tolerance set then.
+#[derive(Clone)]
+struct GivenStart {
+    pose: Pose,
+    /// A pose on whose energy level it has its rate.
+    level: Option<Pose>,
+    tolerance: f64,
+    start: Start,
 }
 
 impl Simulation {
@@ -136,7 +148,8 @@ impl Simulation {
     }
 
     /// Starts from this pose; coordinates and rates that it leaves open follow from the closed contacts. Contacts may be
-    /// penetrated by ten times the tolerance set by now, in natural lengths. The default is the nominal figure at rest.
+    /// penetrated by ten times the tolerance, in natural lengths; one that is set later counts when the run begins. The default is
+    /// the nominal figure at rest.
     pub fn start(mut self, pose: Pose) -> Result<Self, StartError> {
         self.measure(&pose)?;
         let mut start = self.complete(&pose)?;
@@ -147,7 +160,7 @@ impl Simulation {
             self.set_scales(scales);
             start = self.complete(&pose)?;
         }
-        self.start = Some(start);
+        self.start = Some(GivenStart { pose, level: None, tolerance: self.tolerance, start });
         Ok(self)
     }
 
@@ -181,7 +194,8 @@ impl Simulation {
     /// The pose satisfies the joints and contacts of no phase.
     pub fn continued(&self, t: f64, pose: &Pose) -> Result<Self, StartError> {
         let mut continued = Self { begin: t, ..self.clone() };
-        continued.start = Some(continued.complete(pose)?);
+        let (pose, start) = (pose.clone(), continued.complete(pose)?);
+        continued.start = Some(GivenStart { pose, level: None, tolerance: self.tolerance, start });
         Ok(continued)
     }
 
@@ -201,9 +215,10 @@ impl Simulation {
     /// Gives the start the rate that it has on the energy level of `pose`, moving away from that pose. The closed
     /// contacts must leave one degree of freedom.
     pub fn on_energy_of(mut self, pose: Pose) -> Result<Self, StartError> {
-        let level = self.complete(&pose)?;
-        let from = self.started()?;
-        self.start = Some(on_energy_of(&self.context, &from, &level)?);
+        let from = self.start.map_or_else(Pose::nominal, |given| given.pose);
+        self.start = None;
+        let start = self.resolve(&from, Some(&pose))?;
+        self.start = Some(GivenStart { pose: from, level: Some(pose), tolerance: self.tolerance, start });
         Ok(self)
     }
 
@@ -432,7 +447,20 @@ impl Simulation {
     }
 
     pub(crate) fn started(&self) -> Result<Start, StartError> {
-        self.start.clone().map_or_else(|| self.complete(&Pose::nominal()), Ok)
+        match &self.start {
+            None => self.complete(&Pose::nominal()),
+            Some(given) if given.tolerance == self.tolerance => Ok(given.start.clone()),
+            Some(given) => self.resolve(&given.pose, given.level.as_ref()),
+        }
+    }
+
+    /// The start of a pose, with the rate of an energy level where one is given.
+    fn resolve(&self, pose: &Pose, level: Option<&Pose>) -> Result<Start, StartError> {
+        let from = self.complete(pose)?;
+        match level {
+            None => Ok(from),
+            Some(level) => on_energy_of(&self.context, &from, &self.complete(level)?),
+        }
     }
 
     fn complete(&self, pose: &Pose) -> Result<Start, StartError> {

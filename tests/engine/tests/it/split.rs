@@ -68,3 +68,18 @@ fn a_start_may_penetrate_as_deep_as_its_tolerance_lets_a_motion() {
     assert!(below(1e-12, 1e-9).is_err() && below(1e-8, 1e-6).is_err());
     assert!(told(&below(1e-8, 1e-7).unwrap()) && !told(&below(1e-12, 1e-11).unwrap()));
 }
+
+/// A tolerance that is set after the start counts as one that is set before.
+#[test]
+fn a_start_does_not_depend_on_when_the_tolerance_is_set() {
+    let bar = BouncingBar { m: 1.0, l: 1.0, g: 9.81, e: 0.5 };
+    let new = || Simulation::new(&bar).unwrap().limit(0.1);
+    let at_depth = |depth: f64| Pose::at("phi", 1.0).with("x", 0.0).with("y", -depth);
+    let before = new().tolerance(1e-8).start(at_depth(1e-8)).unwrap();
+    let after = new().tolerance(1e-5).start(at_depth(1e-8)).unwrap().tolerance(1e-8);
+    assert_eq!(after.start_state(), before.start_state());
+    assert_eq!(after.run().unwrap().final_state(), before.run().unwrap().final_state());
+    let refused = new().tolerance(1e-8).start(at_depth(1e-6)).map(|_| ()).unwrap_err();
+    let loosened = new().tolerance(1e-5).start(at_depth(1e-6)).unwrap();
+    assert_eq!(loosened.tolerance(1e-8).start_state().unwrap_err(), refused);
+}

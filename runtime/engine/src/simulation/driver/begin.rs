@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use super::jumps::Before;
-use super::switch::Role;
 use super::{Driver, Next};
 use crate::assembly::StartError;
 use crate::assembly::{deepest, touches};
@@ -15,6 +14,7 @@ use crate::integration::equilibrium::is_equilibrium;
 use crate::model::ContactSet;
 use crate::simulation::RunCause;
 use crate::simulation::Simulation;
+use crate::simulation::awaited::Role;
 use crate::system::Phase;
 use crate::trajectory::{LogEntry, LoggedDecision};
 
@@ -50,8 +50,8 @@ impl Driver<'_> {
 
     /// What an impact at the start makes true at once. What else holds at a start is told.
     fn follow_start(&mut self, before: Option<Before>) -> Result<Next, RunCause> {
-        let is_other = |k: &usize| !matches!(self.role(*k), Role::Switch { .. });
-        let others: Vec<Guard> = (0..self.conditions.len()).filter(is_other).map(Guard::Condition).collect();
+        let is_other = |k: &usize| !matches!(self.awaited.role(*k), Role::Switch { .. });
+        let others: Vec<Guard> = self.awaited.places().filter(is_other).map(Guard::Condition).collect();
         self.follow_jumps(before, &others)
     }
 

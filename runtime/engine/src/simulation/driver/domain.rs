@@ -4,6 +4,7 @@ use super::Driver;
 use crate::event::Guard;
 use crate::simulation::Domain;
 use crate::simulation::RunCause;
+use crate::simulation::awaited::Role;
 use crate::simulation::domain::{Bounded, driven};
 use crate::simulation::phase_run::Termination;
 
@@ -36,8 +37,14 @@ impl Driver<'_> {
     /// Refuses a phase that ends where the equations leave a bound, before its energy is looked at: there it need not be a number.
     pub(super) fn refuse_left(&self, end: &Termination) -> Result<(), RunCause> {
         let Termination::Event(guards) = end else { return Ok(()) };
-        let mut met = guards.iter().filter_map(|g| if let Guard::Condition(k) = g { Some(*k) } else { None });
-        met.find_map(|k| self.domain_of(k)).map_or(Ok(()), |domain| Err(self.left(domain)))
+        let domain = |guard: &Guard| match guard {
+            Guard::Condition(k) => match self.awaited.role(*k) {
+                Role::Domain(domain) => Some(domain),
+                _ => None,
+            },
+            _ => None,
+        };
+        guards.iter().find_map(domain).map_or(Ok(()), |domain| Err(self.left(domain)))
     }
 
     /// Refuses a driven distance at zero or below, given what counts as zero.
@@ -57,10 +64,5 @@ impl Driver<'_> {
             true => Ok(()),
             false => self.refuse_distances(VANISHED * self.setup.context.scales.length),
         }
-    }
-
-    /// The bound that a condition is for.
-    pub(super) fn domain_of(&self, condition: usize) -> Option<usize> {
-        (condition + self.setup.rules.domains.len()).checked_sub(self.conditions.len())
     }
 }

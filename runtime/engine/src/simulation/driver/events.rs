@@ -4,13 +4,13 @@ use nalgebra::DVector;
 
 use super::friction::LocatedSlips;
 use super::plan::split;
-use super::switch::Role;
 use super::{Driver, Next};
 use crate::event::detection::Guard;
 use crate::event::{Event, EventKind, Note, PreImpact, reactions, supports};
 use crate::expression::Condition;
 use crate::model::{ContactSet, Energy, Form, Slip};
 use crate::simulation::RunCause;
+use crate::simulation::awaited::Role;
 use crate::simulation::phase_run::{LastStep, Touch};
 use crate::trajectory::RecordedPhase;
 use crate::trajectory::{LogEntry, LoggedDecision, Trajectory};
@@ -45,7 +45,7 @@ impl Driver<'_> {
         let met = guards.iter().filter_map(|g| if let Guard::Condition(k) = g { Some(*k) } else { None });
         let (mut stops, mut planned, mut switched) = (Vec::new(), Vec::new(), Vec::new());
         for k in met {
-            match self.role(k) {
+            match self.awaited.role(k) {
                 Role::Stop => stops.push(k),
                 Role::Planned(entry) => planned.push(entry),
                 Role::Switch { switch, arms } => switched.push((switch, arms)),
@@ -71,7 +71,7 @@ impl Driver<'_> {
             self.record(EventKind::Close, barred, None);
         }
         if let Some(&k) = stops.first() {
-            let note = Note::Condition(self.conditions[k].clone());
+            let note = Note::Condition(self.awaited.conditions[k].clone());
             self.record(EventKind::Stop, ContactSet::EMPTY, Some(note));
         }
         if !stops.is_empty() || !barred.is_empty() {

@@ -1,13 +1,13 @@
 //! Conditions that become true by a jump: impacts change rates, and a change of contacts, springs or loads changes accelerations and
 //! reactions, at once. An equation is met by no jump: what passes a value without having it does not have it.
 
-use super::switch::Role;
 use super::{Driver, Next};
 use crate::event::{EventKind, Guard, Note};
 use crate::expression::Relation;
 use crate::integration::phase_point::PhasePoint;
 use crate::model::{ContactSet, Form};
 use crate::simulation::RunCause;
+use crate::simulation::awaited::Role;
 use crate::trajectory::RecordedPhase;
 
 /// Of a jump this part is rounding.
@@ -24,7 +24,7 @@ pub(super) struct Before {
 impl Driver<'_> {
     /// What is to be compared with what an event leaves; nothing where no condition can jump.
     pub(super) fn before_event(&self) -> Option<Before> {
-        let jumps = self.conditions.iter().any(|condition| condition.relation() != Relation::Equal);
+        let jumps = self.awaited.conditions.iter().any(|condition| condition.relation() != Relation::Equal);
         jumps.then(|| Before { margins: self.margins(), state: self.state.clone(), closed: self.closed })
     }
 
@@ -32,18 +32,18 @@ impl Driver<'_> {
     pub(super) fn follow_jumps(&mut self, before: Option<Before>, roots: &[Guard]) -> Result<Next, RunCause> {
         let Some(before) = before else { return Ok(Next::Continue) };
         let is_root = |k: &usize| roots.contains(&Guard::Condition(*k));
-        let mut done: Vec<usize> = (0..self.conditions.len()).filter(is_root).collect();
+        let mut done: Vec<usize> = self.awaited.places().filter(is_root).collect();
         while self.state != before.state || self.closed != before.closed {
             let margins = self.margins();
             let met = (0..margins.len()).find(|k| {
                 let (Some(from), Some(to)) = (before.margins[*k], margins[*k]) else { return false };
-                from <= 0.0 && to > ROUNDED * from.abs() && self.awaited(*k) && !self.is_done(*k, &done)
+                from <= 0.0 && to > ROUNDED * from.abs() && self.is_awaited(*k) && !self.is_done(*k, &done)
             });
             let Some(met) = met else { break };
             done.push(met);
-            match self.role(met) {
+            match self.awaited.role(met) {
                 Role::Stop => {
-                    let note = Note::Condition(self.conditions[met].clone());
+                    let note = Note::Condition(self.awaited.conditions[met].clone());
                     self.record(EventKind::Stop, ContactSet::EMPTY, Some(note));
                     return Ok(Next::Finished);
                 }
@@ -57,7 +57,7 @@ impl Driver<'_> {
 
     /// Whether a condition, or that of the same switch which is its opposite, has been met.
     fn is_done(&self, condition: usize, done: &[usize]) -> bool {
-        let switch = |k: usize| match self.role(k) {
+        let switch = |k: usize| match self.awaited.role(k) {
             Role::Switch { switch, .. } => Some(switch),
             _ => None,
         };
@@ -73,6 +73,6 @@ impl Driver<'_> {
     /// How far each condition holds; nothing of equations.
     fn margins(&self) -> Vec<Option<f64>> {
         let (context, point) = (&self.setup.context, self.point());
-        self.conditions.iter().map(|condition| condition.margin(context, &point)).collect()
+        self.awaited.conditions.iter().map(|condition| condition.margin(context, &point)).collect()
     }
 }

@@ -32,8 +32,8 @@ use crate::simulation::{RunCause, RunError};
 use crate::assembly::Start;
 use crate::context::Numbers;
 use crate::event::detection::{Broken, Guard, KnownAffineGuards};
-use crate::expression::Condition;
 use crate::integrate::Counts;
+use crate::simulation::awaited::Awaited;
 use crate::simulation::phase_run::{Outcome, Termination};
 use crate::simulation::{Allowance, Exhausted, Simulation};
 use crate::system::Phase;
@@ -73,8 +73,7 @@ pub(crate) struct Driver<'a> {
     /// Reactions at the last decision.
     reactions: Vec<f64>,
     affine: KnownAffineGuards,
-    /// Conditions that end the run, then those of the plan, of switches and of bounds.
-    conditions: Vec<Condition>,
+    awaited: Awaited,
     /// Which entries of the plan have happened.
     done: Vec<bool>,
     bounces: BounceHistory,
@@ -111,22 +110,9 @@ enum Next {
 impl<'a> Driver<'a> {
     pub(crate) fn new(setup: &'a Simulation, start: Start, observer: &'a mut dyn Observer) -> Self {
         let last = setup.context.layout().public_state(&start.state).to_vec();
-        let planned = setup.plan.iter().filter_map(|planned| match &planned.when {
-            Trigger::If(condition) => Some(condition),
-            Trigger::At(_) => None,
-        });
-        let switches = setup.rules.switches.iter().flat_map(|switch| &switch.conditions);
-        let domains = setup.rules.domains.iter().map(|domain| &domain.left);
         let removed = setup.rules.switches.disarmed(&setup.context, &start.state, setup.begin);
         let mut driver = Self {
-            conditions: setup
-                .conditions
-                .iter()
-                .chain(planned)
-                .chain(switches)
-                .chain(domains)
-                .cloned()
-                .collect(),
+            awaited: Awaited::from_setup(setup),
             done: vec![false; setup.plan.len()],
             bounces: BounceHistory::new(setup.layout().contacts.len()),
             risen: None,
@@ -185,7 +171,7 @@ impl<'a> Driver<'a> {
     pub(crate) fn run(mut self) -> Result<Trajectory, RunError> {
         let played = self.play();
         self.show_events(true);
-        self.trajectory.conditions = core::mem::take(&mut self.conditions);
+        self.trajectory.conditions = core::mem::take(&mut self.awaited.conditions);
         match played {
             Ok(()) => {
                 self.keep_end();

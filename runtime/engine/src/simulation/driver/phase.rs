@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use super::Driver;
 use super::friction::LocatedSlips;
-use super::switch::Role;
 use crate::assembly::StartError;
 use crate::contact::friction::Grip;
 use crate::contact::nondegenerate::slider;
@@ -18,6 +17,7 @@ use crate::event::detection::{Bounds, ContactStatus, EventDetector, Signals};
 use crate::integration::chart::{self, Chart};
 use crate::model::{ContactSet, Form};
 use crate::simulation::RunCause;
+use crate::simulation::awaited::Role;
 use crate::simulation::phase_run::{Outcome, PhaseRun};
 use crate::simulation::{Exhausted, Simulation};
 use crate::system::{Equations, Phase};
@@ -270,12 +270,13 @@ impl Driver<'_> {
         let grip = Grip::of(context.system(), &self.state, &closed);
         let contacts =
             ContactStatus { closed, held, removed, off, passed, kept, grip, heights, orders, forces, slips };
-        let located =
-            |k: &usize| self.conditions[*k].time(&context.model.parameters).is_none() && self.awaited(*k);
-        let located = (0..self.conditions.len()).filter(located);
+        let located = |k: &usize| {
+            self.awaited.conditions[*k].time(&context.model.parameters).is_none() && self.is_awaited(*k)
+        };
+        let located = self.awaited.places().filter(located);
         let located: Vec<(usize, bool)> =
-            located.map(|k| (k, matches!(self.role(k), Role::Switch { .. }))).collect();
-        let conditions = (&self.conditions[..], &located[..]);
+            located.map(|k| (k, matches!(self.awaited.role(k), Role::Switch { .. }))).collect();
+        let conditions = (&self.awaited.conditions[..], &located[..]);
         let mut detector = EventDetector::new(self.layout(), self.bearing, contacts, conditions, bounds);
         let run = PhaseRun {
             context,

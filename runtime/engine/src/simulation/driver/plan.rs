@@ -3,13 +3,13 @@
 use nalgebra::DVector;
 
 use super::Driver;
-use super::switch::Role;
 use crate::context::without_rounding;
 use crate::error::ScheduleError;
 use crate::event::{EventKind, Note};
 use crate::expression::Condition;
 use crate::model::{ContactKind, ContactSet, Layout};
 use crate::simulation::RunCause;
+use crate::simulation::awaited::Role;
 use crate::system::{TIME_ORDERS, TimeSeries};
 use crate::trajectory::AppliedImpulse;
 
@@ -53,21 +53,13 @@ impl Driver<'_> {
     }
 
     /// Whether a condition is still to be met.
-    pub(super) fn awaited(&self, condition: usize) -> bool {
-        match self.role(condition) {
+    pub(super) fn is_awaited(&self, condition: usize) -> bool {
+        match self.awaited.role(condition) {
             Role::Stop => true,
             Role::Planned(entry) => !self.done[entry],
             Role::Switch { switch, arms } => self.is_there(switch) != arms,
             Role::Domain(domain) => self.is_bound(domain),
         }
-    }
-
-    /// The entry of the plan that a condition belongs to.
-    pub(super) fn planned_on(&self, condition: usize) -> Option<usize> {
-        let conditional =
-            self.setup.plan.iter().enumerate().filter(|(_, p)| matches!(p.when, Trigger::If(_)));
-        let stops = self.setup.conditions.len();
-        conditional.map(|(k, _)| k).nth(condition.checked_sub(stops)?)
     }
 
     /// Does what is due at this time.

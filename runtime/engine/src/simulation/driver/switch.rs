@@ -14,37 +14,7 @@ use crate::simulation::RunCause;
 /// Part of the natural time over which the slope of a condition is a difference.
 const MOMENT: f64 = 1e-6;
 
-/// What a condition of a run is there for.
-pub(super) enum Role {
-    /// It ends the run.
-    Stop,
-    /// It starts this entry of the plan.
-    Planned(usize),
-    /// It arms or disarms what this switch has.
-    Switch { switch: usize, arms: bool },
-    /// It ends the run with an error: this bound of the equations has been left.
-    Domain(usize),
-}
-
 impl Driver<'_> {
-    /// The conditions that end the run come first, then those of the plan, then two for each switch, then those of bounds.
-    pub(super) fn role(&self, condition: usize) -> Role {
-        if condition < self.setup.conditions.len() {
-            return Role::Stop;
-        }
-        if let Some(domain) = self.domain_of(condition) {
-            return Role::Domain(domain);
-        }
-        match self.planned_on(condition) {
-            Some(entry) => Role::Planned(entry),
-            None => {
-                let behind = 2 * self.setup.rules.switches.len() + self.setup.rules.domains.len();
-                let place = condition + behind - self.conditions.len();
-                Role::Switch { switch: place / 2, arms: place.is_multiple_of(2) }
-            }
-        }
-    }
-
     /// Whether what a switch has is there.
     pub(super) fn is_there(&self, switch: usize) -> bool {
         match self.setup.rules.switches[switch].switched {
