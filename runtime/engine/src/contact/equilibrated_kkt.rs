@@ -38,7 +38,7 @@ pub(super) struct EquilibratedKkt {
     /// Rounding of each coordinate and row, from the terms of its part.
     pub(super) tolerance: DVector<f64>,
     /// The balanced size of those terms.
-    size: DVector<f64>,
+    pub(super) size: DVector<f64>,
     /// What says which rows are couples; where nothing does they are compared with forces as numbers.
     layout: Option<&'static Layout>,
 }
@@ -288,7 +288,7 @@ fn reciprocal(x: f64) -> f64 {
 }
 
 /// For each entry the largest value of its part.
-fn largest_in_part(parts: &[usize], values: &DVector<f64>) -> DVector<f64> {
+pub(super) fn largest_in_part(parts: &[usize], values: &DVector<f64>) -> DVector<f64> {
     let mut largest = vec![0.0; values.len()];
     for (&part, &value) in parts.iter().zip(values.iter()) {
         largest[part] = f64::max(largest[part], value);

@@ -49,7 +49,7 @@ impl Problem<'_> {
         let of_edges = edges.iter().zip(signed).map(|(edge, signed)| (n + edge[0].0, signed));
         let entries: Vec<(usize, bool)> = (0..n).map(|i| (i, false)).chain(of_edges).collect();
         let Some(y) = self.least_squares(&matrix, equations, &entries) else { return Ok(None) };
-        if !self.kkt.are_met(equations, &(&equations.right - &matrix * &y)) {
+        if !self.kkt.are_met(equations, &matrix, &y) {
             return Ok(None);
         }
         let mut x = DVector::zeros(equations.index.len());

@@ -5,14 +5,14 @@ use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
 use super::modes::{Bound, Choice, Condition, Frictional, Given, Mode, Sense, smooth_choices};
 use crate::contact::complementarity::LcpRows;
-use crate::contact::equilibrated_kkt::EquilibratedKkt;
+use crate::contact::equilibrated_kkt::{EquilibratedKkt, largest_in_part};
 use crate::contact::trials::LcpError;
 use crate::numerics::decomposition::svd;
 
 /// Pivots that differ by more belong to a matrix that a singular value decomposition has to judge.
 const SOUND: f64 = 1e-9;
-/// Residual of equations that hold, in units of rounding.
-const CONSISTENT: f64 = 1e3;
+/// Residual of equations that hold, in units of roundoff of as many terms as there are equations.
+const CONSISTENT: f64 = 16.0;
 /// Part of a null vector's length in the accelerations from which on these are not determined.
 const FREE: f64 = 1e-6;
 /// The error of a located event in units of rounding.
@@ -274,10 +274,17 @@ impl EquilibratedKkt {
         }
     }
 
-    /// Whether balanced equations are met but for rounding.
-    pub(super) fn are_met(&self, equations: &Equations, rest: &DVector<f64>) -> bool {
-        let tolerance = |i: usize| CONSISTENT * self.tolerance[i];
-        equations.index.iter().zip(rest.iter()).all(|(&i, rest)| rest.abs() <= tolerance(i))
+    /// Whether y meets balanced equations with this matrix, but for roundoff of the sums in the part of each.
+    pub(super) fn are_met(&self, equations: &Equations, matrix: &DMatrix<f64>, y: &DVector<f64>) -> bool {
+        let parts: Vec<usize> = equations.index.iter().map(|&i| self.parts[i]).collect();
+        let terms =
+            largest_in_part(&parts, &(matrix.abs() * y.abs() + self.size.select_rows(&equations.index)));
+        let roundoff = CONSISTENT * equations.index.len() as f64 * f64::EPSILON;
+        (&equations.right - matrix * y)
+            .abs()
+            .iter()
+            .zip(&terms)
+            .all(|(rest, terms)| *rest <= roundoff * terms)
     }
 }
 
