@@ -1,7 +1,7 @@
 //! Friction forces and slip velocities as outputs, in conditions and at events.
 
 use liftoff::prelude::*;
-use liftoff::{Note, OutputError};
+use liftoff::{Budget, Note, OutputError};
 use liftoff_fixtures::Belt;
 
 const BELT: Belt = Belt { m: 2.0, g: 10.0, k: 4.0, mu: 0.2, mu_s: 0.5, w: 0.5 };
@@ -103,4 +103,32 @@ fn what_has_no_friction_says_how_to_declare_it() {
         assert_eq!(error, OutputError::Smooth { contact: "P".into() });
         assert!(error.to_string().contains("`friction = mu`"), "{error}");
     }
+}
+
+/// A block on a slope whose friction grows with its speed.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[particle(P, mass = m)]
+#[support(P = slope(alpha), friction = mu + k * abs(v))]
+#[force(pull = (p * sin(t), 0), at = P)]
+#[figure(P = (0, 0))]
+#[coordinate(x = x(P))]
+#[coordinate(y = y(P))]
+struct Viscous {
+    m: f64,
+    alpha: f64,
+    mu: f64,
+    k: f64,
+    p: f64,
+    g: f64,
+}
+
+/// While it sticks |v| is zero and stays so: it has no kink that steps end at.
+#[test]
+fn friction_by_speed_takes_no_more_steps_while_it_sticks() {
+    let block = Viscous { m: 1.0, alpha: 0.25, mu: 0.3, k: 0.1, p: 0.2, g: 9.81 };
+    let budget = Budget { steps: 500, ..Budget::UNLIMITED };
+    let run = Simulation::new(&block).unwrap().budget(budget).limit(10.0).run().unwrap();
+    assert_eq!(run.events().len(), 2, "{:?}", run.events());
+    assert!(run.final_state()[..2].iter().all(|x| x.abs() < 1e-12), "{:?}", run.final_state());
 }
