@@ -7,8 +7,11 @@ use liftoff_studio::run_spec::RunSpec;
 
 /// The names of all.
 pub fn all(simulation: &Simulation, spec: &RunSpec) -> Vec<String> {
-    let parameters = simulation.layout().parameters.iter().map(|name| (*name).to_owned());
-    parameters.chain(spec.start.iter().map(|(name, _)| name.clone())).collect()
+    let layout = simulation.layout();
+    let parameters = layout.parameters.iter().map(|name| (*name).to_owned());
+    // `below(P)` is no value.
+    let is_value = |name: &String| layout.names_of_motion().any(|known| known == *name);
+    parameters.chain(spec.start.iter().map(|(name, _)| name.clone()).filter(is_value)).collect()
 }
 
 /// Those of these names, which an option has.

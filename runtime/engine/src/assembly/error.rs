@@ -71,6 +71,28 @@ pub enum StartError {
         /// How deep, > 0.
         depth: f64,
     },
+    /// A contact with an edge is below it, and is not said to have gone round an end.
+    #[error(
+        "support {support} is penetrated by {depth:.3e}; if it has gone round an end of its edge, start with `below({name})` = 1"
+    )]
+    BelowEdge {
+        /// The contact.
+        support: String,
+        /// Its first support.
+        name: &'static str,
+        /// How deep, > 0.
+        depth: f64,
+    },
+    /// A contact that is said to be below an edge is not.
+    #[error(
+        "`below({support})` = {value}: it is 1 where the support has gone round an end of its edge and is below that, else left out"
+    )]
+    NotBelow {
+        /// The support.
+        support: String,
+        /// What it is given as.
+        value: f64,
+    },
     /// A bar's corner is beyond the bar's end.
     #[error("the contact {support} lies beyond the end of its bar by {distance:.3e}")]
     OffBar {

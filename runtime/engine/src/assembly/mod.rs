@@ -65,8 +65,10 @@ pub(crate) fn start(
         return Ok(Start { state, touching: ContactSet::EMPTY, depth: 0.0 });
     }
     let rates = given.rates.iter().map(|rate| rate.unwrap_or(0.0)).collect();
-    let assembly = AssemblyProblem::new((context, switches), deepest(tolerance), rates, t);
+    let mut assembly = AssemblyProblem::new((context, switches), deepest(tolerance), rates, t);
+    assembly.below = given.below;
     let (positions, closed) = complete::positions(&assembly, &given.positions)?;
+    assembly.check_below(&positions)?;
     let depth = assembly.depth(&positions, closed);
     let moving = |positions: &[f64]| -> Result<_, StartError> {
         let (rates, touching) = rates::rates(&assembly, positions, closed, &given.rates)?;

@@ -4,11 +4,13 @@ use crate::assembly::StartError;
 use crate::context::CLOSED;
 use crate::context::RunContext;
 use crate::error::NameError;
+use crate::expression::{contact_of, unknown_support};
 use crate::model::names::CoordinateName;
-use crate::model::{DependentAngle, Layout, Term};
+use crate::model::{ContactSet, DependentAngle, Layout, Term};
 use crate::system::Model;
 
-/// Some coordinates and rates by name; a rate is named with a prime, `phi'`.
+/// Some coordinates and rates by name; a rate is named with a prime, `phi'`. `below(P)` = 1 says that P has gone round an end of
+/// its edge and is below that now, which the coordinates do not tell.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Pose {
     values: Vec<(String, f64)>,
@@ -39,7 +41,7 @@ impl Pose {
 
     /// The coordinates and the rates given, in their places; elsewhere what they are nominally, and zero.
     pub(crate) fn values(&self, model: &Model) -> Result<[Vec<f64>; 2], StartError> {
-        let Given { positions, rates } = self.resolve(model)?;
+        let Given { positions, rates, .. } = self.resolve(model)?;
         let positions =
             positions.iter().zip(&model.nominal).map(|(given, nominal)| given.unwrap_or(*nominal));
         Ok([positions.collect(), rates.into_iter().map(Option::unwrap_or_default).collect()])
@@ -48,11 +50,15 @@ impl Pose {
     pub(super) fn resolve(&self, model: &Model) -> Result<Given, StartError> {
         let layout = model.layout();
         let n = layout.coordinates.len();
-        let mut given = Given { positions: vec![None; n], rates: vec![None; n] };
+        let mut given = Given { positions: vec![None; n], rates: vec![None; n], below: ContactSet::EMPTY };
         let mut following = Vec::new();
         for (k, (name, value)) in self.values.iter().enumerate() {
             if !value.is_finite() {
                 return Err(StartError::NotFinite { name: name.clone(), value: *value });
+            }
+            if let Some(support) = name.strip_prefix("below(").and_then(|rest| rest.strip_suffix(')')) {
+                given.below = given.below.with(edge_contact(layout, support, *value)?);
+                continue;
             }
             let is_twice = match given.slot(layout, name)? {
                 Slot::Coordinate(slot) => slot.replace(*value).is_some(),
@@ -84,6 +90,17 @@ impl Pose {
 pub(super) struct Given {
     pub(super) positions: Vec<Option<f64>>,
     pub(super) rates: Vec<Option<f64>>,
+    /// Contacts that have gone round an end of their edges and are below these.
+    pub(super) below: ContactSet,
+}
+
+/// The contact with an edge that is said to be below it.
+fn edge_contact(layout: &'static Layout, support: &str, value: f64) -> Result<usize, StartError> {
+    let (index, contact) = contact_of(layout, support).ok_or_else(|| unknown_support(layout, support))?;
+    match contact.foot {
+        Some(_) if value == 1.0 => Ok(index),
+        _ => Err(StartError::NotBelow { support: support.to_owned(), value }),
+    }
 }
 
 impl Given {

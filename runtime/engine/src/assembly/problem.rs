@@ -6,7 +6,7 @@ use std::rc::Rc;
 use super::StartError;
 use crate::context::{CLOSED, RunContext};
 use crate::expression::Switches;
-use crate::model::{ContactKind, ContactSet, Layout};
+use crate::model::{Contact, ContactKind, ContactSet, Layout};
 use crate::system::Equations;
 
 /// Roundoff of a foot's distance from the end of its bar, in natural lengths.
@@ -22,6 +22,8 @@ pub(super) struct AssemblyProblem<'a> {
     pub(super) rates: Vec<f64>,
     /// When the motion begins.
     pub(super) t: f64,
+    /// Contacts that have gone round an end of their edges and are below these.
+    pub(super) below: ContactSet,
     last: RefCell<Option<Known>>,
 }
 
@@ -32,14 +34,15 @@ struct Known {
 }
 
 impl<'a> AssemblyProblem<'a> {
-    /// With so deep penetrations in natural lengths, these rates, and this time.
+    /// With so deep penetrations in natural lengths, these rates, and this time; nothing is below its edge.
     pub(super) fn new(
         (context, switches): (&'a RunContext, &'a Switches),
         deepest: f64,
         rates: Vec<f64>,
         t: f64,
     ) -> Self {
-        Self { context, switches, deepest, rates, t, last: RefCell::new(None) }
+        let (below, last) = (ContactSet::EMPTY, RefCell::new(None));
+        Self { context, switches, deepest, rates, t, below, last }
     }
 
     pub(super) fn layout(&self) -> &'static Layout {
@@ -121,7 +124,7 @@ impl<'a> AssemblyProblem<'a> {
         )
     }
 
-    /// Corners beyond the ends of their bars, and contacts that are not there.
+    /// Corners beyond the ends of their bars or below these, and contacts that are not there.
     pub(super) fn absent(&self, positions: &[f64]) -> ContactSet {
         let feet = if self.layout().feet() == 0 { Vec::new() } else { self.feet(&self.at_rest(positions)) };
         let beyond = |x: &f64| *x < -CLOSED * self.context.scales.length;
@@ -131,7 +134,7 @@ impl<'a> AssemblyProblem<'a> {
         };
         let off: ContactSet = (0..self.layout().contacts.len()).filter(off).collect();
         let state = self.layout().state_at(&[positions, &self.rates[..]].concat(), self.t);
-        off.union(self.switches.disarmed(self.context, &state, self.t))
+        off.union(self.below).union(self.switches.disarmed(self.context, &state, self.t))
     }
 
     /// How deep the one-sided contacts of a set are penetrated, m, ≥ 0.
@@ -139,6 +142,21 @@ impl<'a> AssemblyProblem<'a> {
         let two_sided = self.layout().guides().union(self.layout().drives());
         let rows = self.rows(positions);
         set.difference(two_sided).iter().map(|i| -rows.gap()[i]).fold(0.0, f64::max)
+    }
+
+    /// Checks that what is said to be below its edge is.
+    pub(super) fn check_below(&self, positions: &[f64]) -> Result<(), StartError> {
+        if self.below.is_empty() {
+            return Ok(());
+        }
+        let rows = self.rows(positions);
+        match self.below.iter().find(|&i| rows.gap()[i] >= 0.0) {
+            Some(i) => {
+                let support = self.layout().contacts[i].supports[0].to_owned();
+                Err(StartError::NotBelow { support, value: 1.0 })
+            }
+            None => Ok(()),
+        }
     }
 
     /// Refuses penetrated contacts, by the deepest one. A corner beyond the end of its bar penetrates nothing.
@@ -157,7 +175,11 @@ impl<'a> AssemblyProblem<'a> {
 
     /// What is wrong with a contact whose gap is negative.
     pub(super) fn penetration(&self, contact: usize, gap: f64) -> StartError {
-        match self.layout().contacts[contact].kind {
+        let Contact { kind, foot, supports, .. } = self.layout().contacts[contact];
+        match kind {
+            ContactKind::Support if foot.is_some() => {
+                StartError::BelowEdge { support: self.contact(contact), name: supports[0], depth: -gap }
+            }
             ContactKind::Support => StartError::Penetrates { support: self.contact(contact), depth: -gap },
             // Of those that hold both ways the gaps are none.
             ContactKind::Guide | ContactKind::Hinge { .. } | ContactKind::Drive | ContactKind::Turn => {

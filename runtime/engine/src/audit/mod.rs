@@ -97,7 +97,7 @@ impl Trajectory {
     /// Looks at the ends and in the middle of all steps whether the motion satisfies what every motion does.
     pub fn audit(&self) -> Audit {
         let mut audit = Audit::default();
-        let mut passed = ContactSet::EMPTY;
+        let mut passed = self.phases.first().map_or(ContactSet::EMPTY, |phase| self.below_at_start(phase));
         for (k, phase) in self.phases.iter().enumerate() {
             self.look_into((phase, self.ended_by(k)), &mut passed, &mut audit);
         }

@@ -44,6 +44,16 @@ impl Trajectory {
         self.look_at_energy(phase, &times, audit);
     }
 
+    /// Open contacts below their edges at the start, which is accepted only where they have gone round an end.
+    pub(super) fn below_at_start(&self, phase: &RecordedPhase) -> ContactSet {
+        let margin = Bounds::of(self.tolerance, 1).gap() * self.context.scales.length;
+        let (gaps, _) = self.gaps_and_feet(&phase.at(phase.t0), margin);
+        let (layout, closed) = (self.layout(), phase.segment().set);
+        let below =
+            |i: &usize| layout.contacts[*i].foot.is_some() && gaps[*i] < -margin && !closed.contains(*i);
+        (0..gaps.len()).filter(below).collect()
+    }
+
     fn pass(&self, phase: &RecordedPhase, [before, t]: [f64; 2], passed: &mut ContactSet) {
         let margin = Bounds::of(self.tolerance, 1).gap() * self.context.scales.length;
         let (gaps, off) = self.gaps_and_feet(&phase.at(t), margin);

@@ -199,3 +199,59 @@ fn an_angle_between_two_needs_one_of_them() {
     let refused = start(Pose::at("chi", 1.0)).map(|_| ());
     assert!(matches!(refused, Err(StartError::NotDetermined { .. })), "{refused:?}");
 }
+
+/// A point beside a bar on a pin.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(CD, mass = m, length = 2)]
+#[pin(C = (0, 0))]
+#[particle(P, mass = m)]
+#[support(P = bar(CD), facing = left)]
+#[figure(C = (0, 0), D = (2, 0), P = (1, 0))]
+#[coordinate(phi = angle(CD), from = horizontal)]
+#[coordinate(x = x(P))]
+#[coordinate(y = y(P))]
+struct Beside {
+    m: f64,
+    g: f64,
+}
+
+/// A point flies round the end of a bar, under it, and through it from below, as it may. From any state on the way the run goes on
+/// as it did; where the point is under the bar its coordinates do not tell from where it has come, and `below` does.
+#[test]
+fn a_state_round_the_end_of_an_edge_is_a_start_once_that_is_said() {
+    let rates = [("x'", -1.0), ("y'", -2.0), ("phi'", 0.0)];
+    let pose = Pose::at("phi", 0.0).with("x", 2.2).with("y", 0.3);
+    let pose = rates.into_iter().fold(pose, |pose, (name, rate)| pose.with(name, rate));
+    let simulation = || Simulation::new(&Beside { m: 1.0, g: 1.0 }).unwrap().limit(0.6);
+    let run = simulation().start(pose.clone()).unwrap().run().unwrap();
+    assert!(run.audit().is_clean() && run.events().len() == 2, "{:?}", run.events());
+    let gap = run.output("gap(P)").unwrap();
+    let mut below = 0;
+    for k in 1..12 {
+        let t = 0.05 * f64::from(k);
+        let left = Pose::of_state(Beside::LAYOUT, &run.state(t));
+        let is_below = run.value(&gap, t) < 0.0;
+        let begun = match simulation().continued(t, &left) {
+            Ok(begun) => begun,
+            Err(error) => {
+                below += 1;
+                assert!(is_below && matches!(error, StartError::BelowEdge { .. }), "{t}: {error}");
+                assert!(error.to_string().ends_with("start with `below(P)` = 1"), "{error}");
+                simulation().continued(t, &left.with("below(P)", 1.0)).unwrap()
+            }
+        };
+        let rest = begun.run().unwrap();
+        assert!(rest.audit().is_clean() && rest.events().len() == 2, "{t}: {:?}", rest.events());
+        for (x, y) in rest.final_state().iter().zip(run.final_state()) {
+            assert!((x - y).abs() < 1e-10, "{t}: {x} {y}");
+        }
+    }
+    assert!(below > 4, "{below}");
+    for (name, value) in [("below(P)", 1.0), ("below(P)", 0.5)] {
+        let refused = simulation().start(pose.clone().with(name, value)).err();
+        assert!(matches!(refused, Some(StartError::NotBelow { .. })), "{refused:?}");
+    }
+    let refused = simulation().start(pose.with("below(Q)", 1.0)).err().unwrap();
+    assert!(refused.to_string().starts_with("no support `Q`"), "{refused}");
+}
