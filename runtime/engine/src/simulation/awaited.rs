@@ -1,7 +1,7 @@
 //! The conditions that a run waits for, each with what it is there for.
 
 use super::Simulation;
-use super::driver::Trigger;
+use super::schedule::Trigger;
 use crate::expression::Condition;
 
 /// What a condition of a run is there for.

@@ -8,6 +8,7 @@ mod error;
 pub(crate) mod phase_handle;
 pub(crate) mod phase_run;
 mod rules;
+mod schedule;
 
 pub(crate) use budget::Allowance;
 pub use budget::{Budget, Exhausted};
@@ -35,7 +36,8 @@ use crate::integration::method::{Auto, Method};
 use crate::integration::phase_point::PhasePoint;
 use crate::model::names::{ContactFilter, ContactName, PointName, ThreadName};
 use crate::model::{ContactKind, ContactSet, Form, Layout};
-use crate::simulation::driver::{Action, Driver, Scheduled, Trigger};
+use crate::simulation::driver::Driver;
+use crate::simulation::schedule::{Action, Scheduled, Trigger};
 use crate::system::Model;
 use crate::trajectory::observe::{Observer, Recorder};
 use crate::trajectory::{Segment, Trajectory};

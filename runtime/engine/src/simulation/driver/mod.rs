@@ -17,7 +17,6 @@ mod switch;
 mod tiny;
 mod zeno;
 
-pub(crate) use plan::{Action, Scheduled, Trigger};
 
 use std::cell::RefCell;
 use std::sync::Arc;

@@ -4,43 +4,13 @@ use nalgebra::DVector;
 
 use super::Driver;
 use crate::context::without_rounding;
-use crate::error::ScheduleError;
 use crate::event::{EventKind, Note};
-use crate::expression::Condition;
 use crate::model::{ContactKind, ContactSet, Layout};
 use crate::simulation::RunCause;
 use crate::simulation::awaited::Role;
+use crate::simulation::schedule::{Action, Scheduled, Trigger};
 use crate::system::{TIME_ORDERS, TimeSeries};
 use crate::trajectory::AppliedImpulse;
-
-/// Something that is to happen once.
-#[derive(Debug, Clone)]
-pub(crate) struct Scheduled {
-    pub(crate) action: Action,
-    pub(crate) when: Trigger,
-}
-
-/// What is to happen.
-#[derive(Debug, Clone, Copy)]
-pub(crate) enum Action {
-    /// A contact ceases to exist.
-    Remove(usize),
-    /// An impulse at a point.
-    Impulse { point: usize, impulse: [f64; 2] },
-}
-
-/// When it is to happen.
-#[derive(Debug, Clone)]
-pub(crate) enum Trigger {
-    At(f64),
-    If(Condition),
-}
-
-impl Trigger {
-    pub(crate) fn at(at: f64) -> Result<Self, ScheduleError> {
-        if at >= 0.0 && at.is_finite() { Ok(Self::At(at)) } else { Err(ScheduleError::Time { at }) }
-    }
-}
 
 impl Driver<'_> {
     /// Times at which something is still to happen.
