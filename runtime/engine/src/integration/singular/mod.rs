@@ -134,19 +134,35 @@ impl SingularityMonitor {
         if self.trials == 0 && self.is_far(context, state, (bound, time, next)) {
             return self.forecast((t, next), &Place { sigma: bound, time }, f64::INFINITY);
         }
-        self.tolerance = self.tolerance.min(LOOSEST);
         let place = Place { sigma: self.least(jacobian), time };
         if place.sigma > FAR {
             self.trials = 0;
         }
+        self.look_ahead(context, (t, next), state, &place)
+    }
+
+    /// The same of the position at which a passage has failed.
+    pub(crate) fn note_failure(&mut self, context: &RunContext, t: f64, state: &[f64]) -> Forecast {
+        let place = self.place(context, state);
+        self.look_ahead(context, (t, f64::INFINITY), state, &place)
+    }
+
+    fn look_ahead(
+        &mut self,
+        context: &RunContext,
+        (t, next): (f64, f64),
+        state: &[f64],
+        place: &Place,
+    ) -> Forecast {
+        self.tolerance = self.tolerance.min(LOOSEST);
         if next <= FALL * place.sigma * place.time {
             return Forecast::Regular;
         }
-        let left = self.left(context, state, &place);
+        let left = self.left(context, state, place);
         if left <= 0.0 {
             return Forecast::Until(t + LONGEST * place.time);
         }
-        self.forecast((t, next), &place, left)
+        self.forecast((t, next), place, left)
     }
 
     /// Whether no singular position is within several steps, as a lower bound of σ, which vanishes where σ does, and the rate of

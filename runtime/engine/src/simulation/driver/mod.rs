@@ -17,7 +17,6 @@ mod switch;
 mod tiny;
 mod zeno;
 
-
 use std::cell::RefCell;
 use std::sync::Arc;
 

@@ -77,7 +77,7 @@ impl PhaseRun<'_> {
             if loops.is_singular(self.context, &state) {
                 return Ok(Some(Termination::Loop(loops.singular(self.context, &state))));
             }
-            forecast = loops.note(self.context, (t, f64::INFINITY), &state);
+            forecast = loops.note_failure(self.context, t, &state);
         }
         let end = if let Forecast::Until(end) = forecast { end.min(self.horizon) } else { self.horizon };
         stepper.set_end(end);
