@@ -16,6 +16,8 @@ use crate::system::Equations;
 /// Rows of J below this, in natural units, are those of a singular position: at a fold the gap is quadratic in the position, so
 /// that a gap closed within [`CLOSED`] leaves position and J unknown by the square root of that.
 const SINGULAR: f64 = 1e-5;
+/// Part of what is largest, in natural units, below which nothing is resolved.
+const NEGLIGIBLE: f64 = 1e-12;
 
 /// M, J and ∂g/∂t: contacts, then joints.
 struct Rows {
@@ -56,10 +58,12 @@ pub(super) fn rates(
         let fastest = fastest * assembly.unit(row) / scales.length;
         CLOSED * (0..u.len()).map(along).fold(fastest.max(rows.drift[row].abs()), f64::max)
     };
+    let inertia = |c| scales.mass * (scales.length / scales.coordinate(c)).powi(2);
+    let inertias: Vec<f64> = assembly.layout().coordinates.iter().map(inertia).collect();
     let (mut refusal, drives) = (StartError::Equilibrium, assembly.layout().drives());
     for approaching in [false, true] {
         let found = largest(closed, |set| {
-            let u = least(&rows, &holding(assembly, &rows, set, given), given);
+            let u = least(&rows, &holding(assembly, &rows, set, given), given, &inertias);
             let speed = &rows.jacobian * &u + &rows.drift;
             let holds = |i: usize| match set.contains(i) {
                 true => speed[i].abs() <= small(&u, i),
@@ -122,7 +126,8 @@ fn holding(
     assembly.tied(set).into_iter().filter(holds).collect()
 }
 
-fn least(rows: &Rows, closed: &[usize], given: &[Option<f64>]) -> DVector<f64> {
+/// The least kinetic energy; `inertias` are natural ones of the coordinates.
+fn least(rows: &Rows, closed: &[usize], given: &[Option<f64>], inertias: &[f64]) -> DVector<f64> {
     let n = given.len();
     let free: Vec<usize> = (0..n).filter(|&i| given[i].is_none()).collect();
     let mut u = DVector::from_fn(n, |i, _| given[i].unwrap_or(0.0));
@@ -139,10 +144,11 @@ fn least(rows: &Rows, closed: &[usize], given: &[Option<f64>]) -> DVector<f64> {
     let mut right = DVector::zeros(f + c);
     right.rows_mut(0, f).copy_from(&-(&rows.mass * &u).select_rows(&free));
     right.rows_mut(f, c).copy_from(&-(jacobian * &u + rows.drift.select_rows(closed)));
-    let balance = balance(&matrix, f);
+    let inertias: Vec<f64> = free.iter().map(|&i| inertias[i]).collect();
+    let balance = balance(&matrix, &inertias);
     let balanced = DMatrix::from_fn(f + c, f + c, |i, j| matrix[(i, j)] * balance[i] * balance[j]);
     let scaled = right.component_mul(&balance);
-    if let Ok(x) = svd(balanced).solve(&scaled, 1e-12) {
+    if let Ok(x) = svd(balanced).solve(&scaled, NEGLIGIBLE) {
         for (k, &i) in free.iter().enumerate() {
             u[i] = x[k] * balance[k];
         }
@@ -150,12 +156,16 @@ fn least(rows: &Rows, closed: &[usize], given: &[Option<f64>]) -> DVector<f64> {
     u
 }
 
-/// Scale factors that give the mass matrix a unit diagonal, and each row of J a largest entry of one.
-fn balance(matrix: &DMatrix<f64>, free: usize) -> DVector<f64> {
+/// Scale factors that give the mass matrix a unit diagonal, but for coordinates of negligible
+/// inertia, which have natural units, and each row of J a largest entry of one.
+fn balance(matrix: &DMatrix<f64>, inertias: &[f64]) -> DVector<f64> {
+    let free = inertias.len();
     let mut balance = DVector::from_element(matrix.nrows(), 1.0);
-    for j in 0..free {
-        if matrix[(j, j)] > 0.0 {
-            balance[j] = 1.0 / matrix[(j, j)].sqrt();
+    for (j, &natural) in inertias.iter().enumerate() {
+        let own = matrix[(j, j)];
+        let inertia = if own > NEGLIGIBLE * natural { own } else { natural };
+        if inertia > 0.0 {
+            balance[j] = 1.0 / inertia.sqrt();
         }
     }
     for row in free..matrix.nrows() {

@@ -161,3 +161,37 @@ fn friction_and_a_clutch_share_a_couple_alike_in_every_unit() {
         assert!((couple + 0.5 * c * late).abs() < 1e-12, "{length:e} {time:e} {mass:e}: {couple}");
     }
 }
+
+/// A bead on a rod without mass that a drive tilts.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(OB, mass = 0, length = l)]
+#[pin(O = (0, 0))]
+#[drive(y(B) = r * sin(omega * t))]
+#[particle(P, mass = m)]
+#[slider(P = bar(OB))]
+#[figure(B = (l, 0), P = (l / 2, 0))]
+#[coordinate(tilt = angle(OB))]
+struct Bead {
+    m: f64,
+    l: f64,
+    r: f64,
+    omega: f64,
+    g: f64,
+}
+
+/// At the start l φ̇ = r ω, half of that for the bead, in units of length 2³⁰ and of mass 2³⁰ too.
+#[test]
+fn rates_of_massless_bars_are_completed_in_any_units() {
+    let powers = [-30, 0, 30].map(|power| 2f64.powi(power));
+    for (length, mass) in powers.iter().flat_map(|&length| powers.map(|mass| (length, mass))) {
+        let bead = Bead { m: mass, l: length, r: 0.1 * length, omega: 10.0, g: length };
+        let run = Simulation::new(&bead).unwrap().limit(0.1).run();
+        let run = run.unwrap_or_else(|error| panic!("l = {length:e}, m = {mass:e}: {error}"));
+        let rates = &run.events()[0].state;
+        let names = run.layout().coordinates.iter().map(|coordinate| coordinate.name);
+        let rate = |name: &str| rates[rates.len() / 2 + names.clone().position(|n| n == name).unwrap()];
+        assert!((rate("tilt") - 1.0).abs() < 1e-14, "{rates:?}");
+        assert!((rate("y_P") / length - 0.5).abs() < 1e-14, "{rates:?}");
+    }
+}
