@@ -265,24 +265,14 @@ impl Reference {
 
     /// The largest error of a run's states at its end and, as its dense output has them, in the
     /// middles of 32 equal parts, measured as that of the final state is; none if its events are
-    /// others. A place between an event of the run and the reference's counts as an error of that
-    /// event's time.
+    /// others. A place between an event of the run and the same of the reference counts as an error
+    /// of that event's time; nothing else is left out.
     pub fn run_error(&self, run: &Trajectory) -> Option<f64> {
         let pairs = self.paired(run.events().iter())?;
         let is_between = |at: f64| pairs.iter().any(|(known, t)| (known.to_f64() - at) * (t - at) <= 0.0);
-        let flights = self.summed_up();
-        let is_summed = |at: f64| flights.iter().any(|[from, to]| (*from..=*to).contains(&at));
-        let places = self.samples.iter().filter(|(t, _)| *t < run.end_time());
-        let places = places.filter(|(t, _)| !is_between(*t) && !is_summed(*t));
+        let places = self.samples.iter().filter(|(t, _)| *t < run.end_time() && !is_between(*t));
         let errors = places.map(|(t, known)| self.deviation(known, &run.state(*t)));
         Some(errors.fold(self.state_error(&run.final_state()), larger))
-    }
-
-    /// From the impact before each of those that a run may sum up to the event behind them.
-    fn summed_up(&self) -> Vec<[f64; 2]> {
-        let time = |event: &ReferenceEvent| event.t.map_or(f64::NAN, |t| t.to_f64());
-        let windows = self.events.windows(2).filter(|pair| pair.iter().any(|event| event.summed));
-        windows.map(|pair| [time(&pair[0]), time(&pair[1])]).collect()
     }
 
     fn deviation(&self, known: &[DoubleDouble], state: &[f64]) -> f64 {

@@ -1,7 +1,9 @@
 //! Runs computed once more in double-double, against values of 30 digits by mpmath: quadrature for the falling pair, a
 //! Taylor method for the double pendulum, closed forms for impacts. Parameters and starts are the doubles given.
 
+use liftoff::Scales;
 use liftoff::event::EventKind;
+use liftoff::method::Dop853;
 use liftoff::prelude::*;
 use liftoff::scalar::{DoubleDouble, Scalar};
 use liftoff::system::precise;
@@ -205,5 +207,67 @@ fn the_other_branch_of_a_closed_form_is_followed() -> Outcome {
     let run = Simulation::new(&bar)?.start(start)?.limit(5.0).run()?;
     let reference = Reference::of(&run, &[], precise::<BouncingBar>)?;
     assert!(reference.state_error(&run.final_state()) < 1e-10);
+    Ok(())
+}
+
+/// A point that gravity and a spring pull to the floor.
+#[derive(BarSystem, Clone, Debug)]
+#[gravity(g)]
+#[particle(P, mass = m)]
+#[ground(O = (0, 0))]
+#[spring(OP, stiffness = k)]
+#[support(P = floor, restitution = e)]
+#[figure(P = (0, 1))]
+#[coordinate(x = x(P))]
+#[coordinate(y = y(P))]
+struct SprungBall {
+    m: f64,
+    k: f64,
+    g: f64,
+    e: f64,
+}
+
+/// ÿ = −y − 1: from an impact on y = v sin s + cos s − 1, to the next at s = 2 arctan v. In the
+/// middles of 32 parts, but for those between an event of the run and its true time, whatever the
+/// run sums up.
+#[test]
+fn the_error_over_a_run_that_settles_is_that_against_a_closed_form() -> Outcome {
+    let (e, end) = (0.7, 8.0);
+    let model = SprungBall { m: 1.0, k: 1.0, g: 1.0, e };
+    let simulation = Simulation::new(&model)?.start(Pose::at("y", 1.0).with("x", 0.0))?.until("t = 8")?;
+    let reference = Reference::of(&simulation.clone().tolerance(1e-13).run()?, &[], precise::<SprungBall>)?;
+    let speeds = (1..150).map(|n| 3f64.sqrt() * e.powi(n));
+    let flights = speeds.scan(core::f64::consts::FRAC_PI_3, |t, v| {
+        let begins = *t;
+        *t += 2.0 * v.atan();
+        Some((begins, v))
+    });
+    let flights: Vec<(f64, f64)> = flights.collect();
+    let rest = flights[flights.len() - 1].0;
+    let state = |t: f64| match flights.iter().take_while(|(begins, _)| *begins <= t).last() {
+        _ if t >= rest => [0.0, 0.0],
+        None => [2.0 * t.cos() - 1.0, -2.0 * t.sin()],
+        Some((begins, v)) => {
+            let (sine, cosine) = (t - begins).sin_cos();
+            [v * sine + cosine - 1.0, v * cosine - sine]
+        }
+    };
+    for tolerance in [1e-3, 1e-4, 1e-5, 1e-6] {
+        let run = simulation.clone().method(Dop853).tolerance(tolerance).run()?;
+        let Scales { length, time, .. } = run.scales();
+        let of_kind = |kind| run.events().iter().filter(move |event| event.kind == kind).map(|event| event.t);
+        let impacts = of_kind(EventKind::Impact).zip(flights.iter().map(|(begins, _)| *begins));
+        let pairs: Vec<_> = impacts.chain(of_kind(EventKind::Settle).map(|t| (t, rest))).collect();
+        let mut largest = 0.0_f64;
+        for t in (0..32).map(|k| end * (f64::from(k) + 0.5) / 32.0) {
+            if pairs.iter().all(|(own, known)| (own - t) * (known - t) > 0.0) {
+                let (found, [y, v]) = (run.state(t), state(t));
+                let errors = [(found[1] - y) / length, (found[3] - v) / (length / time)];
+                largest = errors.into_iter().fold(largest, |most, error| most.max(error.abs()));
+            }
+        }
+        let error = reference.run_error(&run).expect("the same events");
+        assert!((error / largest - 1.0).abs() < 1e-4, "{tolerance:e}: {error:e}, not {largest:e}");
+    }
     Ok(())
 }
