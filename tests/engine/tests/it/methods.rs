@@ -134,6 +134,62 @@ fn auto_resolves_stiff_springs_that_oscillate() {
     }
 }
 
+/// Two masses below each other, on a soft spring and a stiff one.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[particle(P, mass = m)]
+#[particle(Q, mass = m)]
+#[ground(O = (0, 0))]
+#[slider(P = vertical(0))]
+#[slider(Q = vertical(0))]
+#[figure(P = (0, -l), Q = (0, -2 * l))]
+#[spring(OP, stiffness = c, length = l)]
+#[spring(PQ, stiffness = k, damping = d, length = l)]
+#[coordinate(y = -y(P))]
+#[coordinate(z = -y(Q))]
+struct TwoMasses {
+    m: f64,
+    l: f64,
+    g: f64,
+    c: f64,
+    k: f64,
+    d: f64,
+}
+
+fn hung(k: f64, d: f64, [longer, limit]: [f64; 2], tolerance: f64) -> Trajectory {
+    let model = TwoMasses { m: 1.0, l: 1.0, g: 1.0, c: 1.0, k, d };
+    let pose = Pose::at("y", 3.5).with("z", 4.5 + longer);
+    let simulation = Simulation::new(&model).unwrap().start(pose).unwrap();
+    simulation.limit(limit).tolerance(tolerance).run().unwrap()
+}
+
+/// Radau is tried once: its steps are as short as explicit ones, and nothing damps the spring.
+#[test]
+fn auto_settles_on_one_method_for_an_undamped_spring() {
+    for (k, limit) in [(1e6, 6.0), (1e8, 1.0), (1e12, 0.02)] {
+        let run = hung(k, 0.0, [0.0, limit], 1e-12);
+        let changes = changes(&run);
+        assert!(changes.is_empty() || changes == ["radau", "taylor"], "k = {k:e}: {:?}", run.log());
+    }
+}
+
+/// The stiff spring's speed, up to 2.5/√(2 k), is below the tolerance.
+#[test]
+fn auto_passes_over_an_oscillation_below_the_tolerance() {
+    let run = hung(1e12, 0.0, [0.0, 1.0], 1e-4);
+    assert_eq!(changes(&run), ["radau"], "{:?}", run.log());
+    assert!(run.statistics().steps < 500, "{:?}", run.statistics());
+}
+
+/// −tr ∂f/∂y = 2 d/m, and the stiff spring's speed falls from 1e-3 √(2 k/m) by e^(−d t/m): below the
+/// tolerance at t = 2.4.
+#[test]
+fn auto_tries_radau_again_once_damping_had_time() {
+    let run = hung(1e10, 10.0, [1e-3, 20.0], 1e-8);
+    assert_eq!(changes(&run), ["radau", "taylor", "radau"], "{:?}", run.log());
+    assert!(run.log().last().is_some_and(|entry| (2.4..4.0).contains(&entry.t)), "{:?}", run.log());
+}
+
 /// A bar whose bearing seizes twice a turn of the time: c sin⁸(t + lead).
 #[derive(BarSystem)]
 #[gravity(g)]

@@ -1,10 +1,12 @@
 //! Stiffness judged on the way: an explicit method whose steps are kept short by damping, or by an
-//! oscillation that has no amplitude, is replaced by [`Radau`], and comes back once that is gone.
+//! oscillation, is replaced by [`Radau`], and comes back once that is gone or Radau's steps are
+//! hardly longer.
 //!
 //! The measures are −tr ∂f/∂y, the sum of the rates at which all motion decays, and √(−½ tr
 //! (∂f/∂y)²), that of undamped motion's circular frequencies ω as √Σω², from the phase's exact
 //! Jacobian at every [`OFTEN`]th step. Whether an oscillation has an amplitude that a tolerance
-//! resolves is not seen in the Jacobian: Radau's steps tell, which are long where it has none.
+//! resolves is not seen in the Jacobian: Radau's steps tell, which are long where it has none. It
+//! loses its amplitude by damping alone, so that Radau is not tried again before that had time.
 
 use super::auto::STIFF;
 use super::pair::StepperPair;
@@ -22,14 +24,18 @@ const SURE: u32 = 2;
 const HELD: f64 = 0.5;
 /// The implicit method is left where damping is so much less than what it is taken for.
 const GONE: f64 = 0.1;
-/// A step of Radau takes as long as some ten explicit ones: an oscillation is left to it as long as
-/// its steps are so much longer. One that has an amplitude makes them as short as explicit ones.
-const LONGER: f64 = 10.0;
-
-/// Explicit steps after which an oscillation that was not left to Radau is looked at again, and by
-/// how much rarer the next time: a motion that does not change settles on one method.
+/// A step of Radau takes as long as some ten explicit ones. An oscillation is left to it as long as
+/// it is not clearly slower: its steps are at least so much longer.
+const LONGER: f64 = 5.0;
+/// Radau's first step is so much longer than explicit ones, which excite an oscillation up to the
+/// tolerance: it passes over that at once, where short steps would have to follow it.
+const LEAP: f64 = 100.0;
+/// Looks within which Radau shows whether its steps are longer.
+const TRIAL: u32 = 2 * SURE;
+/// Explicit steps from when Radau was of use for a while to when it may be so again.
 const PAUSE: u32 = 16 * OFTEN;
-const RARER: u32 = 16;
+/// By how much more damping is awaited after each trial that fails: a motion settles on one method.
+const RARER: f64 = 16.0;
 
 /// An integration by an explicit method or by Radau's.
 struct Watched<'a> {
@@ -45,8 +51,11 @@ struct Watched<'a> {
     sure: u32,
     /// What the implicit method is at work for.
     cause: Cause,
-    /// Explicit steps until an oscillation is left to Radau again, and how many the next time.
-    pause: [u32; 2],
+    /// Looks since the method changed.
+    looks: u32,
+    /// The last look.
+    looked: f64,
+    pause: Pause,
     switches: Switches,
 }
 
@@ -56,6 +65,37 @@ enum Cause {
     Damping,
     /// With the explicit step.
     Oscillation(f64),
+}
+
+/// What there is to await before an oscillation is left to Radau again.
+struct Pause {
+    /// Explicit steps.
+    steps: u32,
+    /// ∫ −tr ∂f/∂y dt.
+    decay: f64,
+    /// How much more of it the next time.
+    rarer: f64,
+}
+
+impl Pause {
+    fn none() -> Self {
+        Self { steps: 0, decay: 0.0, rarer: 1.0 }
+    }
+
+    fn is_over(&self) -> bool {
+        self.steps == 0 && self.decay <= 0.0
+    }
+
+    /// Begins after Radau was left at this look; the speed of an oscillation of natural size is so many tolerances.
+    fn restart(&mut self, looks: u32, speed: f64) {
+        if looks > TRIAL {
+            self.steps = PAUSE;
+        } else {
+            // e^(−decay/2) is left of an amplitude.
+            self.decay = 2.0 * self.rarer * speed.ln();
+            self.rarer *= RARER;
+        }
+    }
 }
 
 /// The rates of a phase's motion, as sums over all its coordinates.
@@ -85,7 +125,9 @@ pub(super) fn watched<'a>(
         steps: 0,
         sure: 0,
         cause: Cause::Damping,
-        pause: [0, PAUSE],
+        looks: 0,
+        looked: problem.problem.t,
+        pause: Pause::none(),
         switches: switches.clone(),
     });
     StartedStepper { choice, stepper, switches }
@@ -110,7 +152,9 @@ impl<'a> Watched<'a> {
     fn look(&mut self) {
         let Rates { damping, frequency } = compute_rates(&self.jacobian, self.steppers.active().state());
         let time = self.problem.time;
-        let h = self.steppers.active().next_step().unwrap_or(0.0);
+        let (t, h) = (self.steppers.active().time(), self.steppers.active().next_step().unwrap_or(0.0));
+        self.pause.decay -= (damping * (t - self.looked)).max(0.0);
+        (self.looks, self.looked) = (self.looks + 1, t);
         let is_held = |rate: f64| rate * time > STIFF && h * rate > HELD;
         let elsewhere = if self.steppers.is_other {
             match self.cause {
@@ -118,34 +162,39 @@ impl<'a> Watched<'a> {
                 Cause::Oscillation(explicit) => h < LONGER * explicit || frequency * time < GONE * STIFF,
             }
         } else {
-            self.pause[0] = self.pause[0].saturating_sub(OFTEN);
-            is_held(damping) || self.pause[0] == 0 && is_held(frequency)
+            self.pause.steps = self.pause.steps.saturating_sub(OFTEN);
+            is_held(damping) || self.pause.is_over() && is_held(frequency)
         };
         self.sure = if elsewhere { self.sure + 1 } else { 0 };
         if self.sure < SURE || !self.steppers.is_other && !self.has_implicit() {
             return;
         }
-        let (t, y) = (self.steppers.active().time(), self.steppers.active().state().to_vec());
-        (self.steppers.is_other, self.sure) = (!self.steppers.is_other, 0);
-        let (end, longest) = (self.end, self.longest);
-        self.steppers.active_mut().allow_step(longest);
-        self.steppers.active_mut().jump(t, &y, h);
-        self.steppers.active_mut().set_end(end);
+        let y = self.steppers.active().state().to_vec();
+        self.steppers.is_other = !self.steppers.is_other;
+        let mut next = h;
         let why = if self.steppers.is_other {
             self.cause = if is_held(damping) { Cause::Damping } else { Cause::Oscillation(h) };
             match self.cause {
                 Cause::Damping => "its damping has become stiff",
-                Cause::Oscillation(_) => "a stiff spring hardly oscillates",
+                Cause::Oscillation(_) => {
+                    next *= LEAP;
+                    "a stiff spring keeps explicit steps short"
+                }
             }
         } else {
             match self.cause {
                 Cause::Damping => "its damping is stiff no longer",
                 Cause::Oscillation(_) => {
-                    self.pause = [self.pause[1], self.pause[1].saturating_mul(RARER)];
-                    "its stiff spring oscillates"
+                    self.pause.restart(self.looks, frequency * time / self.problem.problem.relative);
+                    "its stiff spring keeps the steps of radau short, too"
                 }
             }
         };
+        (self.sure, self.looks) = (0, 0);
+        let (end, longest) = (self.end, self.longest);
+        self.steppers.active_mut().allow_step(longest);
+        self.steppers.active_mut().jump(t, &y, next);
+        self.steppers.active_mut().set_end(end);
         let method = if self.steppers.is_other { Radau.name() } else { self.first.method };
         let choice = Choice { method, why };
         self.switches.note(t, choice);
