@@ -24,9 +24,9 @@ thread_local! {
     static WITNESSED: RefCell<Option<Witnessed>> = const { RefCell::new(None) };
 }
 
-/// What is kept of a run: for the judge, if it is not too long, and its audit.
+/// What is kept of a run: for the judge, if it is not too long or judged already, and its audit.
 struct Witnessed {
-    testimony: Result<Testimony, String>,
+    testimony: Result<Testimony, Verdict>,
     audit: Audit,
 }
 
@@ -56,6 +56,15 @@ pub fn witness(run: &Trajectory, held: &[&str]) {
         0..=SEGMENTS => Testimony::of(run, held).ok_or_else(|| NOTHING.to_owned()),
         _ => Err(format!("{phases} phases are too many to be judged in passing")),
     };
+    keep(run, testimony.map_err(|why| Verdict::NotJudged { why }));
+}
+
+/// The same with a judge who was asked already.
+pub fn witness_judged(run: &Trajectory, verdict: Verdict) {
+    keep(run, Err(verdict));
+}
+
+fn keep(run: &Trajectory, testimony: Result<Testimony, Verdict>) {
     let witnessed = Witnessed { testimony, audit: run.audit() };
     WITNESSED.with(|last| *last.borrow_mut() = Some(witnessed));
 }
@@ -65,7 +74,7 @@ pub(crate) fn found() -> Option<Opinion> {
     let Witnessed { testimony, audit } = WITNESSED.with(RefCell::take)?;
     let judge = match testimony {
         Ok(testimony) => testimony.before(|judge, record| judge.verdict(record, IN_PASSING)),
-        Err(why) => Verdict::NotJudged { why },
+        Err(verdict) => verdict,
     };
     Some(Opinion { judge, audit: Some(audit) })
 }

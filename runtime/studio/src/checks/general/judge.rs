@@ -4,7 +4,7 @@
 use super::{Effort, TIGHT, at, case, runs};
 use crate::checks::{Answer, Case, Expected, at_most};
 use crate::registry::{Entry, MethodId, MotionError, stopped};
-use liftoff_verification::judgement::{Verdict, judge};
+use liftoff_verification::judgement::{Verdict, judge, witness_judged};
 
 /// In natural units: far above the error of a run at the tight tolerance.
 const MOST: f64 = 1e-7;
@@ -27,7 +27,9 @@ pub(super) fn cases(model: &'static Entry, _: Effort) -> Vec<Case> {
 fn judged(model: &Entry) -> Result<Answer, MotionError> {
     let simulation = model.simulation(&at(model, TIGHT))?.method(MethodId::Auto);
     let run = simulation.run().map_err(stopped)?;
-    match judge(&run, &simulation.held()) {
+    let verdict = judge(&run, &simulation.held());
+    witness_judged(&run, verdict.clone());
+    match verdict {
         Verdict::Agrees { error } => Ok(Answer { text: "agrees".to_owned(), numbers: vec![error] }),
         Verdict::Disagrees { t, what } => {
             Ok(Answer { text: format!("disagrees at t = {t}: {what}"), numbers: Vec::new() })
