@@ -59,3 +59,35 @@ fn the_command_prints_json_and_writes_a_page() {
     let stranger = Command::new(env!("CARGO_BIN_EXE_liftoff")).args(["stability", "zebra"]).output();
     assert_eq!(stranger.expect("the command starts").status.code(), Some(2));
 }
+
+/// The verdicts on a model by the groups named.
+fn verdicts(arguments: &[&str]) -> Vec<serde_json::Value> {
+    let directory = std::env::temp_dir().join(format!("liftoff-{}-{}", arguments[0], std::process::id()));
+    let mut command = Command::new(env!("CARGO_BIN_EXE_liftoff"));
+    let output = command.arg("stability").args(arguments).arg("--json").arg("--out").arg(&directory).output();
+    let output = output.expect("the command starts");
+    std::fs::remove_dir_all(&directory).expect("removed");
+    let told: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    told["cases"].as_array().expect("a list").clone()
+}
+
+#[test]
+fn the_car_axis_is_the_same_in_other_units() {
+    let cases = verdicts(&["car-axis", "scaling"]);
+    assert!(cases.len() == 6 && cases.iter().all(|case| case["outcome"] == "pass"), "{cases:#?}");
+}
+
+/// The rod's coordinates stay zero: it is its reactions that are compared. The judge has looked at
+/// the run of its own group.
+#[test]
+fn where_nothing_moves_reactions_are_compared() {
+    let cases = verdicts(&["rod-on-three", "methods", "forms", "scaling", "judge"]);
+    assert_eq!(cases.len(), 13);
+    for case in cases {
+        let [id, measured, judge] =
+            ["id", "measured", "judge"].map(|key| case[key].as_str().expect("a text"));
+        assert_eq!(case["outcome"], "pass", "{case}");
+        assert!(id.starts_with("judge") || measured.contains("Δ reactions ="), "{case}");
+        assert!(judge.starts_with("agrees"), "{case}");
+    }
+}

@@ -14,7 +14,7 @@ use liftoff::Trajectory;
 use liftoff_verification::cases::Case;
 use liftoff_verification::cases::Effort;
 use liftoff_verification::cases::event_summary::last;
-use liftoff_verification::cases::{Answer, Expectation, Expected};
+use liftoff_verification::cases::{Answer, Expectation, Expected, at_most};
 use liftoff_verification::judgement::witness;
 
 /// Cases that any model's default run has.
@@ -41,11 +41,14 @@ pub const GENERAL: [General; 6] = [
 /// The text where two runs have the same events.
 const SAME: &str = "the same events";
 
+/// Parts of a run in the middles of which reactions are compared.
+const PARTS: usize = 32;
+
 /// Tolerance of the runs that others are compared with.
 const TIGHT: f64 = 1e-13;
 
-/// Two runs side by side: whether events agree, then by how much times and the last states differ, in natural units of the
-/// first; `units` are those of the second run in the first's.
+/// Two runs side by side: whether events agree, then by how much times, the last states and, where there are contacts, their
+/// reactions differ, in natural units of the first; `units` are those of the second run in the first's.
 struct Pair<'a> {
     model: &'a Entry,
     natural: [f64; 3],
@@ -56,7 +59,11 @@ impl Pair<'_> {
     fn compare(&self, one: &Trajectory, other: &Trajectory) -> Answer {
         match events::difference(one, other) {
             None => {
-                Answer { text: SAME.to_owned(), numbers: vec![self.late(one, other), self.apart(one, other)] }
+                let mut numbers = vec![self.late(one, other), self.apart(one, other)];
+                if has_contacts(self.model) {
+                    numbers.push(self.compare_reactions(one, other));
+                }
+                Answer { text: SAME.to_owned(), numbers }
             }
             Some(difference) => Answer { text: difference, numbers: Vec::new() },
         }
@@ -74,6 +81,36 @@ impl Pair<'_> {
         let apart = pairs.map(|(k, (a, b))| (b / (l.powi(powers(k)) / t.powi(rate(k))) - a).abs() / unit(k));
         largest(apart) / size
     }
+
+    /// The largest difference of a reaction in the middles of [`PARTS`] equal parts, but for those between an event of the one
+    /// run and the same of the other.
+    fn compare_reactions(&self, one: &Trajectory, other: &Trajectory) -> f64 {
+        let force = |[length, time, mass]: [f64; 3]| mass * length / (time * time);
+        let (natural, unit, [_, time, _]) = (force(self.natural), force(self.units), self.units);
+        let supports = self.model.layout().contacts.iter().flat_map(|contact| contact.supports);
+        let names = supports.map(|support| format!("N({support})"));
+        let outputs: Vec<_> = names.filter_map(|name| one.output(&name).ok()).collect();
+        let [start, end] = one.interval();
+        let middle = |k: usize| start + (end - start) * (k as f64 + 0.5) / PARTS as f64;
+        let is_between = |t: f64| events::pairs(one, other).any(|(a, b)| (a.t - t) * (b.t / time - t) <= 0.0);
+        let pairs = (0..PARTS).map(middle).filter(|&t| !is_between(t)).flat_map(|t| {
+            outputs.iter().map(move |output| [one.value(output, t), other.value(output, t * time) / unit])
+        });
+        let pairs: Vec<_> = pairs.collect();
+        let size = pairs.iter().fold(natural, |size, [a, _]| size.max(a.abs()));
+        largest(pairs.iter().map(|[a, b]| (b - a).abs())) / size
+    }
+}
+
+/// Whether there are reactions to compare.
+fn has_contacts(model: &Entry) -> bool {
+    !model.layout().contacts.is_empty()
+}
+
+/// How much two runs may differ.
+fn differences(model: &Entry, most: f64) -> Vec<Expectation> {
+    let numbers = [at_most("Δ times", most), at_most("Δ state", most), at_most("Δ reactions", most)];
+    numbers.into_iter().take(if has_contacts(model) { 3 } else { 2 }).collect()
 }
 
 /// The largest; NaN if one is.
@@ -103,9 +140,9 @@ fn shown(spec: &RunSpec, run: Trajectory) -> Trajectory {
     run
 }
 
-/// The same events and these numbers.
-fn same(expectations: Vec<Expectation>) -> Expected {
-    Expected::Answer { text: SAME.to_owned(), expectations }
+/// The same events, and differences up to this.
+fn same(model: &Entry, most: f64) -> Expected {
+    Expected::Answer { text: SAME.to_owned(), expectations: differences(model, most) }
 }
 
 /// The default run at a tolerance.

@@ -1,8 +1,8 @@
 //! The same run with lengths, times and masses in other units. The units are powers of four, so that they and the square roots
 //! that natural times have are exact: what differs is the rounding of sums of parameters.
 
-use super::{Effort, Pair, SAME, case, runs, shown};
-use crate::checks::{Answer, Case, Expected, at_most};
+use super::{Effort, Pair, SAME, case, differences, runs, shown};
+use crate::checks::{Answer, Case, Expected};
 use crate::registry::{Dimension, Entry, MotionError, of_coordinate, per};
 use crate::run_spec::{PointImpulse, RunSpec, Values};
 
@@ -33,7 +33,7 @@ pub(super) fn cases(model: &'static Entry, effort: Effort) -> Vec<Case> {
     }
     let units = if effort == Effort::Full { &UNITS[..] } else { &UNITS[..4] };
     let one = |&(name, units): &(&str, [f64; 3])| {
-        let expectations = vec![at_most("Δ times", MOST), at_most("Δ state", MOST)];
+        let expectations = differences(model, MOST);
         let expected = Expected::Unless { text: SAME.to_owned(), expectations, excuse: EXCUSE };
         let scene = format!("default run in units of {name}, against its own");
         case("scaling", (model, name), scene, "dimensions", expected, move || compared(model, units))
