@@ -62,6 +62,13 @@ fn every_command_takes_a_file() {
 }
 
 #[test]
+fn of_what_never_moves_that_alone_is_said() {
+    let text = told("stability", "rests.rs", &["--short", "--out", "rests"]);
+    assert_eq!(text.matches("never moves").count(), 2, "{text}");
+    assert!(text.contains("0 of 1 cases pass, 1 is not judged"), "{text}");
+}
+
+#[test]
 fn of_several_models_one_is_chosen() {
     let path = file("two.rs");
     assert!(refused("run", &path, &[]).contains("choose one: --model Ball, LongBar"));

@@ -5,12 +5,13 @@ mod events;
 mod forms;
 mod judge;
 mod methods;
+mod motion;
 mod scaling;
 mod tolerances;
 
 use crate::registry::{Entry, MethodId, MotionError};
 use crate::run_spec::RunSpec;
-use liftoff::Trajectory;
+use liftoff::{RunCause, RunError, StartError, Trajectory};
 use liftoff_verification::cases::Case;
 use liftoff_verification::cases::Effort;
 use liftoff_verification::cases::event_summary::last;
@@ -24,12 +25,13 @@ pub struct General {
     pub name: &'static str,
     /// Heading of the group on the page.
     pub title: &'static str,
-    /// The cases of a model; none where it has no default run.
+    /// The cases of a model; none where it has no default run, or none that moves.
     pub cases: fn(&'static Entry, Effort) -> Vec<Case>,
 }
 
 /// Every general group.
-pub const GENERAL: [General; 6] = [
+pub const GENERAL: [General; 7] = [
+    General { name: "motion", title: "What never moves", cases: motion::cases },
     General { name: "tolerances", title: "Errors against double-double", cases: tolerances::cases },
     General { name: "methods", title: "The same by every method", cases: methods::cases },
     General { name: "forms", title: "Closed form against multipliers", cases: forms::cases },
@@ -40,6 +42,9 @@ pub const GENERAL: [General; 6] = [
 
 /// The text where two runs have the same events.
 const SAME: &str = "the same events";
+
+/// A run so short, in natural times, tells whether it begins.
+const INSTANT: f64 = 1e-6;
 
 /// Parts of a run in the middles of which reactions are compared.
 const PARTS: usize = 32;
@@ -150,8 +155,21 @@ fn at(model: &Entry, tolerance: f64) -> RunSpec {
     model.default_run().tolerance(tolerance)
 }
 
-/// Whether a model has a default run: all its parameters have values.
+/// Whether a model has a default run that moves.
 fn runs(model: &Entry) -> bool {
+    has_default_run(model) && !rests(model)
+}
+
+/// Whether the default run is refused as an equilibrium.
+fn rests(model: &Entry) -> bool {
+    let Ok(simulation) = model.simulation(&model.default_run()) else { return false };
+    let end = INSTANT * simulation.scales().time;
+    let is_equilibrium = |error: RunError| matches!(error.cause(), RunCause::Start(StartError::Equilibrium));
+    simulation.limit(end).run().is_err_and(is_equilibrium)
+}
+
+/// Whether all parameters have values.
+fn has_default_run(model: &Entry) -> bool {
     let known = model.default_run().parameters;
     model.layout().parameters.iter().all(|name| known.iter().any(|(known, _)| known == name))
 }
