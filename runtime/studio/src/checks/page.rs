@@ -8,8 +8,9 @@ use std::fmt::Write;
 
 /// The page.
 pub fn html(groups: &[GroupResult]) -> String {
+    let groups: Vec<_> = groups.iter().filter(|group| !group.verdicts.is_empty()).collect();
     let links = groups.iter().map(|group| format!("<a href=#{0}>{0}</a>", group.name));
-    let sections = groups.iter().map(|GroupResult { name, title, verdicts }| {
+    let sections = groups.iter().map(|&GroupResult { name, title, verdicts }| {
         format!("<h2 id={name}>{}</h2>\n{}", escaped(title), table(verdicts))
     });
     let verdicts: Vec<_> = groups.iter().flat_map(|group| group.verdicts.iter().cloned()).collect();
@@ -56,4 +57,16 @@ pub(crate) fn table(verdicts: &[Verdict]) -> String {
         );
     }
     html + "</tbody></table></div>\n"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_group_without_cases_is_left_out() {
+        let empty = GroupResult { name: "forms", title: "Other forms", verdicts: Vec::new() };
+        let html = html(&[empty]);
+        assert!(!html.contains("Other forms") && !html.contains("<table") && !html.contains("#forms"));
+    }
 }
