@@ -120,6 +120,25 @@ fn a_change_of_method_is_noted() {
     assert!(note.ends_with("radau goes on: a stiff spring keeps explicit steps short"), "{note}");
 }
 
+#[test]
+fn what_is_asked_for_twice_is_measured_once() {
+    let arguments =
+        "precision ladder ladder --methods tsit5,taylor,tsit5 --tolerances 1e-3,0.001 --measuring 0 --json";
+    let told = json(&arguments.split(' ').collect::<Vec<_>>());
+    let methods = told["rows"].as_array().expect("a list").iter().map(|row| row["method"].clone());
+    assert_eq!(methods.collect::<Vec<_>>(), ["tsit5", "taylor"]);
+}
+
+#[test]
+fn an_unknown_group_is_refused_with_all_groups() {
+    let output = liftoff(&["stability", "quixotic"]);
+    let told = String::from_utf8_lossy(&output.stderr);
+    for group in ["springs", "inputs", "tolerances", "energy"] {
+        assert!(told.contains(group), "{told}");
+    }
+    assert!(!told.contains('…'), "{told}");
+}
+
 /// Tests run what a user builds without `--release`.
 #[test]
 fn run_times_of_an_unoptimised_build_come_with_a_warning() {

@@ -90,7 +90,8 @@ impl Precision {
     fn measured(&self, models: &Models) -> Result<Vec<WorkPrecisionRow>, CommandError> {
         let spec = self.measurements();
         spec.check().map_err(|error| CommandError::Usage(error.to_string()))?;
-        let found: Result<Vec<_>, _> = self.models.iter().map(|name| models.find(name)).collect();
+        let names = distinct(&self.models);
+        let found: Result<Vec<_>, _> = names.iter().map(|name| models.find(name)).collect();
         let found = found?;
         if cfg!(debug_assertions) {
             tell(UNOPTIMISED);
@@ -122,11 +123,21 @@ impl Precision {
     fn measurements(&self) -> registry::PrecisionSpec {
         let default = registry::PrecisionSpec::default();
         registry::PrecisionSpec {
-            methods: if self.methods.is_empty() { default.methods } else { self.methods.clone() },
-            tolerances: if self.tolerances.is_empty() { default.tolerances } else { self.tolerances.clone() },
+            methods: if self.methods.is_empty() { default.methods } else { distinct(&self.methods) },
+            tolerances: if self.tolerances.is_empty() {
+                default.tolerances
+            } else {
+                distinct(&self.tolerances)
+            },
             measuring: Duration::from_millis(self.measuring as u64),
         }
     }
+}
+
+/// Each once, in the order given.
+fn distinct<T: Clone + PartialEq>(all: &[T]) -> Vec<T> {
+    let is_first = |(i, one): &(usize, &T)| !all[..*i].contains(*one);
+    all.iter().enumerate().filter(is_first).map(|(_, one)| one.clone()).collect()
 }
 
 fn json(rows: &[WorkPrecisionRow]) -> Result<String, CommandError> {

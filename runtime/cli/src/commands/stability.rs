@@ -73,10 +73,9 @@ impl Stability {
         let known = || groups.iter().map(|group| group.name).chain(GENERAL.iter().map(|group| group.name));
         let (of_groups, of_models): (Vec<&String>, Vec<&String>) =
             self.names.iter().partition(|name| known().any(|group| group == **name));
-        let all = known().chain(models.iter().map(Entry::name));
         let stranger = of_models.iter().find(|name| models.iter().all(|model| model.name() != name.as_str()));
         if let Some(name) = stranger {
-            return Err(CommandError::Usage(NameError::new("model or group", name, all).to_string()));
+            return Err(CommandError::Usage(describe_unknown(name, &known().collect::<Vec<_>>(), models)));
         }
         let is_selected = |name: &str| match of_groups.is_empty() {
             true => true,
@@ -121,6 +120,18 @@ impl Stability {
         let path = self.out.join("stability.html");
         std::fs::create_dir_all(&self.out).map_err(|error| unwritable(&path, &error))?;
         write(&path, html(results)).map(|()| path)
+    }
+}
+
+/// That a name is neither a group nor a model; all groups where none is near.
+fn describe_unknown(name: &str, groups: &[&'static str], models: &'static Models) -> String {
+    let all = groups.iter().copied().chain(models.iter().map(Entry::name));
+    let error = NameError::new("model or group", name, all);
+    match error.nearest {
+        Some(_) => error.to_string(),
+        None => {
+            format!("no model or group `{name}`; groups: {}; `list` has the models", groups.join(", "))
+        }
     }
 }
 
