@@ -56,13 +56,33 @@ pub fn figures(rows: &[WorkPrecisionRow]) -> Vec<CaptionedFigure> {
 /// What is measured, said once for all figures.
 pub fn explain_norm() -> String {
     format!(
-        "All methods at the tolerances 10⁻³ … 10⁻¹⁴. Time: the least of up to eight rounds in which they take turns{}, of runs \
+        "All methods at the tolerances {}; stiff-spring by {}. Time: the least of up to eight rounds in which they take turns{}, of runs \
          that record nothing but their events. Errors: the largest deviation of a coordinate or rate in natural units of the \
-         model, angles in radians, at the end, and over the run: there and, by dense output, in the middles of 32 equal parts; \
+         model (the length of the longest bar, or without bars the largest length among the coordinates of the start; the time \
+         √(l/g)), angles in radians, at the end, and over the run: there and, by dense output, in the middles of 32 equal parts; \
          of events, the largest deviation of a time in natural times √(l/g). Against a motion in double-double; of \
          stiff-spring, two masses that swing on a soft spring, joined by an undamped one 10¹⁰ times as stiff, against its closed form.",
+        describe_range(&PrecisionSpec::default().tolerances),
+        describe_request(&stiff::request(MEASURING)),
         machine()
     )
+}
+
+/// `auto and radau at 10⁻³ … 10⁻¹⁰`.
+fn describe_request(spec: &PrecisionSpec) -> String {
+    let methods: Vec<_> = spec.methods.iter().map(|method| method.name()).collect();
+    format!("{} at {}", methods.join(" and "), describe_range(&spec.tolerances))
+}
+
+/// Tolerances that are powers of ten: `10⁻³ … 10⁻¹⁴`.
+fn describe_range(tolerances: &[f64]) -> String {
+    let digit = |c: char| c.to_digit(10).and_then(|k| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(k as usize));
+    let power = |tolerance: &f64| {
+        let exponent = format!("{:.0}", -tolerance.log10());
+        format!("10⁻{}", exponent.chars().filter_map(digit).collect::<String>())
+    };
+    let ends = [tolerances.first(), tolerances.last()];
+    ends.into_iter().flatten().map(power).collect::<Vec<_>>().join(" … ")
 }
 
 fn figure(chart: Chart, first: bool) -> CaptionedFigure {
@@ -83,4 +103,17 @@ fn machine() -> String {
     let told = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let name = told.lines().find_map(|line| line.strip_prefix("model name")?.split_once(':'));
     name.map_or_else(String::new, |(_, name)| format!(", on one core of {}", name.trim()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_tolerances_of_every_scene_are_told() {
+        let text = explain_norm();
+        assert!(text.starts_with(
+            "All methods at the tolerances 10⁻³ … 10⁻¹⁴; stiff-spring by auto and radau at 10⁻³ … 10⁻¹⁰."
+        ));
+    }
 }

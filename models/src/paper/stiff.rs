@@ -23,13 +23,18 @@ const END: f64 = 6.0;
 const REST: f64 = 3.0;
 const AMPLITUDE: f64 = 0.5;
 
-/// Errors against run times of the methods that are not held to the fast oscillation.
-pub fn measure(measuring: Duration) -> Result<Vec<WorkPrecisionRow>, MotionError> {
-    let request = PrecisionSpec {
+/// The methods that are not held to the fast oscillation, as long as a tolerance does not resolve it.
+pub fn request(measuring: Duration) -> PrecisionSpec {
+    PrecisionSpec {
         methods: vec![MethodId::Auto, MethodId::Radau],
         tolerances: vec![1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10],
         measuring,
-    };
+    }
+}
+
+/// Errors against run times.
+pub fn measure(measuring: Duration) -> Result<Vec<WorkPrecisionRow>, MotionError> {
+    let request = request(measuring);
     let (model, start, spec) = hanging(STIFFNESS);
     let measured = model.precision_against(&spec, &request, |t| swing(STIFFNESS, start, t))?;
     Ok(measured.into_iter().map(|measured| WorkPrecisionRow::new(model.name(), measured)).collect())
