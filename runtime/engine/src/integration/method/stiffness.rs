@@ -86,7 +86,8 @@ impl Pause {
         self.steps == 0 && self.decay <= 0.0
     }
 
-    /// Begins after Radau was left at this look; the speed of an oscillation of natural size is so many tolerances.
+    /// Begins after Radau was left at this look; an oscillation of natural size has a speed of so
+    /// many tolerances.
     fn restart(&mut self, looks: u32, speed: f64) {
         if looks > TRIAL {
             self.steps = PAUSE;

@@ -52,8 +52,9 @@ const PARTS: usize = 32;
 /// Tolerance of the runs that others are compared with.
 const TIGHT: f64 = 1e-13;
 
-/// Two runs side by side: whether events agree, then by how much times, the last states and, where there are contacts, their
-/// reactions differ, in natural units of the first; `units` are those of the second run in the first's.
+/// Two runs side by side: whether events agree, then by how much times, the last states and, where
+/// there are contacts, their reactions differ, in natural units of the first; `units` are those of
+/// the second run in the first's.
 struct Pair<'a> {
     model: &'a Entry,
     natural: [f64; 3],
@@ -87,8 +88,8 @@ impl Pair<'_> {
         largest(apart) / size
     }
 
-    /// The largest difference of a reaction in the middles of [`PARTS`] equal parts, but for those between an event of the one
-    /// run and the same of the other.
+    /// The largest difference of a reaction in the middles of [`PARTS`] equal parts, but for those
+    /// between an event of the one run and the same of the other.
     fn compare_reactions(&self, one: &Trajectory, other: &Trajectory) -> f64 {
         let force = |[length, time, mass]: [f64; 3]| mass * length / (time * time);
         let (natural, unit, [_, time, _]) = (force(self.natural), force(self.units), self.units);
