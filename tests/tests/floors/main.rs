@@ -71,7 +71,6 @@ const MODULES: usize = 13;
 /// The circles that there are: a crate, or a folder of it, with modules that import each other.
 const CIRCLES: &[(&str, &[&str])] = &[
     ("runtime/core/scalar", &["dispatch", "lanes"]),
-    ("runtime/engine/integration/method", &["auto", "stiffness"]),
     ("runtime/judge", &["condition", "motion"]),
     ("runtime/interpreter", &["code", "constants", "interpreted", "native", "pool", "series", "system"]),
     ("runtime/interpreter/series", &["code", "lowering"]),

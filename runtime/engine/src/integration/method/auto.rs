@@ -1,12 +1,10 @@
 //! The method that suits a phase.
 
-use super::stiffness::{damping, watched};
+use super::stiffness::{STIFF, damping, watched};
 use super::{Dop853, Method, Problem, StartedStepper, Taylor, Tsit5};
 use crate::model::Form;
 use crate::system::InitialValueProblem;
 
-/// Damping is stiff where −tr ∂f/∂y exceeds this per natural time: what it damps has decayed long before anything else moves.
-pub(super) const STIFF: f64 = 1e3;
 /// Tolerances looser than this are met by a pair of order 5 with less work.
 const LOOSE: f64 = 1e-5;
 /// At tighter tolerances DOP853 takes so many steps that the series of the full equations take less time.

@@ -8,13 +8,14 @@
 //! resolves is not seen in the Jacobian: Radau's steps tell, which are long where it has none. It
 //! loses its amplitude by damping alone, so that Radau is not tried again before that had time.
 
-use super::auto::STIFF;
 use super::pair::StepperPair;
 use super::{Choice, Method, Problem, Radau, StartedStepper, Switches};
 use crate::integrate::{Counts, Guards, StepError};
 use crate::system::Jacobian;
 use crate::system::{DenseOutput, PhaseStepper};
 
+/// Damping is stiff where −tr ∂f/∂y exceeds this per natural time: what it damps has decayed long before anything else moves.
+pub(super) const STIFF: f64 = 1e3;
 /// Steps from one look to the next.
 const OFTEN: u32 = 16;
 /// Looks in a row that must find it stiff: what decays fast at first has done so by then.
