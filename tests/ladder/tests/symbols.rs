@@ -45,13 +45,13 @@ const RUNGS: [Rung; 11] = [
     rung!("falling_bar", 320 kB, without CONTACTS),
     rung!("pendulum", 320 kB, without CONTACTS),
     rung!("sprung_pendulum", 320 kB, without CONTACTS),
-    rung!("standing_bar", 2200 kB, without STIFF),
-    rung!("dropped_bar", 2200 kB, without STIFF),
-    rung!("slung_bar", 2200 kB, without STIFF),
-    rung!("rubbing_rod", 2200 kB, without STIFF),
-    rung!("fig_1a", 2200 kB, without STIFF),
-    rung!("fig_1b", 2300 kB, without STIFF),
-    rung!("four_bar", 2200 kB, without STIFF),
+    rung!("standing_bar", 2080 kB, without STIFF),
+    rung!("dropped_bar", 2080 kB, without STIFF),
+    rung!("slung_bar", 2080 kB, without STIFF),
+    rung!("rubbing_rod", 2080 kB, without STIFF),
+    rung!("fig_1a", 2080 kB, without STIFF),
+    rung!("fig_1b", 2150 kB, without STIFF),
+    rung!("four_bar", 2080 kB, without STIFF),
 ];
 
 #[test]
