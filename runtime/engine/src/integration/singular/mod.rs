@@ -85,15 +85,14 @@ struct Place {
 }
 
 impl SingularityMonitor {
-    /// Nothing to watch without joints, where a contact closes alone.
+    /// Nothing to watch without joints.
     pub(crate) fn of(set: ContactSet, context: &RunContext, tolerance: f64) -> Option<Self> {
         let layout = context.layout();
         let rows: Vec<usize> = (0..layout.rows()).filter(|&row| layout.is_closed(row, &set)).collect();
         let unit = layout.coordinates.iter().map(|c| context.scales.coordinate(c)).collect();
         let sizes = vec![0.0; rows.len()];
-        let least = if layout.joints.is_empty() { 2 } else { 1 };
         let loops = Self { set, rows, unit, sizes, rank: 0, tolerance, trials: 0, energy: None };
-        (loops.rows.len() >= least).then_some(loops)
+        (!layout.joints.is_empty() && !loops.rows.is_empty()).then_some(loops)
     }
 
     /// The tolerance to integrate with from here on.
@@ -120,8 +119,7 @@ impl SingularityMonitor {
         let forecast = self.forecast((t, f64::INFINITY), &place, left);
         match forecast {
             Forecast::Here(_) => Ok(forecast),
-            // Which contacts bear is decided before.
-            _ if place.sigma >= UNDECIDED || layout.joints.is_empty() => Ok(forecast),
+            _ if place.sigma >= UNDECIDED => Ok(forecast),
             _ => Err(self.singular(context, state)),
         }
     }
@@ -265,7 +263,7 @@ impl SingularityMonitor {
         self.place(context, state).sigma < SINGULAR
     }
 
-    /// The joints and contacts whose rows all but depend on each other.
+    /// The joints whose rows all but depend on each other.
     pub(crate) fn singular(&mut self, context: &RunContext, state: &[f64]) -> Vec<String> {
         let jacobian = self.scaled_jacobian(&context.system().equations(state));
         self.dependent(jacobian, context.layout())
@@ -277,12 +275,9 @@ impl SingularityMonitor {
         order.sort_by(|&a, &b| svd.singular_values[b].total_cmp(&svd.singular_values[a]));
         let weakest = order.get(self.rank.saturating_sub(1)).zip(svd.u.as_ref()).map(|(&k, u)| u.column(k));
         let contacts = layout.contacts.len();
-        let depends = |(i, &row): (usize, &usize)| {
-            let name = match row.checked_sub(contacts) {
-                Some(joint) => layout.joints.get(joint)?.name,
-                None => layout.contacts[row].label,
-            };
-            weakest.is_none_or(|weakest| weakest[i].abs() > LOST).then(|| name.to_owned())
+        let depends = |(i, row): (usize, &usize)| {
+            let joint = row.checked_sub(contacts).and_then(|joint| layout.joints.get(joint))?;
+            weakest.is_none_or(|weakest| weakest[i].abs() > LOST).then(|| joint.name.to_owned())
         };
         let mut joints: Vec<String> = self.rows.iter().enumerate().filter_map(depends).collect();
         joints.dedup();
