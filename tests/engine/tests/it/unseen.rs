@@ -137,3 +137,35 @@ fn a_drive_that_only_looks_broken_runs() {
         assert!(run.log().iter().all(|entry| entry.decision != LoggedDecision::LoadUnresolved));
     }
 }
+
+/// A parallelogram whose bars all lie on one line as it passes φ = 0, where one step goes across: a blow falls within it.
+#[derive(BarSystem)]
+#[liftoff(dimensionless)]
+#[gravity(g)]
+#[pin(O = (0, 0))]
+#[pin(C = (2, 0))]
+#[bar(OA, mass = 1, length = 1)]
+#[bar(AB, mass = 1, length = 2)]
+#[bar(CB, mass = 1, length = 1)]
+#[force(A = (0, -a / (1 + (10000 * (t - b)).powi(8))))]
+#[coordinate(phi = angle(OA))]
+#[coordinate(psi = angle(CB))]
+#[coordinate(th = angle(AB))]
+#[figure(O = (0, 0), A = (0, -1), B = (2, -1), C = (2, 0))]
+struct Parallelogram {
+    g: f64,
+    a: f64,
+    b: f64,
+}
+
+#[test]
+fn a_blow_within_the_step_across_a_singular_position_is_told() {
+    let told = |b: f64| {
+        let start = Pose::at("phi", -PI / 2.0).with("phi'", 2.2);
+        let run = Simulation::new(&Parallelogram { g: 1.0, a: 2000.0, b }).unwrap();
+        let run = run.start(start).unwrap().limit(1.4).run().unwrap();
+        run.log().iter().any(|entry| entry.decision == LoggedDecision::LoadUnresolved)
+    };
+    // It passes at t = 0.8032514516; a blow before is seen.
+    assert!(told(0.803_251_451_6) && !told(0.5));
+}

@@ -229,7 +229,7 @@ impl<'a> PhaseRun<'a> {
         }
     }
 
-    fn note_once(&mut self, t: f64, decision: LoggedDecision) {
+    pub(super) fn note_once(&mut self, t: f64, decision: LoggedDecision) {
         if self.log.iter().all(|entry| entry.decision != decision) {
             self.log.push(LogEntry { t, decision });
         }

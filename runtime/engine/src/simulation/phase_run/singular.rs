@@ -94,6 +94,9 @@ impl PhaseRun<'_> {
         let [t0, t1] = bridge.t;
         let dense = bridge.dense(&*self.phase);
         let step = StepView::new(&self.phase, self.context, &dense).across();
+        // What loads do within the step across is in the equations at its points alone.
+        let unseen = StepView::new(&self.phase, self.context, &dense).with_series(None);
+        let unseen = self.signals.find_unseen(&unseen, self.tolerance, true);
         let found = self.detector.examine(&step, false).unwrap_or_default();
         if self
             .detector
@@ -108,6 +111,9 @@ impl PhaseRun<'_> {
                 && guards.iter().any(|guard| matches!(guard, Guard::Reaction(_) | Guard::Side(..))))
         });
         recording.next().clone_from(&dense);
+        if unseen.is_some() {
+            self.note_once(ts, LoggedDecision::LoadUnresolved);
+        }
         if ts >= t0 {
             self.log.push(LogEntry { t: ts, decision: LoggedDecision::SingularPosition });
         }
