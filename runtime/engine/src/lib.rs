@@ -166,8 +166,8 @@ pub use trajectory::{
     AppliedImpulse, Extremum, Instant, LogEntry, LoggedDecision, Segment, Statistics, Trajectory,
 };
 
-/// Collisions in plain numbers: rows of a Jacobian, laws of restitution, the impulses that follow, and the path of a single
-/// contact with friction.
+/// Collisions in plain numbers: rows of a Jacobian, laws of restitution, the impulses that follow,
+/// and the path of a single contact with friction.
 #[cfg(feature = "std")]
 pub mod impulse {
     pub use crate::contact::impulse::*;

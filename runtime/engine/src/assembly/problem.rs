@@ -34,7 +34,8 @@ struct Known {
 }
 
 impl<'a> AssemblyProblem<'a> {
-    /// With so deep penetrations in natural lengths, these rates, and this time; nothing is below its edge.
+    /// With so deep penetrations in natural lengths, these rates, and this time; nothing is below
+    /// its edge.
     pub(super) fn new(
         (context, switches): (&'a RunContext, &'a Switches),
         deepest: f64,

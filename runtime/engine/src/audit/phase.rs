@@ -44,7 +44,8 @@ impl Trajectory {
         self.look_at_energy(phase, &times, audit);
     }
 
-    /// Open contacts below their edges at the start, which is accepted only where they have gone round an end.
+    /// Open contacts below their edges at the start, which is accepted only where they have gone
+    /// round an end.
     pub(super) fn below_at_start(&self, phase: &RecordedPhase) -> ContactSet {
         let margin = Bounds::of(self.tolerance, 1).gap() * self.context.scales.length;
         let (gaps, _) = self.gaps_and_feet(&phase.at(phase.t0), margin);

@@ -1,4 +1,5 @@
-//! What does not change during a run: a model with its natural scales, and what each stage asks of them.
+//! What does not change during a run: a model with its natural scales, and what each stage asks
+//! of them.
 
 mod check;
 mod slip;

@@ -1,4 +1,5 @@
-//! Mistakes in what is asked for: a name, an expression, the model, a plan. What may fail later has its error where it fails.
+//! Mistakes in what is asked for: a name, an expression, the model, a plan. What may fail later has
+//! its error where it fails.
 
 mod model;
 mod name;

@@ -1,4 +1,5 @@
-//! What a declaration says of the course of a run: what comes and goes, which functions of time it follows, where it ends.
+//! What a declaration says of the course of a run: what comes and goes, which functions of time it
+//! follows, where it ends.
 
 use super::Domain;
 use crate::context::RunContext;
@@ -17,7 +18,8 @@ pub(crate) struct Rules {
 }
 
 impl Rules {
-    /// Those of a model; refuses switches that depend on reactions, and bounds that its figure is beyond.
+    /// Those of a model; refuses switches that depend on reactions, and bounds that its figure is
+    /// beyond.
     pub(crate) fn from_model(context: &RunContext) -> Result<Self, ModelError> {
         let layout = context.layout();
         let domains = Domain::all(layout);

@@ -39,7 +39,8 @@ impl CutAtKinks<'_> {
         let [before, here, beyond] = [-probe, 0.0, probe].map(|s| self.along(y, &f, s));
         let mut near = Near::default();
         for (j, kink) in self.kinks.iter().enumerate() {
-            // What vanishes and stays so, as the slip of a contact that sticks, is no kink of the motion.
+            // What vanishes and stays so, as the slip of a contact that sticks, is no kink of the
+            // motion.
             if [&before, &here, &beyond].iter().all(|values| values[j] == 0.0) {
                 continue;
             }
