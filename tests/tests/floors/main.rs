@@ -80,9 +80,6 @@ const CIRCLES: &[(&str, &[&str])] = &[
     ("runtime/replay", &["collision", "friction"]),
     ("runtime/replay", &["replay", "root"]),
     ("runtime/columnar", &["ipc", "npz", "parquet", "table"]),
-    ("runtime/studio/animation", &["geometry", "rounds"]),
-    ("runtime/studio/animation/moving_picture", &["bodies", "contacts"]),
-    ("runtime/studio/plot", &["annotations", "chart"]),
     (
         "runtime/studio/sweep",
         &["boundary", "builder", "columnar", "drawing", "plan", "summary", "table", "team", "threshold"],

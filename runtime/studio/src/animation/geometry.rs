@@ -1,5 +1,6 @@
 //! The forms of a model as the page reads them: points by their indices, what stands still by its place.
 
+use super::place::{Direction, Spot};
 use super::rounds::Round;
 use crate::registry::Configuration;
 use liftoff::model::geometry::{self, Look};
@@ -73,23 +74,6 @@ pub(super) struct Push {
     pub slip: i8,
 }
 
-/// A point, or a place that stands still.
-#[derive(Serialize)]
-#[serde(untagged)]
-pub(super) enum Spot {
-    Point(usize),
-    Fixed([f64; 2]),
-}
-
-/// An angle; from one place to another; the same less an angle.
-#[derive(Serialize)]
-#[serde(untagged)]
-pub(super) enum Direction {
-    Fixed(f64),
-    Towards(Spot, Spot),
-    Axis(usize, usize, f64),
-}
-
 impl Geometry {
     /// Of a model as it starts.
     pub fn of(start: &Configuration) -> Self {
@@ -140,29 +124,5 @@ impl Push {
         let (at, along) = (Spot::of(push.at, start), Direction::of(push.along, start));
         let rim = push.rim.map_or(0.0, |rim| start.number(rim));
         Self { support: push.support, at, rim, along, turns: push.turns, slip: push.slip }
-    }
-}
-
-impl Spot {
-    fn of(spot: geometry::Spot, start: &Configuration) -> Self {
-        match spot {
-            geometry::Spot::Point(point) => Self::Point(point),
-            geometry::Spot::Fixed(at) => Self::Fixed(start.place(at)),
-        }
-    }
-}
-
-impl Direction {
-    pub fn of(direction: geometry::Direction, start: &Configuration) -> Self {
-        match direction {
-            geometry::Direction::Fixed(angle) => Self::Fixed(start.number(angle)),
-            geometry::Direction::Towards(from, to) => {
-                Self::Towards(Spot::of(from, start), Spot::of(to, start))
-            }
-            geometry::Direction::Axis { ends, step } => {
-                let [along, across] = start.place(step);
-                Self::Axis(ends[0], ends[1], across.atan2(along))
-            }
-        }
     }
 }

@@ -10,6 +10,7 @@ mod geometry;
 pub mod live;
 mod motion;
 mod moving_picture;
+mod place;
 mod quantities;
 mod rounding;
 mod rounds;

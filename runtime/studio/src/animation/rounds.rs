@@ -1,6 +1,6 @@
 //! Circles about points, as the page reads them.
 
-use super::geometry::Direction;
+use super::place::Direction;
 use crate::registry::Configuration;
 use liftoff::model::geometry;
 use serde::Serialize;

@@ -1,13 +1,11 @@
 //! What several panels over one axis share: shaded bands, lines across, words above, lines of text below.
 
-use super::axes::{Axes, LEFT, MARGIN, across};
+use super::axes::{Axes, across};
 use super::legend::wide;
-use super::{Axis, Chart, Colour, Figure};
+use super::{Axis, Colour};
 use crate::plot::svg::plane::Box2;
-use crate::plot::svg::{Anchor, Fill, Lettering, Pen, Svg};
+use crate::plot::svg::{Fill, Pen, Svg};
 
-/// Height of a row of words, pixels.
-const ROW: f64 = 19.0;
 /// Free pixels between words of a row.
 const BETWEEN: f64 = 10.0;
 /// Rows of words above the panels at most.
@@ -50,36 +48,6 @@ pub(super) struct Placed {
     pub middle: f64,
     /// Counted from the lowest.
     pub row: usize,
-}
-
-impl Figure {
-    /// Panels of one horizontal axis, one below the other, over what they share, as SVG text.
-    pub fn stacked(&self, panels: &[Chart], annotations: &Annotations) -> String {
-        let Some(first) = panels.first() else { return self.charts(panels) };
-        let words = annotations.words(&first.x, self.size.0).unwrap_or_default();
-        self.draw(|svg, area| {
-            let head = above(&words);
-            for Placed { text, middle, row } in &words {
-                svg.word(Lettering::at([*middle, head - ROW * (*row as f64 + 0.5)]), text);
-            }
-            let [_, rest] = area.split(1, head);
-            let margin = if annotations.notes.is_empty() { 0.0 } else { MARGIN };
-            let below = ROW * annotations.notes.len() as f64 + margin;
-            let [panel_area, notes] = rest.split(1, rest.size()[1] - below);
-            for (strip, chart) in panel_area.strips(panels.len()).zip(panels) {
-                chart.draw(svg, strip, Some(annotations));
-            }
-            for (line, note) in annotations.notes.iter().enumerate() {
-                let at = [LEFT, notes.least[1] + ROW * (line as f64 + 0.5)];
-                svg.word(Lettering::at(at).anchored(Anchor::Start), note);
-            }
-        })
-    }
-}
-
-/// Height of the words above the panels.
-fn above(words: &[Placed]) -> f64 {
-    words.iter().map(|placed| placed.row + 1).max().map_or(0.0, |rows| ROW * rows as f64 + MARGIN / 2.0)
 }
 
 impl Annotations {

@@ -12,6 +12,7 @@ mod figure;
 mod format;
 mod legend;
 mod map;
+mod stacked;
 mod superposition;
 pub(crate) mod svg;
 

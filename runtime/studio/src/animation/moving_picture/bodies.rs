@@ -4,7 +4,7 @@ use super::contacts::Contacts;
 use super::stage::Stage;
 use super::track::{carried, line, number, path, place, steps};
 use crate::plot::Colour;
-use crate::plot::svg::plane::{Px, along, left_of, middle, minus, towards, unit};
+use crate::plot::svg::plane::{Px, along, left_of, minus, towards, unit};
 use crate::plot::svg::{Fill, Pen};
 use crate::registry::Configuration;
 use liftoff::model::geometry::{Look, Round, Solid, Spring, Thread};
@@ -169,12 +169,4 @@ pub(super) fn points(stage: &Stage) -> String {
 
 fn texts(places: &[Px]) -> Vec<String> {
     places.iter().map(|&at| place(at)).collect()
-}
-
-/// The middle of places that belong together.
-pub(super) fn mean(places: &[Px]) -> Px {
-    match places {
-        [a, b] => middle(*a, *b),
-        _ => places.iter().fold([0.0; 2], |sum, &at| along(sum, at, 1.0 / places.len() as f64)),
-    }
 }

@@ -1,8 +1,7 @@
 //! Contacts: closed or open, their reactions, and the impulses of impacts.
 
-use super::bodies::mean;
 use super::stage::Stage;
-use super::track::{carried, line, path, place, steps};
+use super::track::{carried, line, mean, path, place, steps};
 use crate::plot::Colour;
 use crate::plot::svg::plane::{Px, along, head, left_of, length, towards, unit};
 use crate::plot::svg::{Fill, Pen};

@@ -1,6 +1,7 @@
 //! Values over time as elements of SVG.
 
 use super::timeline::Timeline;
+use crate::plot::svg::plane::{Px, along, middle};
 use core::fmt::Write;
 
 /// A number in pixels, to a tenth, without zeros that say nothing.
@@ -104,4 +105,12 @@ fn key(part: f64) -> String {
 
 fn same(all: &[String]) -> bool {
     all.iter().all(|value| *value == all[0])
+}
+
+/// The middle of places that belong together.
+pub(super) fn mean(places: &[Px]) -> Px {
+    match places {
+        [a, b] => middle(*a, *b),
+        _ => places.iter().fold([0.0; 2], |sum, &at| along(sum, at, 1.0 / places.len() as f64)),
+    }
 }

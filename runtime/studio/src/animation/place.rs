@@ -1,0 +1,47 @@
+//! Places and directions, as the page reads them.
+
+use liftoff::model::geometry;
+use serde::Serialize;
+
+use crate::registry::Configuration;
+
+/// A point, or a place that stands still.
+#[derive(Serialize)]
+#[serde(untagged)]
+pub(super) enum Spot {
+    Point(usize),
+    Fixed([f64; 2]),
+}
+
+/// An angle; from one place to another; the same less an angle.
+#[derive(Serialize)]
+#[serde(untagged)]
+pub(super) enum Direction {
+    Fixed(f64),
+    Towards(Spot, Spot),
+    Axis(usize, usize, f64),
+}
+
+impl Spot {
+    pub(super) fn of(spot: geometry::Spot, start: &Configuration) -> Self {
+        match spot {
+            geometry::Spot::Point(point) => Self::Point(point),
+            geometry::Spot::Fixed(at) => Self::Fixed(start.place(at)),
+        }
+    }
+}
+
+impl Direction {
+    pub fn of(direction: geometry::Direction, start: &Configuration) -> Self {
+        match direction {
+            geometry::Direction::Fixed(angle) => Self::Fixed(start.number(angle)),
+            geometry::Direction::Towards(from, to) => {
+                Self::Towards(Spot::of(from, start), Spot::of(to, start))
+            }
+            geometry::Direction::Axis { ends, step } => {
+                let [along, across] = start.place(step);
+                Self::Axis(ends[0], ends[1], across.atan2(along))
+            }
+        }
+    }
+}
