@@ -6,8 +6,7 @@ use nalgebra::DMatrix;
 
 use super::Start;
 use crate::assembly::StartError;
-use crate::context::CLOSED;
-use crate::context::RunContext;
+use crate::context::{CLOSED, RunContext};
 use crate::integration::chart;
 use crate::integration::phase_point::coordinate_of;
 use crate::model::{Energy, Form};

@@ -65,8 +65,7 @@ pub(crate) fn start(
         return Ok(Start { state, touching: ContactSet::EMPTY, depth: 0.0 });
     }
     let rates = given.rates.iter().map(|rate| rate.unwrap_or(0.0)).collect();
-    let mut assembly = AssemblyProblem::new((context, switches), deepest(tolerance), rates, t);
-    assembly.below = given.below;
+    let assembly = AssemblyProblem::new((context, switches), deepest(tolerance), (rates, given.below), t);
     let (positions, closed) = complete::positions(&assembly, &given.positions)?;
     assembly.check_below(&positions)?;
     let depth = assembly.depth(&positions, closed);

@@ -1,16 +1,16 @@
 //! A pose as the user gives it: some coordinates, some rates.
 
 use crate::assembly::StartError;
-use crate::context::CLOSED;
-use crate::context::RunContext;
+use crate::context::{CLOSED, RunContext};
 use crate::error::NameError;
 use crate::expression::{contact_of, unknown_support};
 use crate::model::names::CoordinateName;
 use crate::model::{ContactSet, DependentAngle, Layout, Term};
 use crate::system::Model;
 
-/// Some coordinates and rates by name; a rate is named with a prime, `phi'`. `below(P)` = 1 says that P has gone round an end of
-/// its edge and is below that now, which the coordinates do not tell.
+/// Some coordinates and rates by name; a rate is named with a prime, `phi'`. `below(P)` = 1 says
+/// that P has gone round an end of its edge and is below that now, which the coordinates do not
+/// tell.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Pose {
     values: Vec<(String, f64)>,

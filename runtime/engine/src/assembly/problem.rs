@@ -23,7 +23,7 @@ pub(super) struct AssemblyProblem<'a> {
     /// When the motion begins.
     pub(super) t: f64,
     /// Contacts that have gone round an end of their edges and are below these.
-    pub(super) below: ContactSet,
+    below: ContactSet,
     last: RefCell<Option<Known>>,
 }
 
@@ -34,16 +34,15 @@ struct Known {
 }
 
 impl<'a> AssemblyProblem<'a> {
-    /// With so deep penetrations in natural lengths, these rates, and this time; nothing is below
-    /// its edge.
+    /// With so deep penetrations in natural lengths, these rates, what is below its edge, and this
+    /// time.
     pub(super) fn new(
         (context, switches): (&'a RunContext, &'a Switches),
         deepest: f64,
-        rates: Vec<f64>,
+        (rates, below): (Vec<f64>, ContactSet),
         t: f64,
     ) -> Self {
-        let (below, last) = (ContactSet::EMPTY, RefCell::new(None));
-        Self { context, switches, deepest, rates, t, below, last }
+        Self { context, switches, deepest, rates, t, below, last: RefCell::new(None) }
     }
 
     pub(super) fn layout(&self) -> &'static Layout {

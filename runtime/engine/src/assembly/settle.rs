@@ -10,8 +10,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::pose::Given;
-use crate::context::CLOSED;
-use crate::context::{Numbers, RunContext};
+use crate::context::{CLOSED, Numbers, RunContext};
 use crate::integration::chart;
 use crate::model::{ContactSet, Form};
 use crate::numerics::decomposition::svd;

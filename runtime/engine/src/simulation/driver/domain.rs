@@ -2,11 +2,10 @@
 
 use super::Driver;
 use crate::event::Guard;
-use crate::simulation::Domain;
-use crate::simulation::RunCause;
 use crate::simulation::awaited::Role;
 use crate::simulation::domain::{Bounded, driven};
 use crate::simulation::phase_run::Termination;
+use crate::simulation::{Domain, RunCause};
 
 /// A driven distance is at zero below this part of the natural length, where its row vanishes and steps fail.
 const VANISHED: f64 = 1e-6;
@@ -37,12 +36,9 @@ impl Driver<'_> {
     /// Refuses a phase that ends where the equations leave a bound, before its energy is looked at: there it need not be a number.
     pub(super) fn refuse_left(&self, end: &Termination) -> Result<(), RunCause> {
         let Termination::Event(guards) = end else { return Ok(()) };
-        let domain = |guard: &Guard| match guard {
-            Guard::Condition(k) => match self.awaited.role(*k) {
-                Role::Domain(domain) => Some(domain),
-                _ => None,
-            },
-            _ => None,
+        let domain = |guard: &Guard| {
+            let Guard::Condition(k) = guard else { return None };
+            if let Role::Domain(domain) = self.awaited.role(*k) { Some(domain) } else { None }
         };
         guards.iter().find_map(domain).map_or(Ok(()), |domain| Err(self.left(domain)))
     }
