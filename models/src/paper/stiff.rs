@@ -23,7 +23,8 @@ const END: f64 = 6.0;
 const REST: f64 = 3.0;
 const AMPLITUDE: f64 = 0.5;
 
-/// The methods that are not held to the fast oscillation, as long as a tolerance does not resolve it.
+/// The methods that are not held to the fast oscillation, as long as a tolerance does not resolve
+/// it.
 pub fn request(measuring: Duration) -> PrecisionSpec {
     PrecisionSpec {
         methods: vec![MethodId::Auto, MethodId::Radau],

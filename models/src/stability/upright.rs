@@ -1,6 +1,6 @@
 //! Fig. 1b from rest at φ = π/2 − δ, where the gap rows of its feet differ by cos φ alone. With s =
-//! sin φ the bars begin to fall with φ″ = −(3/2) (g/l) cos φ/(1 + 6 λ s²), and A and E take ½ λ g − λ
-//! l φ″ (s² − 1/6)/cos φ each, C the rest of 2 g + l φ″ cos φ.
+//! sin φ the bars begin to fall with φ″ = −(3/2) (g/l) cos φ/(1 + 6 λ s²), and A and E take ½ λ g −
+//! λ l φ″ (s² − 1/6)/cos φ each, C the rest of 2 g + l φ″ cos φ.
 
 use core::f64::consts::FRAC_PI_2;
 

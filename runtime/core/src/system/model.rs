@@ -3,8 +3,7 @@
 use std::sync::Arc;
 
 use super::arrays::array;
-use super::lifted::Liftable;
-use super::lifted::Lifted;
+use super::lifted::{Liftable, Lifted};
 use super::series::TimeSeries;
 use super::{SeriesEquations, System};
 use crate::model::{BarSystem, Layout, Measure};

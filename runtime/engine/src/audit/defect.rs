@@ -9,8 +9,7 @@
 //! A stiff f makes of the error of a state a defect that is too large for that.
 
 use crate::context::{Numbers, RunContext};
-use crate::system::DenseOutput;
-use crate::system::Phase;
+use crate::system::{DenseOutput, Phase};
 use smallvec::smallvec;
 
 /// The middle and the end of a step, and their weights.

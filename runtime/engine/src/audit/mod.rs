@@ -28,8 +28,7 @@ use crate::context::RunContext;
 use crate::event::{Event, Note};
 use crate::integration::chart;
 use crate::model::ContactSet;
-use crate::trajectory::RecordedPhase;
-use crate::trajectory::{LoggedDecision, Trajectory};
+use crate::trajectory::{LoggedDecision, RecordedPhase, Trajectory};
 
 /// What was found in a motion: of each quantity the worst value relative to its bound.
 #[derive(Debug, Clone, PartialEq, Default)]

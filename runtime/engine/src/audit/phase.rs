@@ -8,9 +8,7 @@ use crate::event::detection::Guard;
 use crate::expression::Variable;
 use crate::integration::phase_point::PhasePoint;
 use crate::model::{ContactSet, Energy};
-use crate::trajectory::RecordedPhase;
-use crate::trajectory::{LoggedDecision, Trajectory};
-use crate::trajectory::{Work, blur};
+use crate::trajectory::{LoggedDecision, RecordedPhase, Trajectory, Work, blur};
 
 /// Roundings of the terms of the equations in a step.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;

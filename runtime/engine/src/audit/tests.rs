@@ -5,8 +5,7 @@ use std::sync::Arc;
 use liftoff_fixtures::Particle;
 
 use super::{Audit, Bounds, Quantity};
-use crate::context::RunContext;
-use crate::context::scales_of;
+use crate::context::{RunContext, scales_of};
 use crate::event::Note;
 use crate::method::MethodId;
 use crate::numerics::root_isolation::NODES;

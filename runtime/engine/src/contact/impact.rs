@@ -40,8 +40,7 @@ use nalgebra::DVector;
 use super::complementarity::{LcpRows, Solution};
 use super::equilibrated_kkt::EquilibratedKkt;
 use super::impulse::{Collision, CollisionError, Method, Outcome, Row};
-use super::trials::LcpError;
-use super::trials::Trials;
+use super::trials::{LcpError, Trials};
 use crate::model::Law;
 
 /// Work of the contacts that counts as none, relative to the terms it is summed from.

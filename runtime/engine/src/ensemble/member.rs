@@ -1,12 +1,10 @@
 //! Results of a member.
 
 use crate::assembly::StartError;
-use crate::error::OutputError;
-use crate::error::{ModelError, ScheduleError, SupportError};
+use crate::error::{ModelError, OutputError, ScheduleError, SupportError};
 use crate::event::{Event, EventKind};
 use crate::expression::Output;
-use crate::simulation::RunCause;
-use crate::simulation::Simulation;
+use crate::simulation::{RunCause, Simulation};
 
 /// The result of a member.
 #[derive(Debug, Clone)]

@@ -5,8 +5,7 @@ use core::convert::Infallible;
 
 use super::environment::{self, Environment, Variable};
 use super::tree::{Expression, Function, Operator};
-use crate::context::RunContext;
-use crate::context::slips;
+use crate::context::{RunContext, slips};
 use crate::integration::phase_point::PhasePoint;
 use crate::system::{TIME_ORDERS, TimeSeries};
 

@@ -10,8 +10,7 @@ mod text;
 
 use nalgebra::DMatrix;
 
-use crate::context::RunContext;
-use crate::context::scales_of;
+use crate::context::{RunContext, scales_of};
 use crate::error::ModelError;
 use crate::expression::Switches;
 use crate::model::{Contact, ContactKind, ContactSet, Layout, Slip};

@@ -22,13 +22,9 @@ use std::sync::Arc;
 use smallvec::smallvec;
 
 use crate::EventKind;
-use crate::assembly::StartError;
-use crate::assembly::{Pose, Start, on_energy_of, start};
-use crate::context::{Numbers, RunContext};
-use crate::context::{Scales, scales_of};
-use crate::error::NameError;
-use crate::error::OutputError;
-use crate::error::{ModelError, ScheduleError, SupportError};
+use crate::assembly::{Pose, Start, StartError, on_energy_of, start};
+use crate::context::{Numbers, RunContext, Scales, scales_of};
+use crate::error::{ModelError, NameError, OutputError, ScheduleError, SupportError};
 use crate::event::EventFilter;
 use crate::expression::resolve::{contact_of, unknown_support};
 use crate::expression::{Condition, Output};
@@ -149,9 +145,9 @@ impl Simulation {
         self
     }
 
-    /// Starts from this pose; coordinates and rates that it leaves open follow from the closed contacts. Contacts may be
-    /// penetrated by ten times the tolerance, in natural lengths; one that is set later counts when the run begins. The default is
-    /// the nominal figure at rest.
+    /// Starts from this pose; coordinates and rates that it leaves open follow from the closed
+    /// contacts. Contacts may be penetrated by ten times the tolerance, in natural lengths; one
+    /// that is set later counts when the run begins. The default is the nominal figure at rest.
     pub fn start(mut self, pose: Pose) -> Result<Self, StartError> {
         self.measure(&pose)?;
         let mut start = self.complete(&pose)?;

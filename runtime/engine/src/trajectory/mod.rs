@@ -11,11 +11,9 @@ use core::fmt;
 
 use std::sync::{Arc, OnceLock};
 
-use crate::context::RunContext;
-use crate::context::Scales;
+use crate::context::{RunContext, Scales};
 use crate::error::OutputError;
-use crate::event::Event;
-use crate::event::Guard;
+use crate::event::{Event, Guard};
 use crate::expression::{Condition, Output, unrounded};
 use crate::integrate::Counts;
 use crate::integration::method::Choice;

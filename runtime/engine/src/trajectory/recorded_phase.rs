@@ -11,8 +11,7 @@ use crate::integration::chart;
 use crate::integration::method::Choice;
 use crate::integration::phase_point::PhasePoint;
 use crate::model::{ContactSet, Form};
-use crate::system::DenseOutput;
-use crate::system::Phase;
+use crate::system::{DenseOutput, Phase};
 
 /// What a projection moves a state by at most, in natural units: some errors of a step at the loosest tolerances.
 const NEAR: f64 = 1e-3;

@@ -365,8 +365,9 @@ fn landing(coefficients: (f64, f64, f64), start: f64) -> f64 {
     }
 }
 
-/// A bar all but flat slides down: a floor that holds its end would hold it altogether, by rows that differ by φ. Below 1e-12 the
-/// slip acceleration is within the roundoff of a decision, and the run may say so.
+/// A bar all but flat slides down: a floor that holds its end would hold it altogether, by rows
+/// that differ by φ. Below 1e-12 the slip acceleration is within the roundoff of a decision, and
+/// the run may say so.
 #[test]
 fn a_bar_all_but_flat_slides_from_its_rough_wall() {
     let bar = LowLadder { m: 1.0, l: 1.0, mu: 0.3, nu: 0.3, g: 9.81 };

@@ -181,8 +181,8 @@ fn auto_passes_over_an_oscillation_below_the_tolerance() {
     assert!(run.statistics().steps < 500, "{:?}", run.statistics());
 }
 
-/// −tr ∂f/∂y = 2 d/m, and the stiff spring's speed falls from 1e-3 √(2 k/m) by e^(−d t/m): below the
-/// tolerance at t = 2.4.
+/// −tr ∂f/∂y = 2 d/m, and the stiff spring's speed falls from 1e-3 √(2 k/m) by e^(−d t/m): below
+/// the tolerance at t = 2.4.
 #[test]
 fn auto_tries_radau_again_once_damping_had_time() {
     let run = hung(1e10, 10.0, [1e-3, 20.0], 1e-8);

@@ -216,8 +216,9 @@ struct Beside {
     g: f64,
 }
 
-/// A point flies round the end of a bar, under it, and through it from below, as it may. From any state on the way the run goes on
-/// as it did; where the point is under the bar its coordinates do not tell from where it has come, and `below` does.
+/// A point flies round the end of a bar, under it, and through it from below, as it may. From any
+/// state on the way the run goes on as it did; where the point is under the bar its coordinates do
+/// not tell from where it has come, and `below` does.
 #[test]
 fn a_state_round_the_end_of_an_edge_is_a_start_once_that_is_said() {
     let rates = [("x'", -1.0), ("y'", -2.0), ("phi'", 0.0)];

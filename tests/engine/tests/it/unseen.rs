@@ -138,7 +138,8 @@ fn a_drive_that_only_looks_broken_runs() {
     }
 }
 
-/// A parallelogram whose bars all lie on one line as it passes φ = 0, where one step goes across: a blow falls within it.
+/// A parallelogram whose bars all lie on one line as it passes φ = 0, where one step goes across: a
+/// blow falls within it.
 #[derive(BarSystem)]
 #[liftoff(dimensionless)]
 #[gravity(g)]

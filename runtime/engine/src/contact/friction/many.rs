@@ -8,8 +8,7 @@
 
 use super::modes::{Mode, Sense};
 use super::planar_lcp::Shape;
-use super::problem::Candidate;
-use super::problem::{Closed, Problem};
+use super::problem::{Candidate, Closed, Problem};
 use crate::contact::trials::LcpError;
 
 /// Up to this many contacts are taken in at once.

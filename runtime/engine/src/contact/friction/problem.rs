@@ -274,8 +274,8 @@ impl EquilibratedKkt {
         }
     }
 
-    /// Whether y meets balanced equations with this matrix, but for roundoff of the sums in the part
-    /// of each.
+    /// Whether y meets balanced equations with this matrix, but for roundoff of the sums in the
+    /// part of each.
     pub(super) fn are_met(&self, equations: &Equations, matrix: &DMatrix<f64>, y: &DVector<f64>) -> bool {
         let parts: Vec<usize> = equations.index.iter().map(|&i| self.parts[i]).collect();
         let terms =

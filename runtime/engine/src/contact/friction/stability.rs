@@ -18,8 +18,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::decision::Reason;
 use super::modes::Mode;
-use super::problem::Candidate;
-use super::problem::{Closed, Problem};
+use super::problem::{Candidate, Closed, Problem};
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
 use crate::context::slips;
 use crate::model::ContactSet;

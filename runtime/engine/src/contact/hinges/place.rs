@@ -4,8 +4,7 @@ use smallvec::smallvec;
 
 use super::choices::Choice;
 use crate::Scales;
-use crate::context::{Numbers, RunContext, reactions_of};
-use crate::context::{Slips, slips};
+use crate::context::{Numbers, RunContext, Slips, reactions_of, slips};
 use crate::model::ContactSet;
 use crate::system::Equations;
 

@@ -14,8 +14,7 @@
 use super::{CLEAR, solve};
 use crate::contact::friction::{Sense, Slip as KnownSlip};
 use crate::contact::{ContactProblem, ContactSolution};
-use crate::context::slips;
-use crate::context::{Numbers, RunContext};
+use crate::context::{Numbers, RunContext, slips};
 use crate::model::{ContactKind, ContactSet, Slip, SlipState};
 use crate::system::Equations;
 

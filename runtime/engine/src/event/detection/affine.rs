@@ -9,13 +9,11 @@
 #[cfg(test)]
 mod tests;
 
-use crate::context::RunContext;
-use crate::context::slips;
+use crate::context::{RunContext, slips};
 use crate::integrate::Guards;
 use crate::model::{ContactSet, Slip};
 use crate::series::ORDERS;
-use crate::system::DenseOutput;
-use crate::system::Phase;
+use crate::system::{DenseOutput, Phase};
 
 /// Where slopes are taken, in natural units: so far away that what a guard is at zero is lost in the rounding of the difference. An
 /// affine function has the same slope everywhere.

@@ -4,15 +4,13 @@ use std::sync::Arc;
 
 use super::{Guard, Rub};
 use crate::contact::friction::LastMargin;
-use crate::context::Slips;
-use crate::context::{Numbers, RunContext};
+use crate::context::{Numbers, RunContext, Slips};
 use crate::expression::{Condition, Enclosure, Interval, Known, Sides, Variable};
 use crate::integrate::Guards;
 use crate::integration::phase_point::PhasePoint;
 use crate::model::{ContactSet, Form, Layout, Side, SlipState};
 use crate::numerics::root_isolation::{GuardError, Smooth, TERMS};
-use crate::system::DenseOutput;
-use crate::system::Phase;
+use crate::system::{DenseOutput, Phase};
 use smallvec::smallvec;
 
 /// What a condition reads, over a step.

@@ -55,8 +55,8 @@ impl ContactStatus<'_> {
     }
 }
 
-/// A flight of a contact that has lifted off with its reaction at zero: g and ġ at the start of a step,
-/// integrated since the lift-off.
+/// A flight of a contact that has lifted off with its reaction at zero: g and ġ at the start of a
+/// step, integrated since the lift-off.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LowFlight {
     pub(super) gap: f64,

@@ -22,8 +22,8 @@ const PRODUCTS: f64 = 60.0;
 const GROWTH: f64 = 0.12;
 
 /// Chooses for each phase, and says why in [`Segment::choice`](crate::Segment::choice):
-/// [`Radau`](super::Radau) where damping is stiff at its start, −tr ∂f/∂y ≫ 1 in natural times; else
-/// [`Taylor`] where there are series that are worth their time; for long ones of closed forms
+/// [`Radau`](super::Radau) where damping is stiff at its start, −tr ∂f/∂y ≫ 1 in natural times;
+/// else [`Taylor`] where there are series that are worth their time; for long ones of closed forms
 /// [`Dop853`] at a hundredth of the tolerance, as exact as they; else [`Dop853`], or [`Tsit5`] at
 /// loose tolerances. Where damping, or a spring whose oscillation implicit steps pass over, proves
 /// stiff on the way, or is so no longer, it changes the method, and logs that.

@@ -11,8 +11,7 @@
 use super::pair::StepperPair;
 use super::{Choice, Method, Problem, Radau, StartedStepper, Switches};
 use crate::integrate::{Counts, Guards, StepError};
-use crate::system::Jacobian;
-use crate::system::{DenseOutput, PhaseStepper};
+use crate::system::{DenseOutput, Jacobian, PhaseStepper};
 
 /// Damping is stiff where −tr ∂f/∂y exceeds this per natural time: what it damps has decayed long before anything else moves.
 pub(super) const STIFF: f64 = 1e3;

@@ -15,8 +15,7 @@ use crate::context::RunContext;
 use crate::integration::chart::nan_max;
 use crate::model::ContactSet;
 use crate::numerics::legendre::{POINTS, Series, X};
-use crate::system::DenseOutput;
-use crate::system::Phase;
+use crate::system::{DenseOutput, Phase};
 
 /// Repeated integrations; each is ten times nearer and more.
 const MOST: usize = 40;

@@ -83,8 +83,8 @@ fn is_continuous(g: &mut dyn FnMut(f64) -> f64, ends: [Point; 2], rounding: f64)
     jump <= 0.5 * (a - b).abs()
 }
 
-/// [`find_root`] of Σ cₖ θᵏ, exact for these coefficients; `delta` bounds the error of the series. Those after the first
-/// [`TERMS`](super::TERMS) do not count.
+/// [`find_root`] of Σ cₖ θᵏ, exact for these coefficients; `delta` bounds the error of the series.
+/// Those after the first [`TERMS`](super::TERMS) do not count.
 ///
 /// # Errors
 /// If a coefficient is infinite or not a number.

@@ -4,17 +4,14 @@ use std::sync::Arc;
 
 use super::jumps::Before;
 use super::{Driver, Next};
-use crate::assembly::StartError;
-use crate::assembly::{deepest, touches};
-use crate::context::CLOSED;
-use crate::context::reactions_of;
+use crate::assembly::{StartError, deepest, touches};
+use crate::context::{CLOSED, reactions_of};
 use crate::event::{Event, EventKind, Guard, Note, reactions};
 use crate::expression::Condition;
 use crate::integration::equilibrium::is_equilibrium;
 use crate::model::ContactSet;
-use crate::simulation::RunCause;
-use crate::simulation::Simulation;
 use crate::simulation::awaited::Role;
+use crate::simulation::{RunCause, Simulation};
 use crate::system::Phase;
 use crate::trajectory::{LogEntry, LoggedDecision};
 

@@ -12,8 +12,7 @@ use crate::model::{ContactSet, Energy, Form, Slip};
 use crate::simulation::RunCause;
 use crate::simulation::awaited::Role;
 use crate::simulation::phase_run::{LastStep, Touch};
-use crate::trajectory::RecordedPhase;
-use crate::trajectory::{LogEntry, LoggedDecision, Trajectory};
+use crate::trajectory::{LogEntry, LoggedDecision, RecordedPhase, Trajectory};
 
 impl Driver<'_> {
     pub(super) fn reach_horizon(&mut self) -> Result<Next, RunCause> {

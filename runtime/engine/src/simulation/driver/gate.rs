@@ -4,10 +4,8 @@ use super::Driver;
 use crate::audit::{Bounds, Finding, Place, Quantity, Seam, energy_finding, gain};
 use crate::integrate::Counts;
 use crate::model::{ContactSet, Energy};
-use crate::simulation::RunCause;
-use crate::simulation::Simulation;
-use crate::trajectory::LogEntry;
-use crate::trajectory::Work;
+use crate::simulation::{RunCause, Simulation};
+use crate::trajectory::{LogEntry, Work};
 
 impl Driver<'_> {
     /// Refuses the end of a phase that has left its contacts, or whose energy has changed by anything but work.

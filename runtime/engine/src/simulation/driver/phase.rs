@@ -11,8 +11,7 @@ use crate::contact::{
     ContactError, ContactProblem, ContactSolution, StationaryGaps, decide, hinges, joint_names, labels,
     nondegenerate,
 };
-use crate::context::CLOSED;
-use crate::context::Numbers;
+use crate::context::{CLOSED, Numbers};
 use crate::event::detection::{Bounds, ContactStatus, EventDetector, Signals};
 use crate::integration::chart::{self, Chart};
 use crate::model::{ContactSet, Form};
@@ -21,8 +20,7 @@ use crate::simulation::awaited::Role;
 use crate::simulation::phase_run::{Outcome, PhaseRun};
 use crate::simulation::{Exhausted, Simulation};
 use crate::system::{Equations, Phase};
-use crate::trajectory::LoggedDecision;
-use crate::trajectory::Work;
+use crate::trajectory::{LoggedDecision, Work};
 use smallvec::smallvec;
 
 /// A change of the energy by this part of its terms is rounding.

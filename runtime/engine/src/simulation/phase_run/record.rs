@@ -6,8 +6,7 @@ use crate::context::{Numbers, RunContext};
 use crate::expression::Output;
 use crate::integration::method::Choice;
 use crate::model::{ContactSet, Energy};
-use crate::system::DenseOutput;
-use crate::system::Phase;
+use crate::system::{DenseOutput, Phase};
 use crate::trajectory::observe::Step;
 use crate::trajectory::{RecordedPhase, Segment, Work};
 

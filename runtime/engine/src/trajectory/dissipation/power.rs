@@ -1,7 +1,6 @@
 //! The power that friction and dampers take.
 
-use crate::context::slips;
-use crate::context::{Numbers, RunContext};
+use crate::context::{Numbers, RunContext, slips};
 use crate::expression::Variable;
 use crate::integration::phase_point::PhasePoint;
 use crate::model::{Layout, MeasureKind, QuantityKind};

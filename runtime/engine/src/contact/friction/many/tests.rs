@@ -4,8 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::super::decision::FrictionSolution;
 use super::super::modes::{Bound, Choice, Condition, Frictional, Given, Mode, Sense, Slip};
-use super::super::problem::Problem;
-use super::super::problem::Question;
+use super::super::problem::{Problem, Question};
 use crate::contact::complementarity::LcpRows;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
 

@@ -3,8 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::super::modes::{Frictional, Mode, Sense, Slip};
-use super::super::problem::Problem;
-use super::super::problem::Question;
+use super::super::problem::{Problem, Question};
 use super::{closed, least, sticking};
 use crate::contact::complementarity::LcpRows;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;

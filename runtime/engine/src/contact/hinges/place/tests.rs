@@ -5,8 +5,7 @@ use crate::contact::ContactProblem;
 use crate::contact::friction::Slip;
 use crate::contact::hinges::choices::choices;
 use crate::contact::hinges::tests::Resting;
-use crate::context::scales_of;
-use crate::context::{Numbers, RunContext};
+use crate::context::{Numbers, RunContext, scales_of};
 use crate::model::ContactSet;
 use crate::system::Model;
 

@@ -6,13 +6,11 @@ use std::sync::Arc;
 use liftoff_fixtures::Particle;
 
 use super::super::{Bounds, ContactStatus, EventDetector, Guard, StepView};
-use crate::context::RunContext;
-use crate::context::scales_of;
+use crate::context::{RunContext, scales_of};
 use crate::expression::Condition;
 use crate::model::*;
 use crate::numerics::root_isolation::GuardError;
-use crate::system::DenseOutput;
-use crate::system::{Equations, Model, Phase, PhaseInfo, System};
+use crate::system::{DenseOutput, Equations, Model, Phase, PhaseInfo, System};
 
 pub(super) const CONTACTS: usize = 8;
 pub(super) const FRICTIONS: usize = 3;

@@ -5,8 +5,7 @@ use super::super::{EventDetector, Guard, Rub, StepView};
 use super::given::*;
 use crate::model::{ContactSet, Form, Side, Slip};
 use crate::numerics::root_isolation::NODES;
-use crate::system::DenseOutput;
-use crate::system::Model;
+use crate::system::{DenseOutput, Model};
 use liftoff_fixtures::Particle;
 
 /// Numbers that are all different at all times.

@@ -3,10 +3,8 @@
 use core::cell::Cell;
 
 use super::super::bracket::Point;
-use super::super::extrema::Extremum;
-use super::super::extrema::Zigzag;
-use super::super::{Crossing, ExtremumKind, GuardError, NODES, Start};
-use super::super::{extrema, watch, watch_series};
+use super::super::extrema::{Extremum, Zigzag};
+use super::super::{Crossing, ExtremumKind, GuardError, NODES, Start, extrema, watch, watch_series};
 use super::{ULPS, all_extrema, bend, crossing, product};
 use super::{first_root, first_root_series};
 

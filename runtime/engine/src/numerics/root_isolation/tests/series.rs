@@ -1,7 +1,6 @@
 //! Guards given by their series, each for one rule.
 
-use super::super::{Crossing, GuardError, Start, TERMS, rest, tail};
-use super::super::{watch, watch_series};
+use super::super::{Crossing, GuardError, Start, TERMS, rest, tail, watch, watch_series};
 use super::{ULPS, crossing};
 use super::{all_extrema, first_root, first_root_series};
 

@@ -1,8 +1,8 @@
 //! The same in other units: by a power of two nothing but the unit changes, to the last bit.
 
-use super::super::{Accuracy, Crossing, ExtremumKind, Start, TERMS};
-use super::super::{extrema, rest, stays_above, tail};
-use super::super::{watch, watch_series};
+use super::super::{
+    Accuracy, Crossing, ExtremumKind, Start, TERMS, extrema, rest, stays_above, tail, watch, watch_series,
+};
 use super::known::sine_series;
 use super::{all_extrema, bend, first_root, first_root_series};
 

@@ -23,11 +23,9 @@ use sequence::Sequence;
 
 use super::Driver;
 use crate::contact::impulse::Outcome;
-use crate::context::CLOSED;
-use crate::context::Numbers;
+use crate::context::{CLOSED, Numbers};
 use crate::model::ContactSet;
-use crate::simulation::RunCause;
-use crate::simulation::{Exhausted, Simulation};
+use crate::simulation::{Exhausted, RunCause, Simulation};
 use crate::system::Equations;
 
 /// A flight that rises less than this, in natural lengths or of the terms of its gap, cannot be followed: a gap has some roundings of one.
