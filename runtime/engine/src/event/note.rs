@@ -60,6 +60,14 @@ pub struct ImpactOrder {
     pub pairs: Vec<([&'static str; 2], f64)>,
 }
 
+impl ImpactOrder {
+    /// Whether it is of the same contacts as another.
+    pub(crate) fn is_same(&self, other: &Self) -> bool {
+        let [own, others] = [self, other].map(|order| order.pairs.iter().map(|(contacts, _)| contacts));
+        own.eq(others)
+    }
+}
+
 impl fmt::Display for Note {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

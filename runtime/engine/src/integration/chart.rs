@@ -33,13 +33,6 @@ pub(crate) enum Chart {
     Absent,
 }
 
-impl Chart {
-    /// The form that the phase is integrated in.
-    pub(crate) fn form(self) -> Form {
-        if self == Self::Valid { Form::Closed } else { Form::Projected }
-    }
-}
-
 /// Whether the closed form of `set` holds at a state that is known within `bound`, for a tolerance, and the phase in the form
 /// that does.
 pub(crate) fn at(

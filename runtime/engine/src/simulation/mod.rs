@@ -2,13 +2,16 @@
 
 mod awaited;
 mod budget;
+mod decide;
 mod domain;
 mod driver;
 mod error;
 pub(crate) mod phase_handle;
 pub(crate) mod phase_run;
+mod respond;
 mod rules;
 mod schedule;
+mod snapshot;
 
 pub(crate) use budget::Allowance;
 pub use budget::{Budget, Exhausted};
@@ -32,6 +35,7 @@ use crate::integration::method::{Auto, Method};
 use crate::integration::phase_point::PhasePoint;
 use crate::model::names::{ContactFilter, ContactName, PointName, ThreadName};
 use crate::model::{ContactKind, ContactSet, Form, Layout};
+use crate::simulation::awaited::Awaited;
 use crate::simulation::driver::Driver;
 use crate::simulation::schedule::{Action, Scheduled, Trigger};
 use crate::system::Model;
@@ -401,7 +405,7 @@ impl Simulation {
 
     fn drive(&self, observer: &mut dyn Observer) -> Result<Trajectory, RunError> {
         match self.started() {
-            Ok(start) => Driver::new(self, start, observer).run(),
+            Ok(start) => Driver::new(self, &Awaited::from_setup(self), start, observer).run(),
             Err(error) => {
                 let nominal = &self.context.model.nominal;
                 let last = nominal.iter().copied().chain(nominal.iter().map(|_| 0.0)).collect();

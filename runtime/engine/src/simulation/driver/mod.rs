@@ -1,175 +1,65 @@
-//! The event loop: decide the closed contacts, integrate their phase to the first event, decide again.
+//! The event loop: decide the closed contacts, integrate their phase to the first event, respond to it, decide again.
 
-mod begin;
-mod collide;
 mod dependent;
-mod domain;
-mod drives;
-mod events;
-mod friction;
-mod gate;
-mod jumps;
-mod liftoff_order;
-mod paradox;
 mod phase;
-mod plan;
-mod switch;
-mod tiny;
-mod zeno;
 
-use std::cell::RefCell;
-use std::sync::Arc;
-
-use tiny::Tiny;
-use zeno::{BounceHistory, Rise, ZenoClosure};
-
-use crate::contact::{ContactError, are_determined, labels, refuse_singular};
-use crate::model::{ContactSet, Energy, Form, Layout};
-use crate::simulation::{RunCause, RunError};
-
-use crate::assembly::Start;
-use crate::context::Numbers;
+use super::awaited::Awaited;
+use super::respond::Next;
+use super::snapshot::{Begun, Snapshot, Told};
+use super::{Allowance, Exhausted, RunCause, RunError, Simulation};
+use crate::assembly::{Start, StartError};
+use crate::contact::{ContactError, labels};
 use crate::event::detection::{Broken, Guard, KnownAffineGuards};
-use crate::integrate::Counts;
-use crate::simulation::awaited::Awaited;
-use crate::simulation::phase_run::{Outcome, Termination};
-use crate::simulation::{Allowance, Exhausted, Simulation};
-use crate::system::Phase;
-use crate::trajectory::RecordedPhase;
+use crate::event::{EventKind, PreImpact};
+use crate::integrate::{Counts, StepError};
+use crate::model::{ContactSet, Form};
+use crate::simulation::phase_run::{LastStep, Outcome, Termination};
 use crate::trajectory::observe::Observer;
-use crate::trajectory::{LoggedDecision, Trajectory};
+use crate::trajectory::{LogEntry, LoggedDecision, RecordedPhase, Trajectory};
 
 /// A run in progress.
 pub(crate) struct Driver<'a> {
     setup: &'a Simulation,
     observer: &'a mut dyn Observer,
+    now: Snapshot<'a>,
     trajectory: Trajectory,
-    t: f64,
-    state: Vec<f64>,
-    /// Closed contacts that the next decision is about.
-    touching: ContactSet,
-    /// Of these, the contacts with friction whose slips are those of the phase before.
-    sensed: ContactSet,
-    closed: ContactSet,
-    /// Independent ones among them, which hold the others too: those that are integrated and watched.
-    bearing: ContactSet,
-    /// Contacts held closed whatever their reaction, drives that have taken hold among them.
-    held: ContactSet,
-    removed: ContactSet,
-    /// Contacts that the last phase began with below their grounds, where they had been armed.
-    sunk: ContactSet,
-    /// Open contacts below their bars, which they have come to from beyond the ends.
-    passed: ContactSet,
-    /// Contacts that have just opened with their reaction at zero.
-    lifted: ContactSet,
-    /// Contacts whose reaction or slip velocity has been located at zero, or whose friction force at its limit, and that the
-    /// decision has kept as they were.
-    kept: ContactSet,
-    form: Form,
-    /// The phase decided on, until it is integrated.
-    phase: Option<Arc<dyn Phase>>,
-    /// Reactions at the last decision.
-    reactions: Vec<f64>,
     affine: KnownAffineGuards,
-    awaited: Awaited,
-    /// Which entries of the plan have happened.
-    done: Vec<bool>,
-    bounces: BounceHistory,
-    /// Contacts that rise at the start of the phase that follows, with those that bear it, until it is integrated.
-    risen: Option<(ContactSet, Vec<Rise>)>,
-    /// The last accelerations that were asked for, with the state and the set of which they are.
-    accelerations: RefCell<Option<(Numbers, ContactSet, Numbers)>>,
-    /// What counts as zero at the last state at which it was asked for.
-    tiny: RefCell<Tiny>,
-    settling: Vec<ZenoClosure>,
     allowance: Allowance,
     /// How many events of the trajectory the observer has been shown, and how many it has taken.
     shown: usize,
     taken: usize,
-    /// Kinetic and potential energy at the start of the phase, and the state there.
-    energy: Energy<f64>,
-    begun: Vec<f64>,
-    /// The state in which the phase before has ended, as it was recorded, and whether an impulse
-    /// has acted since.
-    ended: Vec<f64>,
-    is_struck: bool,
+    /// The state in which the phase before has ended, as it was recorded.
+    ended: Option<Vec<f64>>,
     /// How many phases have begun since time last advanced.
     stalled: usize,
-    /// How many impacts without collision since then.
-    wedged: usize,
-}
-
-/// Whether the run goes on.
-enum Next {
-    Continue,
-    Finished,
 }
 
 impl<'a> Driver<'a> {
-    pub(crate) fn new(setup: &'a Simulation, start: Start, observer: &'a mut dyn Observer) -> Self {
-        let last = setup.context.layout().public_state(&start.state).to_vec();
-        let removed = setup.rules.switches.disarmed(&setup.context, &start.state, setup.begin);
-        let mut driver = Self {
-            awaited: Awaited::from_setup(setup),
-            done: vec![false; setup.plan.len()],
-            bounces: BounceHistory::new(setup.layout().contacts.len()),
-            risen: None,
-            accelerations: RefCell::default(),
-            tiny: RefCell::default(),
-            settling: Vec::new(),
-            trajectory: Trajectory::empty(setup.context.clone(), setup.tolerance, (setup.begin, last)),
-            form: setup.form,
-            phase: None,
-            held: setup.held.union(start.touching.intersection(setup.layout().drives())),
+    pub(crate) fn new(
+        setup: &'a Simulation,
+        awaited: &'a Awaited,
+        start: Start,
+        observer: &'a mut dyn Observer,
+    ) -> Self {
+        let last = setup.layout().public_state(&start.state).to_vec();
+        Self {
             setup,
             observer,
-            t: setup.begin,
-            state: start.state,
-            touching: start.touching,
-            sensed: ContactSet::EMPTY,
-            closed: ContactSet::EMPTY,
-            bearing: ContactSet::EMPTY,
-            removed,
-            sunk: ContactSet::EMPTY,
-            passed: ContactSet::EMPTY,
-            lifted: ContactSet::EMPTY,
-            kept: ContactSet::EMPTY,
-            reactions: Vec::new(),
+            trajectory: Trajectory::empty(setup.context.clone(), setup.tolerance, (setup.begin, last)),
+            now: Snapshot::new(setup, awaited, start),
             affine: KnownAffineGuards::default(),
             allowance: Allowance::of(setup.budget),
             shown: 0,
             taken: 0,
-            energy: Energy { kinetic: 0.0, potential: 0.0 },
-            begun: Vec::new(),
-            ended: Vec::new(),
-            is_struck: false,
+            ended: None,
             stalled: 0,
-            wedged: 0,
-        };
-        driver.passed = driver.below();
-        driver.tell_depth(start.depth);
-        driver
-    }
-
-    fn layout(&self) -> &'static Layout {
-        self.setup.layout()
-    }
-
-    /// Coordinates and rates as users see them.
-    fn public_state(&self) -> &[f64] {
-        self.setup.context.layout().public_state(&self.state)
-    }
-
-    fn keep_last(&mut self) {
-        let last = &mut self.trajectory.last;
-        last.clear();
-        last.extend_from_slice(self.setup.context.layout().public_state(&self.state));
+        }
     }
 
     pub(crate) fn run(mut self) -> Result<Trajectory, RunError> {
         let played = self.play();
         self.show_events(true);
-        self.trajectory.conditions = core::mem::take(&mut self.awaited.conditions);
+        self.trajectory.conditions.clone_from(&self.now.awaited.conditions);
         match played {
             Ok(()) => {
                 self.keep_end();
@@ -179,11 +69,242 @@ impl<'a> Driver<'a> {
         }
     }
 
+    fn play(&mut self) -> Result<(), RunCause> {
+        self.check()?;
+        let mut next = self.respond(Snapshot::begin)?;
+        while let Next::Continue = next {
+            self.show_events(false);
+            self.respond(Snapshot::settle_unseen)?;
+            self.bear_what_sinks()?;
+            if let Some(ended) = &self.ended {
+                self.now.refuse_seam(ended)?;
+            }
+            let begun = self.now.begin_phase();
+            let outcome = self.advance();
+            next = self.follow(outcome, &begun)?;
+        }
+        Ok(())
+    }
+
+    /// Refuses tolerances, limits and held contacts with which no run can begin.
+    fn check(&self) -> Result<(), RunCause> {
+        let Simulation { tolerance, begin, held, .. } = *self.setup;
+        let limit = self.setup.time_limit();
+        if !(tolerance > 0.0 && tolerance < 1.0) {
+            return Err(RunCause::Tolerance(tolerance));
+        }
+        if !(limit > begin && limit.is_finite()) {
+            return Err(RunCause::Limit(limit));
+        }
+        let Some(i) = held.difference(self.now.closed()).iter().next() else { return Ok(()) };
+        let support = self.setup.layout().contacts[i].label.to_owned();
+        Err(StartError::HeldOpen { support, gap: self.now.gaps()[i] }.into())
+    }
+
+    /// Changes the snapshot and takes note of what it tells, also where the run cannot go on.
+    fn respond<T>(
+        &mut self,
+        response: impl FnOnce(&mut Snapshot<'a>) -> Result<T, RunCause>,
+    ) -> Result<T, RunCause> {
+        let answer = response(&mut self.now);
+        let Told { events, log, impulses } = core::mem::take(&mut self.now.told);
+        for event in events {
+            self.observer.event(event.t);
+            if let Some(found) = &event.before {
+                self.show_jump(found);
+            }
+            self.trajectory.events.push(event);
+        }
+        for entry in log {
+            self.log_once(entry);
+        }
+        self.trajectory.impulses.extend(impulses);
+        self.keep_last();
+        answer
+    }
+
+    /// Logs a decision; that the order of impacts matters only once for the same contacts.
+    fn log_once(&mut self, entry: LogEntry) {
+        let is_same = |known: &LogEntry| match (&known.decision, &entry.decision) {
+            (LoggedDecision::ImpactOrder(known), LoggedDecision::ImpactOrder(order)) => known.is_same(order),
+            _ => false,
+        };
+        if !self.trajectory.log.iter().any(is_same) {
+            self.trajectory.log.push(entry);
+        }
+    }
+
+    fn keep_last(&mut self) {
+        let last = &mut self.trajectory.last;
+        last.clear();
+        last.extend_from_slice(self.now.public_state());
+    }
+
+    /// Follows a phase with what its end asks for.
+    fn follow(&mut self, outcome: Outcome, begun: &Begun) -> Result<Next, RunCause> {
+        let logged = self.trajectory.log.len();
+        let (counts, work, memory) = (outcome.counts, outcome.work, outcome.memory);
+        let end = self.take(outcome, begun)?;
+        if self.stalled > 4 + 2 * self.setup.layout().contacts.len() {
+            self.now.refuse_singular()?;
+            return Err(self.stalled_by(&end));
+        }
+        self.spend(counts, memory)?;
+        let now = &self.now;
+        if let Termination::Event(guards) = &end {
+            now.refuse_left(guards)?;
+        }
+        let breaks = matches!(end, Termination::Failed(_) | Termination::Drive(_) | Termination::Seam(_));
+        if !breaks && !matches!(end, Termination::Singular(_) | Termination::Loop(_)) {
+            now.refuse_drift(begun, counts, &work, &self.trajectory.log[logged..])?;
+        }
+        match end {
+            Termination::Exhausted(of) => Err(now.exhausted(of)),
+            Termination::Failed(error) => Err(self.failed_by(error)),
+            Termination::Seam(jump) => Err(RunCause::Invariant(jump)),
+            Termination::Cancelled => Err(RunCause::Cancelled { t: now.t }),
+            Termination::Loop(joints) => {
+                now.refuse_vanishing()?;
+                Err(RunCause::Loop { joints, t: now.t })
+            }
+            Termination::Singular(source) => Err(now.contact_error(source)),
+            Termination::Drive(Broken { t, expression, what }) => {
+                Err(RunCause::Drive { t, expression, what })
+            }
+            Termination::Pivot => {
+                self.respond(|now| {
+                    now.leave_chart();
+                    Ok(())
+                })?;
+                Ok(Next::Continue)
+            }
+            Termination::Paradox | Termination::Horizon | Termination::Event(_) => self.pass(&end, begun),
+        }
+    }
+
+    /// Takes over what a phase has brought, and says how it ended.
+    fn take(&mut self, outcome: Outcome, begun: &Begun) -> Result<Termination, RunCause> {
+        let Outcome { recorded, touches, log, end, t, state, ended, reactions, counts, passed, .. } = outcome;
+        let mut recorded = recorded;
+        if let (Some(recorded), Termination::Event(guards)) = (&mut recorded, &end) {
+            let parted: ContactSet = guards
+                .iter()
+                .filter_map(|guard| if let Guard::Parting(i) = guard { Some(*i) } else { None })
+                .collect();
+            if !parted.is_empty() {
+                self.respond(|now| {
+                    now.part(parted);
+                    Ok(())
+                })?;
+                recorded.open(parted);
+            }
+        }
+        let onset = core::mem::take(&mut self.now.onset);
+        self.stalled += 1;
+        if t > self.now.t {
+            (self.stalled, self.now.bounces.wedged) = (0, 0);
+        }
+        (self.now.t, self.now.state, self.now.reactions, self.ended) = (t, state, reactions, Some(ended));
+        self.now.contacts.set_below(passed);
+        self.trajectory.end = t;
+        self.trajectory.statistics.add(counts);
+        self.trajectory.log.extend(log);
+        self.keep_last();
+        let touched = touches.into_iter().filter_map(|touch| self.now.touch_event(touch));
+        self.trajectory.events.extend(touched);
+        if let Some(mut recorded) = recorded {
+            let contacts = &self.now.contacts;
+            recorded.is_struck = onset.is_struck;
+            recorded.held = contacts.held();
+            recorded.removed = contacts.absent().union(begun.sunk).union(contacts.waiting());
+            let guards = if let Termination::Event(guards) = &end { guards.clone() } else { Vec::new() };
+            self.keep(recorded, guards);
+        } else {
+            self.now.onset.is_struck = onset.is_struck;
+        }
+        Ok(end)
+    }
+
+    /// What happens at the end of a phase, and what that makes true at once.
+    fn pass(&mut self, end: &Termination, begun: &Begun) -> Result<Next, RunCause> {
+        let before = self.now.before_event();
+        let (next, roots) = match end {
+            Termination::Event(guards) => (self.respond(|now| now.handle(guards, begun))?, &guards[..]),
+            Termination::Paradox => {
+                self.respond(Snapshot::cross_border)?;
+                (Next::Continue, &[][..])
+            }
+            _ => (self.reach_horizon()?, &[][..]),
+        };
+        match next {
+            Next::Continue => self.respond(|now| now.follow_jumps(before, roots)),
+            Next::Finished => Ok(Next::Finished),
+        }
+    }
+
+    fn reach_horizon(&mut self) -> Result<Next, RunCause> {
+        let next = self.respond(Snapshot::reach_time)?;
+        if next == Next::Finished || self.has_seen_enough() {
+            return Ok(Next::Finished);
+        }
+        if self.now.t < self.setup.time_limit() {
+            return Ok(Next::Continue);
+        }
+        self.respond(|now| {
+            now.record(EventKind::End, ContactSet::EMPTY, None);
+            Ok(())
+        })?;
+        Ok(Next::Finished)
+    }
+
+    /// Whether all events have happened that the run was to wait for.
+    fn has_seen_enough(&self) -> bool {
+        let (awaited, events) = (&self.setup.event_filters, &self.trajectory.events);
+        !awaited.is_empty() && awaited.iter().all(|awaited| events.iter().any(|event| awaited.is(event)))
+    }
+
+    /// Takes what a phase needed from the budget.
+    fn spend(&mut self, counts: Counts, memory: usize) -> Result<(), RunCause> {
+        self.allowance.spend(counts.accepted + counts.rejected, memory);
+        let most = self.setup.budget.events;
+        if self.taken + self.trajectory.events.len() > most {
+            return Err(self.now.exhausted(Exhausted::Events(most)));
+        }
+        self.allowance.exceeded_by(0, 0).map_or(Ok(()), |of| Err(self.now.exhausted(of)))
+    }
+
+    /// What a step has failed by: a bound of the equations, accelerations that are nearly undetermined, or hinges that have come to
+    /// where their law leaves no motion; else the step's own error.
+    fn failed_by(&self, error: StepError) -> RunCause {
+        let now = &self.now;
+        let checked = now.refuse_vanishing().and_then(|()| now.refuse_singular());
+        let cause = checked.and_then(|()| now.refuse_hinges(&error));
+        cause.err().unwrap_or_else(|| error.into())
+    }
+
+    /// Why events follow one another without time: a hinge at its limit that has no motion beyond it, else that is not decided.
+    fn stalled_by(&self, end: &Termination) -> RunCause {
+        let guards = if let Termination::Event(guards) = end { &guards[..] } else { &[] };
+        let (now, layout) = (&self.now, self.setup.layout());
+        let at_zero: ContactSet = match guards.contains(&Guard::Grip) {
+            true => now.closed(),
+            false => guards.iter().filter_map(Guard::contact).collect(),
+        };
+        let limited =
+            guards.iter().filter_map(|g| if let Guard::Limit(rub) = g { Some(rub.contact) } else { None });
+        let hinges: ContactSet = limited.filter(|&i| layout.contacts[i].is_hinge()).collect();
+        match hinges.is_empty() {
+            true => RunCause::Stalled { t: now.t, contacts: labels(layout, at_zero) },
+            false => now.contact_error(ContactError::Hinges { hinges: labels(layout, hinges) }),
+        }
+    }
+
     /// What ends before it has moved is a phase of no duration.
     fn keep_end(&mut self) {
         if self.trajectory.phases.is_empty() && self.trajectory.last_phase.is_none() {
-            let phase = self.setup.context.phase(self.bearing, Form::Projected);
-            self.keep(RecordedPhase::still((phase, self.closed), self.t, &self.state), Vec::new());
+            let now = &self.now;
+            let phase = self.setup.context.phase(now.bearing(), Form::Projected);
+            self.keep(RecordedPhase::still((phase, now.closed()), now.t, &now.state), Vec::new());
         }
     }
 
@@ -197,161 +318,38 @@ impl<'a> Driver<'a> {
         }
     }
 
-    /// Takes what a phase needed from the budget.
-    fn spend(&mut self, counts: Counts, memory: usize) -> Result<(), RunCause> {
-        self.allowance.spend(counts.accepted + counts.rejected, memory);
-        let most = self.setup.budget.events;
-        if self.taken + self.trajectory.events.len() > most {
-            return Err(self.exhausted(Exhausted::Events(most)));
-        }
-        self.allowance.exceeded_by(0, 0).map_or(Ok(()), |of| Err(self.exhausted(of)))
-    }
-
-    pub(super) fn exhausted(&self, of: Exhausted) -> RunCause {
-        RunCause::Budget { t: self.t, of }
-    }
-
-    fn play(&mut self) -> Result<(), RunCause> {
-        self.check()?;
-        self.refuse_vanishing()?;
-        if let Next::Finished = self.begin()? {
-            return Ok(());
-        }
-        self.tell_met();
-        self.do_due()?;
-        loop {
-            self.show_events(false);
-            self.settle_unseen()?;
-            self.energy = self.setup.context.system().energy(&self.state);
-            self.begun.clone_from(&self.state);
-            self.bear_what_sinks()?;
-            self.refuse_seam()?;
-            let outcome = self.advance();
-            if let Next::Finished = self.apply_result(outcome)? {
-                return Ok(());
-            }
-        }
-    }
-
-    fn apply_result(&mut self, outcome: Outcome) -> Result<Next, RunCause> {
-        let Outcome {
-            mut recorded,
-            touches,
-            log,
-            end,
-            t,
-            state,
-            ended,
-            reactions,
-            counts,
-            passed,
-            work,
-            memory,
-        } = outcome;
-        if let (Some(recorded), Termination::Event(guards)) = (&mut recorded, &end) {
-            self.record_parted(recorded, guards);
-        }
-        (self.stalled, self.wedged) = if t > self.t { (0, 0) } else { (self.stalled + 1, self.wedged) };
-        (self.t, self.state, self.ended) = (t, state, ended);
-        self.trajectory.end = t;
-        self.keep_last();
-        self.trajectory.statistics.add(counts);
-        (self.reactions, self.passed) = (reactions, passed);
-        let logged = self.trajectory.log.len();
-        self.trajectory.log.extend(log);
-        for touch in touches {
-            self.record_touch(touch);
-        }
-        if let Some(mut recorded) = recorded {
-            recorded.is_struck = core::mem::take(&mut self.is_struck);
-            recorded.held = self.held;
-            recorded.removed = self.removed.union(self.sunk).union(self.waiting());
-            let guards = if let Termination::Event(guards) = &end { guards.clone() } else { Vec::new() };
-            self.keep(recorded, guards);
-        }
-        if self.stalled > 4 + 2 * self.layout().contacts.len() {
-            self.refuse_singular()?;
-            return Err(self.stalled_by(&end));
-        }
-        self.spend(counts, memory)?;
-        self.refuse_left(&end)?;
-        let breaks = matches!(end, Termination::Failed(_) | Termination::Drive(_) | Termination::Seam(_));
-        if !breaks && !matches!(end, Termination::Singular(_) | Termination::Loop(_)) {
-            self.refuse_drift(counts, &work, &self.trajectory.log[logged..])?;
-        }
-        match end {
-            Termination::Exhausted(of) => Err(self.exhausted(of)),
-            Termination::Failed(error) => {
-                self.refuse_vanishing()?;
-                self.refuse_singular()?;
-                self.refuse_hinges(&error)?;
-                Err(error.into())
-            }
-            Termination::Seam(jump) => Err(RunCause::Invariant(jump)),
-            Termination::Cancelled => Err(RunCause::Cancelled { t }),
-            Termination::Loop(joints) => {
-                self.refuse_vanishing()?;
-                Err(RunCause::Loop { joints, t })
-            }
-            Termination::Singular(source) => Err(self.contact_error(source)),
-            Termination::Drive(Broken { t, expression, what }) => {
-                Err(RunCause::Drive { t, expression, what })
-            }
-            Termination::Pivot => {
-                self.form = Form::Projected;
-                self.log(LoggedDecision::SmallPivot);
-                Ok(Next::Continue)
-            }
-            Termination::Paradox | Termination::Horizon | Termination::Event(_) => self.pass(&end),
-        }
-    }
-
-    /// Why events follow one another without time: a hinge at its limit that has no motion beyond it, else that is not decided.
-    fn stalled_by(&self, end: &Termination) -> RunCause {
-        let guards = if let Termination::Event(guards) = end { &guards[..] } else { &[] };
-        let at_zero: ContactSet = match guards.contains(&Guard::Grip) {
-            true => self.closed,
-            false => guards.iter().filter_map(Guard::contact).collect(),
+    /// Shows the observer the end of the motion before the velocities jump.
+    fn show_jump(&mut self, found: &PreImpact) {
+        let (context, now) = (&self.setup.context, &self.now);
+        let Trajectory { phases, last_phase, before_start, .. } = &mut self.trajectory;
+        let before = match phases.last().or(last_phase.as_ref()) {
+            Some(phase) => Some(phase).filter(|phase| phase.t0 < now.t),
+            None => Some(&*before_start.get_or_insert_with(|| {
+                let bearing = found.bearing.union(context.layout().guides());
+                let phase = context.phase(bearing, Form::Projected);
+                let mut state = now.state.clone();
+                state[..found.state.len()].copy_from_slice(&found.state);
+                RecordedPhase::still((phase, bearing), now.t, &state)
+            })),
         };
-        let contacts = self.layout().contacts;
-        let labels = |set: ContactSet| labels(self.layout(), set);
-        let limited =
-            guards.iter().filter_map(|g| if let Guard::Limit(rub) = g { Some(rub.contact) } else { None });
-        let hinges: ContactSet = limited.filter(|&i| contacts[i].is_hinge()).collect();
-        match hinges.is_empty() {
-            true => RunCause::Stalled { t: self.t, contacts: labels(at_zero) },
-            false => self.contact_error(ContactError::Hinges { hinges: labels(hinges) }),
+        if let Some(recorded) = before {
+            self.observer.jump(&LastStep { context, recorded });
         }
     }
 
-    /// What happens at the end of a phase, and what that makes true at once.
-    fn pass(&mut self, end: &Termination) -> Result<Next, RunCause> {
-        let before = self.before_event();
-        let (next, roots) = match end {
-            Termination::Event(guards) => (self.handle(guards)?, &guards[..]),
-            Termination::Paradox => (self.cross_border()?, &[][..]),
-            _ => (self.reach_horizon()?, &[][..]),
-        };
-        match next {
-            Next::Continue => self.follow_jumps(before, roots),
-            Next::Finished => Ok(Next::Finished),
+    /// Shows the observer what has happened since it was last shown, and keeps what it has not taken, what the run waits for, and
+    /// what ends it.
+    fn show_events(&mut self, ends: bool) {
+        let events = &mut self.trajectory.events;
+        while let Some(event) = events.get(self.shown) {
+            let is_awaited = || self.setup.event_filters.iter().any(|awaited| awaited.is(event));
+            let is_kept = ends || self.shown == 0 || is_awaited();
+            if self.observer.happened(event) && !is_kept {
+                events.remove(self.shown);
+                self.taken += 1;
+            } else {
+                self.shown += 1;
+            }
         }
-    }
-
-    /// The cause of a failed step may be accelerations that are nearly undetermined; then that is the error.
-    fn refuse_singular(&self) -> Result<(), RunCause> {
-        let refused = refuse_singular(&self.setup.context.model, &self.state, self.closed);
-        refused.map_err(|source| self.contact_error(source))
-    }
-
-    /// Where a motion comes to a position at which it loses inertia, rates grow beyond all bounds and reactions lose their digits:
-    /// a zero of one is no event there.
-    fn refuse_lost_inertia(&self) -> Result<(), RunCause> {
-        let model = &self.setup.context.model;
-        let had_inertia = || refuse_singular(model, &self.begun, self.closed).is_ok();
-        if are_determined(&*model.system, &self.state) || !had_inertia() {
-            return Ok(());
-        }
-        self.refuse_singular()
     }
 }

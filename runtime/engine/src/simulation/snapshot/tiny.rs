@@ -3,12 +3,13 @@
 
 use std::cell::Ref;
 
-use super::Driver;
+use super::Snapshot;
 use crate::context::{Numbers, ROUNDINGS};
+use crate::model::ContactSet;
 use crate::simulation::Simulation;
 
 /// What is too small to be told from zero at a time and a state.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(super) struct Tiny {
     t: f64,
     state: Numbers,
@@ -27,21 +28,26 @@ impl Tiny {
     }
 }
 
-impl Driver<'_> {
+impl Snapshot<'_> {
     /// What counts as zero at the state, that of closed contacts too: a projection back onto them turns the motion by as much as
     /// the rounding of coordinates lets it leave them.
-    pub(super) fn relative_bound(&self) -> f64 {
+    pub(in crate::simulation) fn relative_bound(&self) -> f64 {
+        self.bound_with(ContactSet::EMPTY)
+    }
+
+    /// The same with more contacts closed.
+    pub(in crate::simulation) fn bound_with(&self, more: ContactSet) -> f64 {
         let Tiny { usual, roundings, .. } = &*self.tiny();
         if roundings.is_empty() {
             return *usual;
         }
-        let closed = self.closed.union(self.touching);
+        let closed = self.closed().union(more);
         let held = (0..roundings.len()).filter(|row| self.layout().is_closed(*row, &closed));
         held.fold(*usual, |most, row| most.max(roundings[row]))
     }
 
     /// What of the gap of each contact counts as zero, m.
-    pub(super) fn gap_bounds(&self) -> impl Fn(usize) -> f64 {
+    pub(in crate::simulation) fn gap_bounds(&self) -> impl Fn(usize) -> f64 {
         let (usual, length) = (self.relative_bound(), self.setup.context.scales.length);
         let roundings = self.tiny().roundings.clone();
         move |contact| usual.max(roundings.get(contact).copied().unwrap_or(0.0)) * length
@@ -49,9 +55,9 @@ impl Driver<'_> {
 
     fn tiny(&self) -> Ref<'_, Tiny> {
         let is_known = |known: &Tiny| known.t == self.t && known.state[..] == self.state[..];
-        if !is_known(&self.tiny.borrow()) {
-            *self.tiny.borrow_mut() = Tiny::of(self.setup, self.t, &self.state);
+        if !is_known(&self.memory.borrow().tiny) {
+            self.memory.borrow_mut().tiny = Tiny::of(self.setup, self.t, &self.state);
         }
-        self.tiny.borrow()
+        Ref::map(self.memory.borrow(), |memory| &memory.tiny)
     }
 }

@@ -3,26 +3,18 @@
 use smallvec::smallvec;
 use std::sync::Arc;
 
-use super::Driver;
 use crate::context::Numbers;
 use crate::event::{EventKind, Note};
 use crate::expression::{Condition, Switch, Switched};
 use crate::integration::phase_point::PhasePoint;
 use crate::model::{ContactSet, Form};
 use crate::simulation::RunCause;
+use crate::simulation::snapshot::Snapshot;
 
 /// Part of the natural time over which the slope of a condition is a difference.
 const MOMENT: f64 = 1e-6;
 
-impl Driver<'_> {
-    /// Whether what a switch has is there.
-    pub(super) fn is_there(&self, switch: usize) -> bool {
-        match self.setup.rules.switches[switch].switched {
-            Switched::Contact(i) => !self.removed.contains(i),
-            Switched::Loads(i) => self.state[self.layout().switch(i)] != 0.0,
-        }
-    }
-
+impl Snapshot<'_> {
     /// Arms and disarms what conditions have been met for.
     pub(super) fn switch(&mut self, met: &[(usize, bool)]) -> Result<(), RunCause> {
         self.switch_loads(met)?;
@@ -31,7 +23,7 @@ impl Driver<'_> {
 
     /// Springs and loads begin or cease to act: forces jump, and with them reactions may.
     fn switch_loads(&mut self, met: &[(usize, bool)]) -> Result<(), RunCause> {
-        let before = self.closed;
+        let before = self.closed();
         let mut changed = Vec::new();
         for &(switch, arms) in met {
             let Switch { switched, conditions } = &self.setup.rules.switches[switch];
@@ -43,13 +35,12 @@ impl Driver<'_> {
         if changed.is_empty() {
             return Ok(());
         }
-        self.touching = before;
-        self.decide(ContactSet::EMPTY)?;
+        self.go_on(self.question())?;
         self.refuse_chatter(met, |switched| matches!(switched, Switched::Loads(_)))?;
         for (label, arms, condition) in changed {
             let kind = if arms { EventKind::Arm } else { EventKind::Disarm };
             self.record(kind, ContactSet::EMPTY, Some(Note::Condition(condition)));
-            if let Some(event) = self.trajectory.events.last_mut() {
+            if let Some(event) = self.told.events.last_mut() {
                 event.supports = label.split(", ").collect();
             }
         }
@@ -77,13 +68,13 @@ impl Driver<'_> {
     /// How far a condition holds a moment ago, now and in a moment, along the phase that is decided on.
     fn margins_along(&self, condition: &Condition) -> [f64; 3] {
         let context = &self.setup.context;
-        let phase = context.phase(self.bearing, Form::Projected);
+        let phase = context.phase(self.bearing(), Form::Projected);
         let mut rates: Numbers = smallvec![0.0; self.state.len()];
         phase.derivative(&self.state, &mut rates);
         let moment = MOMENT * context.scales.time;
         [-moment, 0.0, moment].map(|dt| {
             let state = self.state.iter().zip(&rates).map(|(x, rate)| rate.mul_add(dt, *x)).collect();
-            let point = PhasePoint::new(Arc::clone(&phase), self.closed, self.t + dt, state);
+            let point = PhasePoint::new(Arc::clone(&phase), self.closed(), self.t + dt, state);
             condition.margin(context, &point).unwrap_or(0.0)
         })
     }
@@ -94,7 +85,8 @@ impl Driver<'_> {
         let of = |arms: bool| -> ContactSet {
             met.iter().filter(|it| it.1 == arms).filter_map(|it| switches[it.0].contact()).collect()
         };
-        let (armed, disarmed) = (of(true).intersection(self.removed), of(false).difference(self.removed));
+        let (armed, disarmed) =
+            (of(true).intersection(self.contacts.absent()), of(false).difference(self.contacts.absent()));
         let note = |arms: bool| {
             let is_it = |it: &&(usize, bool)| it.1 == arms && switches[it.0].contact().is_some();
             let condition = met.iter().find(is_it)?;
@@ -105,7 +97,7 @@ impl Driver<'_> {
             self.disarm(disarmed, notes[1].clone())?;
         }
         if !armed.is_empty() {
-            self.removed = self.removed.difference(armed);
+            self.contacts.arm(armed);
             self.refuse_vanishing()?;
             self.record(EventKind::Arm, armed, notes[0].clone());
             let equations = self.setup.context.system().equations(&self.state);
@@ -128,13 +120,11 @@ impl Driver<'_> {
     }
 
     fn disarm(&mut self, disarmed: ContactSet, note: Option<Note>) -> Result<(), RunCause> {
-        let before = self.closed.difference(disarmed);
-        self.removed = self.removed.union(disarmed);
-        self.held = self.held.difference(disarmed.intersection(self.layout().drives()));
-        let bore = !self.closed.intersection(disarmed).is_empty();
-        self.touching = before;
+        let bore = !self.closed().intersection(disarmed).is_empty();
+        self.contacts.disarm(disarmed);
+        let before = self.closed();
         if bore {
-            self.decide(ContactSet::EMPTY)?;
+            self.go_on(self.question())?;
         }
         self.record(EventKind::Disarm, disarmed, note);
         self.record_changes(before);
@@ -146,12 +136,5 @@ impl Driver<'_> {
         let equations = self.setup.context.system().equations(&self.state);
         let n = self.layout().coordinates.len();
         set.iter().filter(|&i| equations.gap_rate(i, &self.state[n..2 * n]) < speed).collect()
-    }
-
-    /// Contacts that have been armed below their grounds.
-    pub(super) fn sunk(&self, gaps: &[f64], bound: impl Fn(usize) -> f64) -> ContactSet {
-        let aside = self.closed.union(self.removed).union(self.layout().drives());
-        let open = self.setup.rules.switches.contacts().difference(aside);
-        open.iter().filter(|&i| gaps[i] < -bound(i)).collect()
     }
 }

@@ -2,36 +2,16 @@
 
 use nalgebra::DVector;
 
-use super::Driver;
 use crate::context::without_rounding;
 use crate::event::{EventKind, Note};
-use crate::model::{ContactKind, ContactSet, Layout};
+use crate::model::ContactSet;
 use crate::simulation::RunCause;
-use crate::simulation::awaited::Role;
 use crate::simulation::schedule::{Action, Scheduled, Trigger};
+use crate::simulation::snapshot::{Snapshot, split};
 use crate::system::{TIME_ORDERS, TimeSeries};
 use crate::trajectory::AppliedImpulse;
 
-impl Driver<'_> {
-    /// Times at which something is still to happen.
-    pub(super) fn planned_times(&self) -> impl Iterator<Item = f64> {
-        let plan = self.setup.plan.iter().zip(&self.done);
-        plan.filter_map(|(planned, done)| match planned.when {
-            Trigger::At(at) if !done => Some(at),
-            _ => None,
-        })
-    }
-
-    /// Whether a condition is still to be met.
-    pub(super) fn is_awaited(&self, condition: usize) -> bool {
-        match self.awaited.role(condition) {
-            Role::Stop => true,
-            Role::Planned(entry) => !self.done[entry],
-            Role::Switch { switch, arms } => self.is_there(switch) != arms,
-            Role::Domain(domain) => self.is_bound(domain),
-        }
-    }
-
+impl Snapshot<'_> {
     /// Does what is due at this time.
     pub(super) fn do_due(&mut self) -> Result<(), RunCause> {
         let due = |planned: &Scheduled| matches!(planned.when, Trigger::At(at) if at <= self.t);
@@ -51,13 +31,13 @@ impl Driver<'_> {
                 Action::Remove(contact) => removed = removed.with(contact),
                 Action::Impulse { point, impulse } => {
                     let load = self.generalised(point, impulse);
-                    self.trajectory.impulses.push(AppliedImpulse { t: self.t, point, impulse });
+                    self.told.impulses.push(AppliedImpulse { t: self.t, point, impulse });
                     impulses.push((self.layout().points[point], impulse));
                     applied = Some(applied.map_or(load.clone(), |sum| sum + load));
                 }
             }
         }
-        let removed = removed.difference(self.removed);
+        let removed = removed.difference(self.contacts.absent());
         if !removed.is_empty() {
             self.remove(removed)?;
         }
@@ -65,10 +45,9 @@ impl Driver<'_> {
     }
 
     fn remove(&mut self, due: ContactSet) -> Result<(), RunCause> {
-        self.removed = self.removed.union(due);
-        self.touching = self.closed.difference(due);
-        let before = self.touching;
-        self.decide(ContactSet::EMPTY)?;
+        self.contacts.remove(due);
+        let before = self.closed();
+        self.go_on(self.question())?;
         let (threads, supports) = split(self.layout(), due);
         self.record_some(EventKind::Release, supports);
         self.record_some(EventKind::Cut, threads);
@@ -97,11 +76,4 @@ impl Driver<'_> {
             known(j, derivative(0) * impulse[0] + derivative(1) * impulse[1])
         })
     }
-}
-
-/// The threads of a set, and the others.
-pub(super) fn split(layout: &Layout, set: ContactSet) -> (ContactSet, ContactSet) {
-    let is_thread = |i: &usize| layout.contacts[*i].kind == ContactKind::Thread;
-    let threads = set.iter().filter(is_thread).collect();
-    (threads, set.difference(threads))
 }

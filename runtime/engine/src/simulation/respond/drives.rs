@@ -2,26 +2,17 @@
 
 use nalgebra::DVector;
 
-use super::Driver;
 use crate::event::EventKind;
 use crate::model::ContactSet;
 use crate::simulation::RunCause;
+use crate::simulation::decide::Question;
+use crate::simulation::snapshot::Snapshot;
 
 /// Where a drive comes smoothly to what it drives, the time is that of a double root, known to the square root of rounding, and with it
 /// the difference of the rates.
 const SMOOTH: f64 = 1e-7;
 
-impl Driver<'_> {
-    /// Drives hold from now on, whatever their reaction.
-    pub(super) fn take_hold(&mut self, set: ContactSet) {
-        self.held = self.held.union(set.intersection(self.layout().drives()));
-    }
-
-    /// The drives that wait for what they drive to come.
-    pub(super) fn waiting(&self) -> ContactSet {
-        self.layout().drives().difference(self.closed)
-    }
-
+impl Snapshot<'_> {
     /// The drives of a set whose gaps are zero.
     pub(super) fn met(&self, set: ContactSet) -> ContactSet {
         let (layout, scales) = (self.layout(), &self.setup.context.scales);
@@ -38,10 +29,9 @@ impl Driver<'_> {
 
     /// Contacts close without an impulse, and drives among them take hold; the contacts that were closed before.
     pub(super) fn join(&mut self, set: ContactSet) -> Result<ContactSet, RunCause> {
-        let before = self.closed;
-        self.take_hold(set);
-        self.touching = self.closed.union(set);
-        self.decide(ContactSet::EMPTY)?;
+        let before = self.closed();
+        self.contacts.take_hold(set);
+        self.go_on(Question { touching: before.union(set), ..self.question() })?;
         Ok(before)
     }
 

@@ -2,56 +2,61 @@
 //! ended by an impact without collision, unless a contact jams.
 
 use super::collide::allowed_gain;
-use super::friction::LocatedSlips;
-use super::{Driver, Next};
 use crate::contact::friction::{Sense, Slip as KnownSlip, holds};
 use crate::contact::impulse::Row;
 use crate::contact::{ContactError, labels};
 use crate::event::{EventKind, Note};
 use crate::model::{ContactSet, Slip};
 use crate::simulation::RunCause;
+use crate::simulation::decide::{LocatedSlips, Question};
+use crate::simulation::snapshot::Snapshot;
 
 /// A contact is beyond the border of Painlevé's region with a coefficient of friction that is larger by this part.
 const BEYOND: f64 = 1e-12;
 /// Reactions of contacts this near to the border have lost their digits.
 const NEAR: f64 = 1e-6;
 
-impl Driver<'_> {
+impl Snapshot<'_> {
     /// Ends a slip at the border of Painlevé's region, where the reaction grows beyond all bounds.
-    pub(super) fn cross_border(&mut self) -> Result<Next, RunCause> {
-        let contacts = labels(self.layout(), self.closed);
-        let holds = holds(self.setup.context.system(), &self.state, &self.bearing);
-        self.end_slip(ContactError::Jammed { contacts }, &holds)?;
-        Ok(Next::Continue)
+    pub(in crate::simulation) fn cross_border(&mut self) -> Result<(), RunCause> {
+        let contacts = labels(self.layout(), self.closed());
+        let holds = holds(self.setup.context.system(), &self.state, &self.bearing());
+        self.end_slip(self.closed(), ContactError::Jammed { contacts }, &holds)
     }
 
     /// Ends a slip that no reaction obeys the law of friction in.
-    pub(super) fn unjam(&mut self, source: ContactError) -> Result<(), RunCause> {
-        let known = self.known_slips(&LocatedSlips::default());
-        let set = known.iter().fold(self.touching, |set, &(contact, slip)| match slip {
+    pub(super) fn unjam(&mut self, question: &Question, source: ContactError) -> Result<(), RunCause> {
+        let touching = question.touching;
+        let known = self.known_slips(&Question { located: LocatedSlips::default(), ..question.clone() });
+        let set = known.iter().fold(touching, |set, &(contact, slip)| match slip {
             KnownSlip::Forward | KnownSlip::Leaves(Sense::Forward) => set.slipping(contact, Slip::Forward),
             KnownSlip::Backward | KnownSlip::Leaves(_) => set.slipping(contact, Slip::Backward),
             KnownSlip::Rest => set.slipping(contact, Slip::Stick),
         });
         let mut near = holds(self.setup.context.system(), &self.state, &set);
         near.retain(|(_, hold)| (0.0..NEAR).contains(hold));
-        self.end_slip(source, &near)
+        self.end_slip(touching, source, &near)
     }
 
     /// Ends a slip by an impact without collision, unless a contact jams. Contacts at the border, with what holds them, are
     /// just beyond it: so near it does not matter.
-    fn end_slip(&mut self, source: ContactError, at_border: &[(usize, f64)]) -> Result<(), RunCause> {
+    fn end_slip(
+        &mut self,
+        touching: ContactSet,
+        source: ContactError,
+        at_border: &[(usize, f64)],
+    ) -> Result<(), RunCause> {
         let layout = self.layout();
-        let rubs = layout.frictions.iter().any(|friction| self.touching.contains(friction.contact));
+        let rubs = layout.frictions.iter().any(|friction| touching.contains(friction.contact));
         let rubs = rubs && !layout.has_hinges();
-        let jams = self.touching.iter().any(|i| layout.contacts[i].jams);
-        self.wedged += 1;
-        let gives_up = self.wedged > 4 + layout.contacts.len();
+        let jams = touching.iter().any(|i| layout.contacts[i].jams);
+        self.bounces.wedged += 1;
+        let gives_up = self.bounces.wedged > 4 + layout.contacts.len();
         if !rubs || jams || gives_up || !matches!(source, ContactError::Jammed { .. }) {
             return Err(self.contact_error(source));
         }
-        let (before, found) = (self.touching, self.pre_impact());
-        let mut collision = self.collision(before, &self.setup.context.system().equations(&self.state));
+        let found = self.pre_impact();
+        let mut collision = self.collision(touching, &self.setup.context.system().equations(&self.state));
         for row in &mut collision.rows {
             if let Row::Friction { of, mu, .. } = row
                 && let Some((_, hold)) = at_border.iter().find(|(contact, _)| contact == of)
@@ -62,7 +67,7 @@ impl Driver<'_> {
         let Ok(outcome) = collision.tangential_impact(self.setup.budget.trials) else {
             return Err(self.contact_error(source));
         };
-        let touching = before.iter().filter(|i| outcome.opening[*i] == 0.0).collect();
+        let touching = touching.iter().filter(|i| outcome.opening[*i] == 0.0).collect();
         self.proceed(&outcome.rates, touching)?;
         self.refuse_gain(&found.energy, allowed_gain(collision.drift.as_slice(), &outcome))?;
         let acting: ContactSet = outcome.acting.iter().copied().collect();

@@ -3,26 +3,14 @@
 //! before t∞ ends with v = 0.
 
 use nalgebra::DVector;
-use smallvec::smallvec;
 
 use crate::contact::impulse::{Collision, CollisionError, Outcome};
-use crate::context::Numbers;
 use crate::event::{EventKind, Note};
 use crate::model::{ContactSet, Slip};
 use crate::simulation::RunCause;
-use crate::simulation::driver::Driver;
-use crate::simulation::driver::collide::allowed_gain;
-use crate::simulation::driver::plan::split;
+use crate::simulation::respond::collide::allowed_gain;
+use crate::simulation::snapshot::{Snapshot, ZenoClosure, split};
 use crate::trajectory::LoggedDecision;
-
-/// Contacts whose impacts have been cut short, of which those end at one time.
-#[derive(Debug, Clone, Copy)]
-pub(in super::super) struct ZenoClosure {
-    /// When they would have ended, and the error of that time.
-    pub(in super::super) end: f64,
-    pub(super) error: f64,
-    pub(super) set: ContactSet,
-}
 
 impl ZenoClosure {
     /// Those that end at one time as far as is known are one. A contact of several is at rest when the last of them ends.
@@ -48,13 +36,13 @@ impl ZenoClosure {
     }
 }
 
-impl Driver<'_> {
+impl Snapshot<'_> {
     /// Closes the contacts now; the events are recorded at the times at which their impacts would have ended.
     pub(super) fn settle(&mut self, settles: Vec<ZenoClosure>) -> Result<(), RunCause> {
         let set = settles.iter().fold(ContactSet::EMPTY, |set, settling| set.union(settling.set));
         let end = settles.iter().map(|settling| settling.end).fold(self.t, f64::max);
         let equations = self.setup.context.system().equations(&self.state);
-        let (closed, present) = (self.closed.union(set), self.present(set, &equations));
+        let (closed, present) = (self.closed().union(set), self.present(set, &equations));
         let collision = self.collision(present, &equations);
         let outcome =
             self.rest(&collision, closed, end).map_err(|error| self.collision_error(error, present))?;
@@ -72,11 +60,8 @@ impl Driver<'_> {
         for contact in set.iter() {
             self.bounces.finish(contact);
         }
-        self.settling.retain_mut(|settling| {
-            settling.set = settling.set.difference(set);
-            !settling.set.is_empty()
-        });
-        self.settling.extend(settles);
+        self.bounces.keep_settling(|settling| settling.difference(set));
+        self.bounces.settling.extend(settles);
         self.record_settled(ContactSet::EMPTY);
         Ok(())
     }
@@ -92,21 +77,6 @@ impl Driver<'_> {
             }
             set = stopped.iter().fold(set, |set, contact| set.slipping(contact, Slip::Stick));
         }
-    }
-
-    /// The set with its contacts with friction slipping by their velocities.
-    pub(in super::super) fn slipping_as_now(&self, closed: ContactSet) -> ContactSet {
-        let (slips, natural) = (self.slip_states(), self.natural_slips());
-        let frictions = self.layout().frictions.iter().zip(slips.iter().zip(&natural));
-        let closes = frictions.filter(|(friction, _)| closed.contains(friction.contact));
-        closes.fold(closed.closed(), |set, (friction, (slip, natural))| {
-            let slip = match slip.velocity {
-                v if v.abs() <= self.relative_bound() * natural => Slip::Stick,
-                v if v > 0.0 => Slip::Forward,
-                _ => Slip::Backward,
-            };
-            set.slipping(friction.contact, slip)
-        })
     }
 
     /// The contacts that slide in a set and, with these rates now, do so the other way at `end`.
@@ -127,29 +97,14 @@ impl Driver<'_> {
         sliding.filter(|friction| stops(friction.contact, friction.row)).map(|it| it.contact).collect()
     }
 
-    /// Those with a set closed.
-    pub(in super::super) fn accelerations(&self, state: &[f64], set: ContactSet) -> Numbers {
-        let mut known = self.accelerations.borrow_mut();
-        if let Some((at, with, a)) = &*known
-            && (&at[..], *with) == (state, set)
-        {
-            return Numbers::from_slice(a);
-        }
-        let mut a: Numbers = smallvec![0.0; self.layout().coordinates.len()];
-        let mut multipliers: Numbers = smallvec![0.0; self.layout().rows()];
-        self.setup.context.system().solve(state, set, &mut a, &mut multipliers);
-        *known = Some((Numbers::from_slice(state), set, Numbers::from_slice(&a)));
-        a
-    }
-
     /// Records the sequences of impacts that have come to their end, and those of contacts that now open.
-    pub(in super::super) fn record_settled(&mut self, opening: ContactSet) {
+    pub(in crate::simulation) fn record_settled(&mut self, opening: ContactSet) {
         let (t, bound) = (self.t, self.relative_bound() * self.setup.context.scales.time);
         let over =
             |settling: &mut ZenoClosure| settling.end <= t || !settling.set.intersection(opening).is_empty();
-        for ZenoClosure { set, error, .. } in self.settling.extract_if(.., over).collect::<Vec<_>>() {
+        for ZenoClosure { set, error, .. } in self.bounces.settling.extract_if(.., over).collect::<Vec<_>>() {
             let note = (error > bound).then_some(Note::TimeWithin(error));
-            self.record(EventKind::Settle, set.intersection(self.closed), note);
+            self.record(EventKind::Settle, set.intersection(self.closed()), note);
         }
     }
 }

@@ -3,7 +3,7 @@
 
 /// The flights of one contact since it began to bounce, or the fastest flights of sequences that follow one another.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Sequence {
+pub(crate) struct Sequence {
     /// Start and speed of the last one.
     last: Option<(f64, f64)>,
     /// Whether it is slower than the one before.
@@ -17,7 +17,7 @@ pub(super) struct Sequence {
 }
 
 impl Sequence {
-    pub(super) fn begin(&mut self, t: f64, speed: f64) {
+    pub(in crate::simulation) fn begin(&mut self, t: f64, speed: f64) {
         let slows = self.last.is_some_and(|(_, before)| speed < before);
         if slows {
             self.tell_fastest();
@@ -44,23 +44,23 @@ impl Sequence {
     }
 
     /// Whether the last flight is slower than the one before.
-    pub(super) fn slows(&self) -> bool {
+    pub(in crate::simulation) fn slows(&self) -> bool {
         self.slows
     }
 
     /// The end and its error, as told by the flights themselves.
-    pub(super) fn best(&self) -> Option<(f64, f64)> {
+    pub(in crate::simulation) fn best(&self) -> Option<(f64, f64)> {
         self.best
     }
 
     /// The same by the fastest flights, by the fastest of these, and so on.
-    pub(super) fn of_fastest(&self) -> impl Iterator<Item = (f64, f64)> {
+    pub(in crate::simulation) fn of_fastest(&self) -> impl Iterator<Item = (f64, f64)> {
         let levels = core::iter::successors(self.fastest.as_deref(), |level| level.fastest.as_deref());
         levels.filter_map(|level| level.best)
     }
 
     /// The flights are over, and what others follow begins anew.
-    pub(super) fn finish(&mut self) {
+    pub(in crate::simulation) fn finish(&mut self) {
         self.tell_fastest();
         *self = Self { fastest: self.fastest.take(), ..Self::default() };
     }

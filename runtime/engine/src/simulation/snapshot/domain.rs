@@ -1,26 +1,27 @@
 //! Runs that leave the domain of their equations end with an error that names what has left it.
 
-use super::Driver;
+use super::Snapshot;
 use crate::event::Guard;
 use crate::simulation::awaited::Role;
 use crate::simulation::domain::{Bounded, driven};
-use crate::simulation::phase_run::Termination;
 use crate::simulation::{Domain, RunCause};
 
 /// A driven distance is at zero below this part of the natural length, where its row vanishes and steps fail.
 const VANISHED: f64 = 1e-6;
 
-impl Driver<'_> {
+impl Snapshot<'_> {
     /// Whether a bound matters now: of a drive that is there, of a contact that slides.
-    pub(super) fn is_bound(&self, domain: usize) -> bool {
+    pub(in crate::simulation) fn is_bound(&self, domain: usize) -> bool {
         match self.setup.rules.domains[domain].of {
-            Bounded::Distance(_, contact) => contact.is_none_or(|contact| !self.removed.contains(contact)),
-            Bounded::Friction(entry) => self.closed.sense(self.layout().frictions[entry].contact) != 0,
+            Bounded::Distance(_, contact) => {
+                contact.is_none_or(|contact| !self.contacts.absent().contains(contact))
+            }
+            Bounded::Friction(entry) => self.closed().sense(self.layout().frictions[entry].contact) != 0,
         }
     }
 
     /// The equations have left a bound.
-    pub(super) fn left(&self, domain: usize) -> RunCause {
+    pub(in crate::simulation) fn left(&self, domain: usize) -> RunCause {
         let (t, layout) = (self.t, self.layout());
         match self.setup.rules.domains[domain].of {
             Bounded::Distance(entry, _) => {
@@ -33,9 +34,8 @@ impl Driver<'_> {
         }
     }
 
-    /// Refuses a phase that ends where the equations leave a bound, before its energy is looked at: there it need not be a number.
-    pub(super) fn refuse_left(&self, end: &Termination) -> Result<(), RunCause> {
-        let Termination::Event(guards) = end else { return Ok(()) };
+    /// Refuses guards at zero where the equations leave a bound.
+    pub(in crate::simulation) fn refuse_left(&self, guards: &[Guard]) -> Result<(), RunCause> {
         let domain = |guard: &Guard| {
             let Guard::Condition(k) = guard else { return None };
             if let Role::Domain(domain) = self.awaited.role(*k) { Some(domain) } else { None }
@@ -44,7 +44,7 @@ impl Driver<'_> {
     }
 
     /// Refuses a driven distance at zero or below, given what counts as zero.
-    pub(super) fn refuse_distances(&self, zero: f64) -> Result<(), RunCause> {
+    pub(in crate::simulation) fn refuse_distances(&self, zero: f64) -> Result<(), RunCause> {
         let (context, point) = (&self.setup.context, self.point());
         let is_below = |(k, domain): &(usize, &Domain)| {
             matches!(domain.of, Bounded::Distance(..))
@@ -55,7 +55,7 @@ impl Driver<'_> {
     }
 
     /// The cause of a failed step or of a singular loop may be a distance that vanishes; then that is the error.
-    pub(super) fn refuse_vanishing(&self) -> Result<(), RunCause> {
+    pub(in crate::simulation) fn refuse_vanishing(&self) -> Result<(), RunCause> {
         match self.setup.rules.domains.is_empty() {
             true => Ok(()),
             false => self.refuse_distances(VANISHED * self.setup.context.scales.length),

@@ -2,8 +2,6 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::Driver;
-use super::plan::split;
 use crate::contact::impulse::{Collision, CollisionError, Outcome, Row};
 use crate::contact::{ContactError, Struck, hinges, labels, singular};
 use crate::context::{Numbers, without_rounding};
@@ -11,8 +9,13 @@ use crate::event::detection::LOW;
 use crate::event::{EventKind, ImpactOrder, Note};
 use crate::model::{ContactSet, Layout, SlipState};
 use crate::simulation::RunCause;
+use crate::simulation::decide::Question;
+use crate::simulation::snapshot::{Snapshot, split};
 use crate::system::Equations;
-use crate::trajectory::{LogEntry, LoggedDecision};
+use crate::trajectory::LoggedDecision;
+
+/// An energy gained by less than this part of a natural one is rounding.
+const GAINED: f64 = 1e-12;
 
 /// What an impact does, what it may gain, J, and the contacts of which the order of simultaneous impacts matters.
 struct Impact {
@@ -21,14 +24,14 @@ struct Impact {
     order: Option<ImpactOrder>,
 }
 
-impl Driver<'_> {
+impl Snapshot<'_> {
     /// The impact of contacts whose gaps close.
     pub(super) fn resolve_impact(&mut self, closing: ContactSet) -> Result<(), RunCause> {
         if self.meets_smoothly(closing) {
             return self.meet(closing);
         }
-        let (before, found) = (self.closed, self.pre_impact());
-        self.take_hold(closing);
+        let (before, found) = (self.closed(), self.pre_impact());
+        self.contacts.take_hold(closing);
         let equations = self.setup.context.system().equations(&self.state);
         let present = self.present(closing, &equations);
         let Impact { outcome, allowed, order } = self.strike(present, &equations)?;
@@ -54,7 +57,7 @@ impl Driver<'_> {
     fn strike(&mut self, present: ContactSet, equations: &Equations<f64>) -> Result<Impact, RunCause> {
         let (rows, rates) = (self.rows(present), self.known_rates());
         if let Some(mut outcome) = self.single(&rows, equations, &rates) {
-            self.go_on(&rates, &mut outcome, present)?;
+            self.follow_impact(&rates, &mut outcome, present)?;
             return Ok(Impact { allowed: allowed_gain(equations.drift(), &outcome), outcome, order: None });
         }
         let collision = collision(equations, (&rates, DVector::zeros(rates.len())), rows);
@@ -69,23 +72,16 @@ impl Driver<'_> {
         if self.layout().has_hinges() { None } else { struck.outcome() }
     }
 
-    /// A note on an event of several struck contacts, and once for the same contacts in the log.
+    /// Logs the order of impacts that matters; a note on an event of several struck contacts.
     fn tell_order(&mut self, order: Option<ImpactOrder>, on_event: bool) -> Option<Note> {
         let order = order?;
-        let contacts = |order: &ImpactOrder| order.pairs.iter().map(|(pair, _)| *pair).collect::<Vec<_>>();
-        let is_same = |entry: &LogEntry| match &entry.decision {
-            LoggedDecision::ImpactOrder(known) => contacts(known) == contacts(&order),
-            _ => false,
-        };
-        if !self.trajectory.log.iter().any(is_same) {
-            self.log(LoggedDecision::ImpactOrder(order.clone()));
-        }
+        self.log(LoggedDecision::ImpactOrder(order.clone()));
         on_event.then_some(Note::ImpactOrder(order))
     }
 
     /// An impulse from outside.
     pub(super) fn apply_impulse(&mut self, applied: DVector<f64>, note: Note) -> Result<(), RunCause> {
-        let (before, found) = (self.closed, self.pre_impact());
+        let (before, found) = (self.closed(), self.pre_impact());
         let equations = self.setup.context.system().equations(&self.state);
         let present = self.present(ContactSet::EMPTY, &equations);
         let collision = collision(&equations, (&self.known_rates(), applied), self.rows(present));
@@ -108,12 +104,14 @@ impl Driver<'_> {
             let flight = self.bounces.heights.iter().find(|(contact, _)| *contact == i);
             flight.map_or(f64::INFINITY, |(_, height)| LOW * height).min(usual(i))
         };
-        let off = self.beyond_end().union(self.waiting());
+        let off = self.beyond_end().union(self.contacts.waiting());
         let zero = |i: &usize| {
-            equations.gap()[*i].abs() <= bound(*i) && !self.removed.contains(*i) && !off.contains(*i)
+            equations.gap()[*i].abs() <= bound(*i)
+                && !self.contacts.absent().contains(*i)
+                && !off.contains(*i)
         };
         let near = (0..self.layout().contacts.len()).filter(zero);
-        near.fold(self.closed.union(closing), ContactSet::with)
+        near.fold(self.closed().union(closing), ContactSet::with)
     }
 
     /// The collision of what is present, without an impulse from outside.
@@ -130,11 +128,12 @@ impl Driver<'_> {
     }
 
     fn rows(&self, present: ContactSet) -> Vec<Row> {
-        let (guides, slips) = (self.guides(), self.slip_states());
-        (0..self.layout().rows()).map(|row| self.part(row, (present, guides), &slips)).collect()
+        let (guides, slips) = (self.contacts.guides(), self.slip_states());
+        (0..self.layout().rows()).map(|row| self.row(row, (present, guides), &slips)).collect()
     }
 
-    fn part(&self, row: usize, (present, guides): (ContactSet, ContactSet), slips: &[SlipState<f64>]) -> Row {
+    fn row(&self, row: usize, (present, guides): (ContactSet, ContactSet), slips: &[SlipState<f64>]) -> Row {
+        let held = self.contacts.held();
         let (contacts, joints) = (self.layout().contacts.len(), self.layout().joints.len());
         if row >= contacts + joints {
             let of = self.layout().tangents[row - contacts - joints];
@@ -144,7 +143,7 @@ impl Driver<'_> {
             Row::Open
         } else if guides.contains(row) {
             Row::Guide
-        } else if row >= contacts || self.is_held(row) {
+        } else if row >= contacts || held.contains(row) {
             Row::TwoSided
         } else if present.contains(row) {
             Row::Contact { restitution: self.restitution(row), law: self.layout().contacts[row].law }
@@ -155,12 +154,22 @@ impl Driver<'_> {
 
     /// What holds both ways and bears a part of the impulses: guides, drives that have taken hold, held supports.
     pub(super) fn both_ways_struck(&self, outcome: &Outcome) -> ContactSet {
-        let held = self.held.difference(self.removed).union(self.guides());
+        let held = self.contacts.held().union(self.contacts.guides());
         held.iter().filter(|&i| outcome.impulses[i] != 0.0).collect()
     }
 
-    pub(super) fn restitution(&self, contact: usize) -> f64 {
-        self.setup.restitution.get(contact).copied().unwrap_or(0.0)
+    /// The part of a slip's row in a collision, with its μ.
+    pub(super) fn rubbing(&self, of: usize, entry: usize, mu: f64) -> Row {
+        let restitution = self.setup.restitution.get(self.layout().contacts.len() + entry);
+        Row::Friction { of, mu, restitution: restitution.copied().unwrap_or(0.0) }
+    }
+
+    /// The energy that a law of impact has gained by more than rounding, J.
+    pub(super) fn gained(&self, outcome: &Outcome) -> Option<f64> {
+        let scales = &self.setup.context.scales;
+        let natural = scales.force() * scales.length;
+        let rubs = self.layout().frictions.iter().any(|friction| outcome.impulses[friction.row] != 0.0);
+        Some(outcome.gained).filter(|gained| rubs && *gained > GAINED * natural)
     }
 
     /// What the collision does, and the phase that follows.
@@ -168,12 +177,17 @@ impl Driver<'_> {
         let most = self.setup.budget.trials;
         let answer = hinges::answer(self.setup.context.system(), &self.state, collision, most);
         let mut outcome = answer.map_err(|error| self.collision_error(error, present))?;
-        self.go_on(collision.rates.as_slice(), &mut outcome, present)?;
+        self.follow_impact(collision.rates.as_slice(), &mut outcome, present)?;
         Ok(outcome)
     }
 
     /// The state after an impact, exactly zero where contacts stay closed, and the phase that follows.
-    fn go_on(&mut self, before: &[f64], outcome: &mut Outcome, present: ContactSet) -> Result<(), RunCause> {
+    fn follow_impact(
+        &mut self,
+        before: &[f64],
+        outcome: &mut Outcome,
+        present: ContactSet,
+    ) -> Result<(), RunCause> {
         self.round_openings(before, outcome);
         if !outcome.unique {
             self.log(LoggedDecision::ImpulsesNotUnique);
@@ -203,16 +217,16 @@ impl Driver<'_> {
     /// Records what an impact has opened: undecided where a contact that it leaves at rest opens by an acceleration that the rounding of
     /// the pose makes of zero.
     fn record_rebounds(&mut self, before: ContactSet, outcome: &Outcome) {
-        let recorded = self.trajectory.events.len();
+        let recorded = self.told.events.len();
         self.record_changes(before);
         let rests = |i: &usize| outcome.opening[*i] == 0.0;
-        let opened: ContactSet = before.difference(self.closed).iter().filter(rests).collect();
+        let opened: ContactSet = before.difference(self.closed()).iter().filter(rests).collect();
         if opened.is_empty() {
             return;
         }
         let (context, layout) = (&self.setup.context, self.layout());
         let scales = context.scales.moving_at(layout, &self.state[context.rates()]);
-        let a = self.accelerations(&self.state, self.bearing);
+        let a = self.accelerations(&self.state, self.bearing());
         let equations = context.system().equations(&self.state);
         let rounded = |i: usize| {
             let unit = scales.acceleration() * layout.unit(i, scales.length) / scales.length;
@@ -225,15 +239,12 @@ impl Driver<'_> {
 
     /// Continues with these rates and contacts.
     pub(super) fn proceed(&mut self, rates: &DVector<f64>, touching: ContactSet) -> Result<(), RunCause> {
-        let touching = touching.union(self.guides());
-        let n = rates.len();
-        let rounding = self.rounding_of_the_way();
+        let touching = touching.union(self.contacts.guides());
+        let (n, rounding) = (rates.len(), self.rounding_of_the_way());
         self.state[n..2 * n].copy_from_slice(rates.as_slice());
-        self.is_struck = true;
-        self.restore(touching, rounding)?;
-        self.keep_last();
-        (self.touching, self.sensed) = (touching, ContactSet::EMPTY);
-        self.decide(ContactSet::EMPTY)
+        self.onset.is_struck = true;
+        (self.state, _) = self.restored(touching, rounding, false)?;
+        self.go_on(Question::about(touching))
     }
 
     pub(super) fn collision_error(&self, error: CollisionError, present: ContactSet) -> RunCause {

@@ -1,39 +1,42 @@
 //! Conditions that become true by a jump: impacts change rates, and a change of contacts, springs or loads changes accelerations and
 //! reactions, at once. An equation is met by no jump: what passes a value without having it does not have it.
 
-use super::{Driver, Next};
+use super::Next;
 use crate::event::{EventKind, Guard, Note};
 use crate::expression::Relation;
-use crate::integration::phase_point::PhasePoint;
-use crate::model::{ContactSet, Form};
+use crate::model::ContactSet;
 use crate::simulation::RunCause;
 use crate::simulation::awaited::Role;
-use crate::trajectory::RecordedPhase;
+use crate::simulation::snapshot::Snapshot;
 
 /// Of a jump this part is rounding.
 const ROUNDED: f64 = 1e-9;
 
 /// What conditions are about before an event.
-pub(super) struct Before {
+pub(crate) struct Before {
     /// How far each condition holds: above 0 where it does.
     margins: Vec<Option<f64>>,
     state: Vec<f64>,
     closed: ContactSet,
 }
 
-impl Driver<'_> {
+impl Snapshot<'_> {
     /// What is to be compared with what an event leaves; nothing where no condition can jump.
-    pub(super) fn before_event(&self) -> Option<Before> {
+    pub(in crate::simulation) fn before_event(&self) -> Option<Before> {
         let jumps = self.awaited.conditions.iter().any(|condition| condition.relation() != Relation::Equal);
-        jumps.then(|| Before { margins: self.margins(), state: self.state.clone(), closed: self.closed })
+        jumps.then(|| Before { margins: self.margins(), state: self.state.clone(), closed: self.closed() })
     }
 
     /// Does what conditions ask for that the event has made true. Those that it was the root of are done with.
-    pub(super) fn follow_jumps(&mut self, before: Option<Before>, roots: &[Guard]) -> Result<Next, RunCause> {
+    pub(in crate::simulation) fn follow_jumps(
+        &mut self,
+        before: Option<Before>,
+        roots: &[Guard],
+    ) -> Result<Next, RunCause> {
         let Some(before) = before else { return Ok(Next::Continue) };
         let is_root = |k: &usize| roots.contains(&Guard::Condition(*k));
         let mut done: Vec<usize> = self.awaited.places().filter(is_root).collect();
-        while self.state != before.state || self.closed != before.closed {
+        while self.state != before.state || self.closed() != before.closed {
             let margins = self.margins();
             let met = (0..margins.len()).find(|k| {
                 let (Some(from), Some(to)) = (before.margins[*k], margins[*k]) else { return false };
@@ -62,12 +65,6 @@ impl Driver<'_> {
             _ => None,
         };
         done.iter().any(|&k| k == condition || switch(k).is_some() && switch(k) == switch(condition))
-    }
-
-    /// The motion as it is, for conditions to be read at.
-    pub(super) fn point(&self) -> PhasePoint {
-        let phase = self.setup.context.phase(self.bearing, Form::Projected);
-        RecordedPhase::still((phase, self.closed), self.t, &self.state).at(self.t)
     }
 
     /// How far each condition holds; nothing of equations.
