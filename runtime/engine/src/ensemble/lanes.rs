@@ -20,16 +20,14 @@ const FIRST: f64 = 0.1;
 
 /// Whether the run can have no event before its end, would use Taylor's method by itself too, and nothing else may end it.
 pub(super) fn is_smooth(simulation: &Simulation) -> bool {
-    let Simulation {
-        context, plan, conditions, event_filters, form, method, tolerance, budget, cancel, ..
-    } = simulation;
+    let Simulation { context, plan, ends, form, method, tolerance, budget, cancel, .. } = simulation;
     let layout = context.layout();
     layout.contacts.is_empty()
         && layout.joints.is_empty()
         && !context.scales.damped
         && plan.is_empty()
-        && conditions.is_empty()
-        && event_filters.is_empty()
+        && ends.conditions.is_empty()
+        && ends.events.is_empty()
         && *budget == Budget::default()
         && cancel.is_none()
         && *form == Form::Closed

@@ -26,7 +26,7 @@ pub(super) struct Awaited {
 impl Awaited {
     /// All that a simulation waits for.
     pub(super) fn from_setup(setup: &Simulation) -> Self {
-        let stops = setup.conditions.iter().map(|condition| (condition, Role::Stop));
+        let stops = setup.ends.conditions.iter().map(|condition| (condition, Role::Stop));
         let planned = setup.plan.iter().enumerate().filter_map(|(entry, planned)| match &planned.when {
             Trigger::If(condition) => Some((condition, Role::Planned(entry))),
             Trigger::At(_) => None,

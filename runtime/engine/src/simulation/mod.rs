@@ -61,17 +61,24 @@ pub struct Simulation {
     pub(crate) held: ContactSet,
     pub(crate) restitution: Vec<f64>,
     pub(crate) plan: Vec<Scheduled>,
-    pub(crate) conditions: Vec<Condition>,
     pub(crate) rules: Arc<Rules>,
-    /// Events that end the run once all of them have happened.
-    pub(crate) event_filters: Vec<EventFilter>,
-    pub(crate) stops_at_impacts: bool,
-    /// The latest end, if one is given.
-    limit: Option<f64>,
+    pub(crate) ends: Ends,
     pub(crate) form: Form,
     pub(crate) method: Arc<dyn Method>,
     pub(crate) cancel: Option<Arc<AtomicBool>>,
     pub(crate) budget: Budget,
+}
+
+/// What ends a run.
+#[derive(Clone, Default)]
+pub(crate) struct Ends {
+    pub(crate) conditions: Vec<Condition>,
+    /// Events that end it once all of them have happened.
+    pub(crate) events: Vec<EventFilter>,
+    /// Whether any impact does.
+    pub(crate) at_impacts: bool,
+    /// The latest end, if one is given.
+    limit: Option<f64>,
 }
 
 /// A start that was asked for, and what it is at the tolerance set then.
@@ -103,11 +110,8 @@ impl Simulation {
             held: ContactSet::EMPTY,
             restitution,
             plan: Vec::new(),
-            conditions: Vec::new(),
             rules: Arc::new(rules),
-            event_filters: Vec::new(),
-            stops_at_impacts: false,
-            limit: None,
+            ends: Ends::default(),
             form: Form::Closed,
             method: Arc::new(Auto),
             cancel: None,
@@ -315,7 +319,7 @@ impl Simulation {
     /// Ends the run where a contact closes, before the impact; the event is [`EventKind::Close`](crate::EventKind).
     #[must_use]
     pub fn stop_at_impacts(mut self) -> Self {
-        self.stops_at_impacts = true;
+        self.ends.at_impacts = true;
         self
     }
 
@@ -326,14 +330,14 @@ impl Simulation {
         if condition.time(&self.context.model.parameters).is_some_and(|at| at.is_nan() || at <= 0.0) {
             return Err(OutputError::Constant { condition: condition.to_string() });
         }
-        self.conditions.push(condition);
+        self.ends.conditions.push(condition);
         Ok(self)
     }
 
     /// Ends the run once an event of this kind has happened to this support, `Ladder::B` or `"B"`, or to any with `None`; where
     /// several are asked for, once each of them has. That event is the last of the run.
     pub fn until_event(mut self, kind: EventKind, support: impl ContactFilter) -> Result<Self, SupportError> {
-        self.event_filters.push(EventFilter::of(self.layout(), kind, support)?);
+        self.ends.events.push(EventFilter::of(self.layout(), kind, support)?);
         Ok(self)
     }
 
@@ -341,13 +345,13 @@ impl Simulation {
     /// are high; so much after the last planned impulse or removal if that is later; and no sooner than a time that ends the run.
     #[must_use]
     pub fn limit(mut self, time: f64) -> Self {
-        self.limit = Some(time);
+        self.ends.limit = Some(time);
         self
     }
 
     /// When the run ends at the latest.
     pub fn time_limit(&self) -> f64 {
-        self.limit.unwrap_or_else(|| {
+        self.ends.limit.unwrap_or_else(|| {
             let natural = LIMIT * self.context.scales.time;
             let planned = self.plan.iter().filter_map(|planned| match planned.when {
                 Trigger::At(at) => Some(at),
@@ -361,7 +365,7 @@ impl Simulation {
 
     /// The given times that end the run.
     pub(crate) fn stops(&self) -> impl Iterator<Item = f64> {
-        self.conditions.iter().filter_map(|condition| condition.time(&self.context.model.parameters))
+        self.ends.conditions.iter().filter_map(|condition| condition.time(&self.context.model.parameters))
     }
 
     /// Integrates every phase in this form where it has it; [`Form::Projected`] exists for all.

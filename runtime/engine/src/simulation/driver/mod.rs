@@ -259,7 +259,7 @@ impl<'a> Driver<'a> {
 
     /// Whether all events have happened that the run was to wait for.
     fn has_seen_enough(&self) -> bool {
-        let (awaited, events) = (&self.setup.event_filters, &self.trajectory.events);
+        let (awaited, events) = (&self.setup.ends.events, &self.trajectory.events);
         !awaited.is_empty() && awaited.iter().all(|awaited| events.iter().any(|event| awaited.is(event)))
     }
 
@@ -342,7 +342,7 @@ impl<'a> Driver<'a> {
     fn show_events(&mut self, ends: bool) {
         let events = &mut self.trajectory.events;
         while let Some(event) = events.get(self.shown) {
-            let is_awaited = || self.setup.event_filters.iter().any(|awaited| awaited.is(event));
+            let is_awaited = || self.setup.ends.events.iter().any(|awaited| awaited.is(event));
             let is_kept = ends || self.shown == 0 || is_awaited();
             if self.observer.happened(event) && !is_kept {
                 events.remove(self.shown);

@@ -61,17 +61,12 @@ impl Snapshot<'_> {
 
     /// Logs the conditions that are to end the run and hold at its start.
     fn tell_met(&mut self) {
-        if self.setup.conditions.is_empty() {
+        let conditions = &self.setup.ends.conditions;
+        if conditions.is_empty() {
             return;
         }
         let (context, point) = (&self.setup.context, self.point());
-        let met: Vec<Condition> = self
-            .setup
-            .conditions
-            .iter()
-            .filter(|condition| condition.holds(context, &point))
-            .cloned()
-            .collect();
+        let met: Vec<Condition> = conditions.iter().filter(|it| it.holds(context, &point)).cloned().collect();
         met.into_iter().for_each(|condition| self.log(LoggedDecision::ConditionHolds(condition)));
     }
 

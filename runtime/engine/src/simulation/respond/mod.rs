@@ -57,7 +57,7 @@ impl Snapshot<'_> {
             return Ok(Next::Continue);
         }
         let met = |c: &&Condition| c.time(&self.setup.context.model.parameters) == Some(self.t);
-        let note = self.setup.conditions.iter().find(met).cloned().map(Note::Condition);
+        let note = self.setup.ends.conditions.iter().find(met).cloned().map(Note::Condition);
         self.record(EventKind::Stop, ContactSet::EMPTY, note);
         Ok(Next::Finished)
     }
@@ -118,7 +118,7 @@ impl Snapshot<'_> {
 
     /// Of the contacts that close those that end the run.
     pub(in crate::simulation) fn terminal(&self, closing: ContactSet) -> ContactSet {
-        let stops = |i: &usize| self.setup.stops_at_impacts || self.layout().contacts[*i].stop;
+        let stops = |i: &usize| self.setup.ends.at_impacts || self.layout().contacts[*i].stop;
         if closing.iter().any(|i| stops(&i)) { closing } else { ContactSet::EMPTY }
     }
 
