@@ -12,13 +12,14 @@
 //! 10. [`orbits`]: motions that repeat, their multipliers, branches of them.
 //! 11. [`boundaries`]: where in a plane of parameters something else happens first.
 //! 12. [`methods`]: choosing a method of integration, a tolerance, a way of running.
-//! 13. [`without_a_compiler`]: files run at once, a page that follows them, the browser.
-//! 14. [`python`]: the same from Python, as arrays, in notebooks.
-//! 15. [`other_programs`]: tables as Parquet and Arrow, the equations as sources for SymPy, models as functional mock-up units.
-//! 16. [`vocabulary`]: what to do when a system needs more than there is a word for.
-//! 17. [`promises`]: what is promised, how it is tested, what is not promised, and what was measured.
-//! 18. [`performance`]: accuracy, speed and cost, each with the command that measures it.
-//! 19. [`architecture`]: how the source is laid out, and what holds everywhere in it.
+//! 13. [`tolerances`]: what follows the tolerance, and what does not.
+//! 14. [`without_a_compiler`]: files run at once, a page that follows them, the browser.
+//! 15. [`python`]: the same from Python, as arrays, in notebooks.
+//! 16. [`other_programs`]: tables as Parquet and Arrow, the equations as sources for SymPy, models as functional mock-up units.
+//! 17. [`vocabulary`]: what to do when a system needs more than there is a word for.
+//! 18. [`promises`]: what is promised, how it is tested, what is not promised, and what was measured.
+//! 19. [`performance`]: accuracy, speed and cost, each with the command that measures it.
+//! 20. [`architecture`]: how the source is laid out, and what holds everywhere in it.
 
 #[doc = include_str!("architecture.md")]
 pub mod architecture {}
@@ -53,6 +54,8 @@ pub mod promises {}
 pub mod python {}
 #[doc = include_str!("sensitivities.md")]
 pub mod sensitivities {}
+#[doc = include_str!("tolerances.md")]
+pub mod tolerances {}
 #[doc = include_str!("tutorial.md")]
 pub mod tutorial {}
 #[doc = include_str!("vocabulary.md")]

@@ -9,13 +9,14 @@ use nalgebra::DMatrix;
 
 use super::problem::AssemblyProblem;
 use crate::numerics::decomposition::{singular_values, svd};
+use crate::numerics::zero::roundoff;
 
 /// A singular value below this is that of a fold nearby, in natural units.
 const FLAT: f64 = 1e-6;
 /// Half the span of the difference that gives the curvature.
 const SPAN: f64 = 1e-4;
 /// Gaps with this many roundings are closed at the fold as well as beside it.
-const ROUNDED: f64 = 4.0 * f64::EPSILON;
+const ROUNDED: f64 = roundoff(4.0);
 
 /// Moves what was left open onto a fold of the closed rows, if that is within the rounding of their gaps.
 pub(super) fn settle_on_fold(

@@ -7,10 +7,11 @@ use super::StartError;
 use crate::context::{CLOSED, RunContext};
 use crate::expression::Switches;
 use crate::model::{Contact, ContactKind, ContactSet, Layout};
+use crate::numerics::zero::roundoff;
 use crate::system::Equations;
 
 /// Roundoff of a foot's distance from the end of its bar, in natural lengths.
-const ROUNDED: f64 = 16.0 * f64::EPSILON;
+const ROUNDED: f64 = roundoff(16.0);
 
 /// A model with its nominal figure.
 pub(super) struct AssemblyProblem<'a> {

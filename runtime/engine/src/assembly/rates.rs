@@ -10,13 +10,12 @@ use crate::assembly::StartError;
 use crate::context::{CLOSED, Scales};
 use crate::model::ContactSet;
 use crate::numerics::decomposition::svd;
+use crate::numerics::zero::SOLVED;
 use crate::system::Equations;
 
 /// Rows of J below this, in natural units, are those of a singular position: at a fold the gap is quadratic in the position, so
 /// that a gap closed within [`CLOSED`] leaves position and J unknown by the square root of that.
 const SINGULAR: f64 = 1e-5;
-/// Part of what is largest, in natural units, below which nothing is resolved.
-const NEGLIGIBLE: f64 = 1e-12;
 
 /// M, J and ∂g/∂t: contacts, then joints.
 struct Rows {
@@ -147,7 +146,7 @@ fn least(rows: &Rows, closed: &[usize], given: &[Option<f64>], inertias: &[f64])
     let balance = balance(&matrix, &inertias);
     let balanced = DMatrix::from_fn(f + c, f + c, |i, j| matrix[(i, j)] * balance[i] * balance[j]);
     let scaled = right.component_mul(&balance);
-    if let Ok(x) = svd(balanced).solve(&scaled, NEGLIGIBLE) {
+    if let Ok(x) = svd(balanced).solve(&scaled, SOLVED) {
         for (k, &i) in free.iter().enumerate() {
             u[i] = x[k] * balance[k];
         }
@@ -162,7 +161,7 @@ fn balance(matrix: &DMatrix<f64>, inertias: &[f64]) -> DVector<f64> {
     let mut balance = DVector::from_element(matrix.nrows(), 1.0);
     for (j, &natural) in inertias.iter().enumerate() {
         let own = matrix[(j, j)];
-        let inertia = if own > NEGLIGIBLE * natural { own } else { natural };
+        let inertia = if own > SOLVED * natural { own } else { natural };
         if inertia > 0.0 {
             balance[j] = 1.0 / inertia.sqrt();
         }

@@ -14,13 +14,14 @@ use crate::context::{CLOSED, Numbers, RunContext};
 use crate::integration::chart;
 use crate::model::{ContactSet, Form};
 use crate::numerics::decomposition::svd;
+use crate::numerics::zero::roundoff;
 use crate::system::Phase;
 use smallvec::smallvec;
 
 /// Corrections, each of which squares the error.
 const CORRECTIONS: usize = 3;
 /// What is given is met within a rounding.
-const ROUNDED: f64 = f64::EPSILON;
+const ROUNDED: f64 = roundoff(1.0);
 /// The largest correction, in natural units, is some square root of a rounding.
 const NEAR: f64 = 1e-6;
 /// Half the span of central differences, in natural units: nearer than where a branch may end.

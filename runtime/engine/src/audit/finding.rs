@@ -5,13 +5,11 @@ use core::fmt;
 use crate::context::Scales;
 use crate::integration::singular::ACROSS;
 use crate::model::Energy;
+use crate::numerics::zero::SOLVED;
 use crate::trajectory::{LogEntry, LoggedDecision};
 
 /// Energies and speeds below this part of natural ones are those of bodies at rest: their rounding is not theirs.
 pub(super) const SMALL: f64 = 1e-3;
-
-/// Rounding of a state where a small pivot or the Jacobian of a flat gap multiplies it.
-const ROUNDED: f64 = 1e-12;
 
 /// The part of an energy that many steps may change together.
 const LARGEST: f64 = 0.1;
@@ -93,7 +91,7 @@ pub(crate) struct Bounds {
 
 impl Bounds {
     pub(crate) fn of(tolerance: f64, steps: u64) -> Self {
-        Self { error: tolerance.max(ROUNDED), steps: steps as f64, passages: 0.0 }
+        Self { error: tolerance.max(SOLVED), steps: steps as f64, passages: 0.0 }
     }
 
     /// The same with singular positions of loops passed by that logged them.

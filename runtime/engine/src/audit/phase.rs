@@ -8,10 +8,11 @@ use crate::event::detection::Guard;
 use crate::expression::Variable;
 use crate::integration::phase_point::PhasePoint;
 use crate::model::{ContactSet, Energy};
+use crate::numerics::zero::roundoff;
 use crate::trajectory::{LoggedDecision, RecordedPhase, Trajectory, Work, blur};
 
 /// Roundings of the terms of the equations in a step.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
+const ROUNDING: f64 = roundoff(16.0);
 /// Halvings of the time in which a gap becomes negative.
 const HALVINGS: usize = 40;
 

@@ -1,10 +1,7 @@
 //! Independent vectors with their orthonormal basis, N = Q R, one added or removed at a time.
 
+use crate::numerics::zero::RANK;
 use nalgebra::DVector;
-
-/// A vector whose part that is independent of others is smaller than this, relative to its length, depends on them: rounding
-/// of what states are known to, from which directions follow.
-const DEPENDENT: f64 = 1e-10;
 
 /// Independent unit vectors, each with the name of its row.
 #[derive(Default)]
@@ -24,7 +21,7 @@ pub(super) struct Split {
 
 impl Split {
     pub(super) fn depends(&self) -> bool {
-        self.independent.norm() <= DEPENDENT
+        self.independent.norm() <= RANK
     }
 }
 
@@ -59,7 +56,7 @@ impl ActiveRows {
     pub(super) fn push(&mut self, row: usize, vector: &DVector<f64>) -> bool {
         let Split { independent, mut along } = self.split(vector);
         let length = independent.norm();
-        if length <= DEPENDENT {
+        if length <= RANK {
             return false;
         }
         along.push(length);

@@ -5,12 +5,8 @@ use nalgebra::DMatrix;
 
 use crate::model::{ContactSet, Friction, Layout};
 use crate::numerics::decomposition::{parts, svd};
+use crate::numerics::zero::{MARGIN, RANK};
 use crate::system::System;
-
-/// A singular value below this part of the largest is zero.
-const DEPENDENT: f64 = 1e-10;
-/// A row has a part in reactions that move nothing above this.
-const PART: f64 = 1e-6;
 
 /// The rows of closed contacts, with the tangents of those that slide, and of joints.
 pub(super) struct ClosedRows {
@@ -78,11 +74,11 @@ impl ClosedRows {
         let mut padded = DMatrix::zeros(k.max(n), k);
         padded.rows_mut(0, n).copy_from(&self.jacobian.transpose());
         let svd = svd(padded);
-        let least = DEPENDENT * svd.singular_values.amax();
+        let least = RANK * svd.singular_values.amax();
         let Some(v) = svd.v_t else { return vec![false; k] };
         let free = (0..k).filter(|&i| svd.singular_values[i] <= least);
         let free: Vec<usize> = free.collect();
         let is_zero = |row: usize| self.jacobian.row(row).amax() == 0.0;
-        (0..k).map(|row| !is_zero(row) && free.iter().any(|&i| v[(i, row)].abs() > PART)).collect()
+        (0..k).map(|row| !is_zero(row) && free.iter().any(|&i| v[(i, row)].abs() > MARGIN)).collect()
     }
 }

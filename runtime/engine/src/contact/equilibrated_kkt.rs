@@ -9,19 +9,13 @@ use super::least_constraint::LeastConstraint;
 use super::trials::LcpError;
 use crate::model::Layout;
 use crate::numerics::decomposition::{self, parts};
-
-/// Rounding allowed in reactions and openings of the balanced problem, relative to its right-hand side: the unit
-/// roundoff and a condition number of some thousands.
-const ROUNDING: f64 = 1e-12;
+use crate::numerics::zero::{MARGIN, SOLVED};
 
 /// The scale of a tangent is at most so many times that of its normal.
 const WEAK: f64 = 1e3;
 
 /// Steps of iterative refinement at most, as long as they lessen the residual: the decomposition rounds more than the solution has to.
 const REFINEMENTS: usize = 4;
-
-/// A matrix is regular if its least pivot is more than this part of the largest.
-const REGULAR: f64 = 1e-6;
 
 /// A coordinate has a part in a motion of which its rate is this part of the largest.
 const SHARE: f64 = 0.1;
@@ -70,7 +64,7 @@ impl EquilibratedKkt {
         let matrix = DMatrix::from_fn(n + rows, n + rows, |i, j| matrix[(i, j)] * scale[i] * scale[j]);
         let parts = parts(&matrix);
         let size = stacked(force_size, bias_size, 1.0);
-        let tolerance = ROUNDING * largest_in_part(&parts, &size);
+        let tolerance = SOLVED * largest_in_part(&parts, &size);
         Self { n, matrix, right: stacked(force, bias, -1.0), parts, tolerance, scale, size, layout: None }
     }
 
@@ -95,7 +89,7 @@ impl EquilibratedKkt {
             }
         }
         if any {
-            self.tolerance = ROUNDING * largest_in_part(&self.parts, &self.size);
+            self.tolerance = SOLVED * largest_in_part(&self.parts, &self.size);
         }
     }
 
@@ -214,7 +208,7 @@ impl EquilibratedKkt {
 /// hardly less than the least pivot.
 fn is_regular(lu: &FullPivLU<f64, Dyn, Dyn>) -> bool {
     let pivots = lu.u().diagonal().abs();
-    pivots.min() > REGULAR * pivots.max()
+    pivots.min() > MARGIN * pivots.max()
 }
 
 /// The solution by what inverts the matrix, refined, and what is left of the right-hand side.

@@ -8,6 +8,7 @@ use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
 
 use crate::model::Law;
+use crate::numerics::zero::SOLVED;
 
 /// What a row of the Jacobian is during the collision.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -139,7 +140,7 @@ impl Collision {
     /// ġ⁻ of every row; exactly zero where it is zero but for the rounding of its terms.
     pub fn approach(&self) -> DVector<f64> {
         let (value, size) = (self.speed(&self.rates), self.speed_size());
-        value.zip_map(&size, |x, size| if x.abs() <= ROUNDING * size { 0.0 } else { x })
+        value.zip_map(&size, |x, size| if x.abs() <= SOLVED * size { 0.0 } else { x })
     }
 
     /// ġ of every row at the rates `u`.
@@ -208,9 +209,6 @@ pub(super) fn is_open(rows: &[Row], row: &Row) -> bool {
         Row::TwoSided | Row::Contact { .. } | Row::Guide => false,
     }
 }
-
-/// Rounding of a sum relative to the size of its terms, with a margin for what was computed before.
-const ROUNDING: f64 = 1e-12;
 
 #[cfg(test)]
 mod tests;

@@ -7,9 +7,7 @@ use nalgebra::DVector;
 use super::equilibrated_kkt::EquilibratedKkt;
 use super::impulse::{Collision, Row};
 use super::least_constraint::LeastConstraint;
-
-/// A cosine below this is zero but for rounding.
-const ROUNDING: f64 = 1e-12;
+use crate::numerics::zero::SOLVED;
 
 impl Collision {
     /// The kinetic angle (rad) of two contacts where it is not a right one. `None` also where it is not determined: a
@@ -34,7 +32,7 @@ impl Collision {
         for (k, (a, one)) in directions.iter().enumerate() {
             for (b, other) in &directions[k + 1..] {
                 let cosine = -one.dot(other);
-                if cosine.abs() > ROUNDING {
+                if cosine.abs() > SOLVED {
                     pairs.push(([*a, *b], cosine.clamp(-1.0, 1.0).acos()));
                 }
             }
@@ -44,7 +42,7 @@ impl Collision {
 
     /// Whether the mass matrix couples two of the directions that [`free_directions`](LeastConstraint::free_directions) gives.
     pub(super) fn are_coupled(one: &DVector<f64>, other: &DVector<f64>) -> bool {
-        one.dot(other).abs() > ROUNDING
+        one.dot(other).abs() > SOLVED
     }
 
     /// Rows that hold both ways whatever the contacts do.

@@ -10,13 +10,10 @@ pub(crate) mod slider;
 use super::{ContactProblem, ContactSolution};
 use crate::context::{Numbers, RunContext, reactions_of};
 use crate::model::ContactSet;
+use crate::numerics::zero::{MARGIN, SOLVED};
 use crate::system::Phase;
 use smallvec::smallvec;
 
-/// A reaction, or its change in one natural time, is clearly nonzero above this fraction of the natural force.
-const CLEAR: f64 = 1e-6;
-/// A reaction of a closed form is rounding below this fraction of the natural force.
-const ROUNDING: f64 = 1e-12;
 /// Half the span of the central difference for the rate of a reaction, in natural times; its relative error is the square of
 /// that.
 const SPAN: f64 = 1e-4;
@@ -44,7 +41,7 @@ pub(crate) fn decide(
     let mut reactions = solve_after(0.0)?;
     // Where nothing was located, the state is exact, and what a closed form gives has the rounding of its terms.
     let is_exact = reduced.is_some() && question.unloaded.is_empty();
-    let clear = if is_exact { ROUNDING } else { CLEAR } * context.scales.force();
+    let clear = if is_exact { SOLVED } else { MARGIN } * context.scales.force();
     let asked = question.touching.iter().filter(|&i| !question.held.contains(i));
     let mut bearing = asked.filter(|&i| !question.unloaded.contains(i));
     if !bearing.all(|i| reactions[i] > clear) {

@@ -17,6 +17,7 @@ use super::equilibrated_kkt::EquilibratedKkt;
 use crate::context::{Numbers, slips};
 use crate::model::{ContactSet, Side, Slip};
 use crate::numerics::decomposition::svd;
+use crate::numerics::zero::roundoff;
 use crate::system::System;
 
 /// Newton steps at most.
@@ -26,7 +27,7 @@ const SOLVED: f64 = 1e-13;
 /// Halvings of a step.
 const HALVINGS: usize = 40;
 /// A step that lowers the dual by less than this part of its terms is as good as its rounding lets it be told.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
+const ROUNDING: f64 = roundoff(16.0);
 
 /// A factor of K that is not all of its space, with the places of its rows.
 #[derive(Debug, Clone, Copy)]

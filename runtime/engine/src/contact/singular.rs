@@ -6,11 +6,8 @@ use super::equations::Equations;
 use super::equilibrated_kkt::EquilibratedKkt;
 use super::{ContactError, labels};
 use crate::model::{ContactSet, MeasureKind};
+use crate::numerics::zero::MARGIN;
 use crate::system::{Model, System};
-
-/// det M of the matrix with a diagonal of ones above which its least eigenvalue, no less than det M/e, leaves the accelerations
-/// more than half of their digits.
-const DEFINITE: f64 = 1e-6;
 
 /// The error that names a state where the accelerations with these contacts closed are all but undetermined.
 pub(crate) fn refuse_singular(model: &Model, state: &[f64], closed: ContactSet) -> Result<(), ContactError> {
@@ -43,7 +40,8 @@ pub(crate) fn are_determined(system: &dyn System, state: &[f64]) -> bool {
     let n = equations.force().len();
     let inertia = |i: usize| equations.mass(i)[i].sqrt();
     let balanced = DMatrix::from_fn(n, n, |i, j| equations.mass(i)[j] / (inertia(i) * inertia(j)));
-    Cholesky::new(balanced).is_some_and(|factor| factor.determinant() > DEFINITE)
+    // The least eigenvalue of a matrix with a diagonal of ones is no less than det M/e.
+    Cholesky::new(balanced).is_some_and(|factor| factor.determinant() > MARGIN)
 }
 
 /// The coordinates whose accelerations are all but undetermined with these contacts closed.

@@ -22,6 +22,7 @@ use super::ContactProblem;
 use crate::context::RunContext;
 use crate::model::ContactSet;
 use crate::numerics::decomposition;
+use crate::numerics::zero::{MARGIN, roundoff};
 use crate::scalar::Jet;
 use crate::system::{Equations, TIME_ORDERS, TimeSeries};
 
@@ -31,9 +32,7 @@ const SLIGHT: f64 = 1e-3;
 const ROUNDING: f64 = 1e-9;
 
 /// A slope up to this part of the curvature is the rounding of a position, and holds nothing.
-const NO_SLOPE: f64 = 16.0 * f64::EPSILON;
-/// A motion along which a gap falls is one from this part of natural rates and accelerations on.
-const CLEAR: f64 = 1e-6;
+const NO_SLOPE: f64 = roundoff(16.0);
 
 /// The touching contacts whose gaps are stationary here.
 #[derive(Debug, Default)]
@@ -125,7 +124,7 @@ impl StationaryGaps {
         let motions = [natural(&state[n..2 * n], time), natural(accelerations, time * time)];
         let falls = |hessian: &DMatrix<f64>| {
             let along =
-                |motion: &DVector<f64>| motion.dot(&(hessian * motion)) < -CLEAR * CLEAR * hessian.amax();
+                |motion: &DVector<f64>| motion.dot(&(hessian * motion)) < -MARGIN * MARGIN * hessian.amax();
             motions.iter().any(along)
         };
         self.greatest.iter().filter(|(_, hessian)| falls(hessian)).map(|(i, _)| *i).collect()

@@ -13,6 +13,7 @@ use std::sync::Arc;
 use smallvec::SmallVec;
 
 use crate::model::{ContactSet, DependentAngle, Form, Layout};
+use crate::numerics::zero::roundoff;
 use crate::system::{Equations, Model, Phase, System};
 
 /// A gap below this, relative to the natural length, is closed; a rate likewise, relative to the natural speed.
@@ -20,7 +21,7 @@ use crate::system::{Equations, Model, Phase, System};
 pub(crate) const CLOSED: f64 = 1e-10;
 
 /// A value below this part of its natural unit is what the rounding of a state makes of zero.
-const STILL: f64 = 16.0 * f64::EPSILON;
+const STILL: f64 = roundoff(16.0);
 
 /// A rate or impulse, or zero where it is no more than rounding makes of zero in its unit: that would open a contact at rest which has
 /// nothing to do with it.
@@ -32,7 +33,7 @@ pub(crate) fn without_rounding(value: f64, unit: f64) -> f64 {
 pub(crate) type Numbers = SmallVec<[f64; 16]>;
 
 /// So many roundings of the coordinates are no gap, and of the way that they have come: each is that of some steps.
-pub(crate) const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
+pub(crate) const ROUNDINGS: f64 = roundoff(64.0);
 /// What moves a gap by more than so many units of a coordinate, of each, is not expected.
 const LEVER: f64 = 16.0;
 

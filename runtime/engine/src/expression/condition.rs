@@ -12,9 +12,10 @@ use crate::context::RunContext;
 use crate::error::OutputError;
 use crate::integration::phase_point::PhasePoint;
 use crate::model::Layout;
+use crate::numerics::zero::roundoff;
 
 /// Of the size of two sides, what they may differ by where they are equal.
-const ROUNDED: f64 = 64.0 * f64::EPSILON;
+const ROUNDED: f64 = roundoff(64.0);
 
 /// A condition on a motion; it is met when it becomes true, not where a run starts with it.
 ///

@@ -1,10 +1,11 @@
 //! Interval arithmetic: bounds of a function over all arguments in an interval (Moore, Kearfott and Cloud, *Introduction to
 //! Interval Analysis*, 2009). Bounds are rounded outwards.
 
+use crate::numerics::zero::roundoff;
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Roundings that one operation may have made, relative.
-const ROUNDING: f64 = 4.0 * f64::EPSILON;
+const ROUNDING: f64 = roundoff(4.0);
 
 /// All numbers from `low` to `high`.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -8,9 +8,10 @@ use super::environment::{Environment, Variable};
 use super::tree::{Function, Operator};
 use crate::context::RunContext;
 use crate::integration::phase_point::PhasePoint;
+use crate::numerics::zero::roundoff;
 
 /// Rounding of what is read of a motion: it comes from some operations.
-const READ: f64 = 32.0 * f64::EPSILON;
+const READ: f64 = roundoff(32.0);
 
 /// A number and what it may be off by.
 #[derive(Debug, Clone, Copy)]

@@ -1,13 +1,14 @@
 //! Decompositions that come to an end, with what rounding allows: nalgebra's own turn for ever on entries that are not finite, and
 //! now and then leave an error in singular values. A matrix that is not finite counts as zero, so that what is asked of it is singular.
 
+use crate::numerics::zero::roundoff;
 use nalgebra::{Complex, DMatrix, DVector, Dyn, SVD, Schur, SymmetricEigen};
 
 /// A product that differs by more from its matrix, for each row or column in units of rounding of the largest entry, is no
 /// decomposition.
-const ROUNDING: f64 = 8.0 * f64::EPSILON;
+const ROUNDING: f64 = roundoff(8.0);
 /// Columns are orthogonal up to this part of their lengths.
-const ORTHOGONAL: f64 = f64::EPSILON;
+const ORTHOGONAL: f64 = roundoff(1.0);
 /// Beside the square of this, one is rounding.
 const LARGE: f64 = 1e8;
 /// Sweeps over all pairs of columns at most: few are needed, from a decomposition that is nearly right.

@@ -3,3 +3,4 @@
 pub(crate) mod decomposition;
 pub(crate) mod legendre;
 pub(crate) mod root_isolation;
+pub(crate) mod zero;

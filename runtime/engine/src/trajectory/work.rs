@@ -6,13 +6,12 @@ use crate::integration::phase_point::PhasePoint;
 use crate::model::Energy;
 use crate::numerics::legendre::{Series, W, X};
 use crate::numerics::root_isolation::{NODES, last_coefficients};
+use crate::numerics::zero::SOLVED;
 use crate::trajectory::RecordedPhase;
 
 /// The last two of a step's coefficients may be this part of the largest; those that the integral leaves out are as small as the
 /// square of it.
 const RESOLVED: f64 = 1e-6;
-/// What is left out may be this part of the energy: some roundings of it, which the difference makes larger.
-const NEGLIGIBLE: f64 = 1e-12;
 /// A step over which the power is not so smooth is halved at most so many times.
 const DEEPEST: u32 = 10;
 /// Halves whose coefficients are not less than this part of the whole's tell no more than it does.
@@ -74,7 +73,7 @@ impl Work {
     pub(crate) fn add_sampled(&mut self, context: &RunContext, powers: &[f64; NODES.len()], h: f64) -> bool {
         let size = context.scales.force() * context.scales.length;
         let left_out = left_out(powers) * h;
-        let tells = left_out <= NEGLIGIBLE * size;
+        let tells = left_out <= SOLVED * size;
         if tells {
             let parts = powers.iter().zip(AT_NODES).map(|(power, weight)| weight * h * power);
             parts.for_each(|part| self.add_known(part));
@@ -153,7 +152,7 @@ impl Part {
             let energy = context.system().energy(point.state());
             let size =
                 context.scales.force() * context.scales.length + energy.kinetic + energy.potential.abs();
-            tail * work > NEGLIGIBLE * size
+            tail * work > SOLVED * size
         };
         let is_resolved = tail <= RESOLVED || !matters();
         Some(Self { span, powers, tail, is_resolved })

@@ -13,9 +13,8 @@ use super::modes::{Choice, Condition, Mode};
 use super::problem::{self, Closed, Equations, Problem, Trial, Unit};
 use crate::contact::trials::LcpError;
 use crate::numerics::decomposition::svd;
+use crate::numerics::zero::SOLVED;
 
-/// A gradient below this part of its terms is zero.
-const STATIONARY: f64 = 1e-12;
 /// Columns taken in at most, for each there is.
 const CHANGES: usize = 10;
 
@@ -132,7 +131,7 @@ fn least_squares(a: &DMatrix<f64>, right: &DVector<f64>, one_sided: &[bool]) -> 
         };
         let others = (0..columns).filter(|j| !passive.contains(j) && !refused.contains(j));
         let Some(best) = others.max_by(|&i, &j| gain(i).total_cmp(&gain(j))) else { break };
-        if gain(best) <= STATIONARY {
+        if gain(best) <= SOLVED {
             break;
         }
         passive.push(best);

@@ -9,14 +9,12 @@ use crate::contact::complementarity::Solution;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
 use crate::contact::least_constraint::add_change;
 use crate::contact::trials::LcpError;
+use crate::numerics::zero::{RANK, SOLVED};
 
 /// Two accelerations are one up to this, relative to the larger one and to what the forces alone would cause.
 const SAME: f64 = 1e-8;
 /// The unit roundoff's margin that tolerances of [`EquilibratedKkt`] contain, taken back.
-const SIZE: f64 = 1e12;
-
-/// A singular value below this is zero.
-const DEPENDENT: f64 = 1e-10;
+const SIZE: f64 = 1.0 / SOLVED;
 
 /// Why one of the solutions was taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -373,5 +371,5 @@ impl Problem<'_> {
 }
 
 fn rank(vectors: &[DVector<f64>]) -> usize {
-    if vectors.is_empty() { 0 } else { DMatrix::from_columns(vectors).rank(DEPENDENT) }
+    if vectors.is_empty() { 0 } else { DMatrix::from_columns(vectors).rank(RANK) }
 }

@@ -19,14 +19,11 @@ use crate::contact::closed_rows::ClosedRows;
 use crate::context::{Slips, slips};
 use crate::model::{ContactSet, Layout, Slip, SlipState};
 use crate::numerics::decomposition;
+use crate::numerics::zero::{MARGIN, RANK, roundoff};
 use crate::system::System;
 
-/// An edge moves with the virtual velocity above this part of the fastest.
-const MOVES: f64 = 1e-6;
 /// A friction force below this part of the largest reaction is rounding: beside the limit of a small coefficient it would be large.
-const ROUNDED: f64 = 16.0 * f64::EPSILON;
-/// A singular value below this part of the largest is zero.
-const DEPENDENT: f64 = 1e-10;
+const ROUNDED: f64 = roundoff(16.0);
 
 /// The closed contacts of a phase whose reactions are not determined by the motion.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -175,7 +172,7 @@ impl<'a> SharedLoad<'a> {
             // Internal forces hold the contacts under any load.
             return Margin { value: loads.amax(), leaving: Vec::new() };
         };
-        let least = MOVES * velocities.amax();
+        let least = MARGIN * velocities.amax();
         let moving = edges.iter().zip(velocities.iter()).filter(|(_, v)| **v > least);
         let slips: Vec<(usize, Sense)> = moving.filter_map(|(edge, _)| edge.slip).collect();
         let opens = |contact: usize| slips.iter().filter(|(other, _)| *other == contact).count() > 1;
@@ -234,7 +231,7 @@ fn row_space(edges: &[DVector<f64>], others: &[DVector<f64>]) -> DMatrix<f64> {
 /// An orthonormal basis of the range of a matrix.
 fn range(matrix: &DMatrix<f64>) -> DMatrix<f64> {
     let svd = decomposition::svd(matrix.clone());
-    let least = DEPENDENT * svd.singular_values.amax();
+    let least = RANK * svd.singular_values.amax();
     let kept: Vec<usize> =
         (0..svd.singular_values.len()).filter(|&i| svd.singular_values[i] > least).collect();
     svd.u.map_or_else(|| DMatrix::zeros(matrix.nrows(), 0), |u| u.select_columns(&kept))
@@ -266,7 +263,7 @@ fn limit(space: &DMatrix<f64>, loads: &DVector<f64>) -> Option<(f64, DVector<f64
     let tight = bounds.select_rows(&bearing).select_columns(&moving);
     let last = bearing.iter().position(|&i| i == m)?;
     let svd = decomposition::svd(tight.clone());
-    let cutoff = DEPENDENT * svd.singular_values.amax();
+    let cutoff = RANK * svd.singular_values.amax();
     let unit = DVector::from_fn(bearing.len(), |i, _| if i == last { 1.0 } else { 0.0 });
     let velocity = space.select_columns(&moving) * svd.solve(&unit, cutoff).ok()?;
     let s = decomposition::svd(tight.transpose()).solve(&held.select_rows(&moving), cutoff).ok()?[last];

@@ -8,10 +8,9 @@
 //! with the covering vector d > 0: of `w = A z + d z₀ + q` the path from large z₀ is followed until z₀ = 0. The
 //! lexicographic rule excludes cycles. The path may also end in a ray, which proves nothing for a matrix that is not copositive.
 
+use crate::numerics::zero::RANK;
 use nalgebra::{DMatrix, DVector};
 
-/// An entry below this part of the largest of its column is no pivot.
-const PIVOT: f64 = 1e-10;
 /// Values below this part of the right-hand side's size are ties.
 const TIE: f64 = 1e-13;
 /// Pivots at most, for each row.
@@ -68,7 +67,7 @@ impl Tableau {
     /// The row whose variable vanishes first as another one grows; z₀ before others.
     fn blocking(&self, entering: usize) -> Option<usize> {
         let column = self.entries.column(entering);
-        let least = PIVOT * column.amax();
+        let least = RANK * column.amax();
         let rows: Vec<usize> = (0..self.size).filter(|&row| column[row] > least).collect();
         let cover = self.basis.iter().position(|&column| column == 2 * self.size);
         let row = self.lexicographic(rows.clone(), |row| column[row])?;

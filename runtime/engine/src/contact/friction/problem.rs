@@ -8,13 +8,12 @@ use crate::contact::complementarity::LcpRows;
 use crate::contact::equilibrated_kkt::{EquilibratedKkt, largest_in_part};
 use crate::contact::trials::LcpError;
 use crate::numerics::decomposition::svd;
+use crate::numerics::zero::MARGIN;
 
 /// Pivots that differ by more belong to a matrix that a singular value decomposition has to judge.
 const SOUND: f64 = 1e-9;
 /// Residual of equations that hold, in units of roundoff of as many terms as there are equations.
 const CONSISTENT: f64 = 16.0;
-/// Part of a null vector's length in the accelerations from which on these are not determined.
-const FREE: f64 = 1e-6;
 /// The error of a located event in units of rounding.
 const LOCATED: f64 = 1e3;
 
@@ -315,7 +314,7 @@ impl Equations {
         let cutoff = cutoff(&svd);
         let vectors = svd.v_t.as_ref()?;
         let mut null = (0..vectors.nrows()).filter(|&k| svd.singular_values[k] <= cutoff);
-        let free = null.any(|k| vectors.row(k).columns(0, n).norm() > FREE);
+        let free = null.any(|k| vectors.row(k).columns(0, n).norm() > MARGIN);
         Some((least_squares(&svd, right)?, !free))
     }
 }

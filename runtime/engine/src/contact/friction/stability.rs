@@ -23,10 +23,8 @@ use crate::contact::equilibrated_kkt::EquilibratedKkt;
 use crate::context::slips;
 use crate::model::ContactSet;
 use crate::numerics::decomposition::{eigenvalues, symmetric_eigen};
+use crate::numerics::zero::RANK;
 use crate::system::System;
-
-/// Eigenvalues below this part of the largest are zero.
-const ROUNDING: f64 = 1e-10;
 
 /// A sliding contact: its rows, and σ μ.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -149,7 +147,7 @@ impl Problem<'_> {
             self.compliance(modes, &normals, &own).is_some_and(|w| {
                 let eigenvalues = eigenvalues(w);
                 let largest = eigenvalues.iter().fold(0.0, |most: f64, z| most.max(z.norm()));
-                eigenvalues.iter().all(|z| z.re > ROUNDING * largest)
+                eigenvalues.iter().all(|z| z.re > RANK * largest)
             })
         })
     }
@@ -182,7 +180,7 @@ impl Problem<'_> {
         let range = symmetric_eigen(&smooth + smooth.transpose());
         let largest = range.eigenvalues.amax();
         let places: Vec<usize> =
-            (0..normals.len()).filter(|&k| range.eigenvalues[k] > ROUNDING * largest).collect();
+            (0..normals.len()).filter(|&k| range.eigenvalues[k] > RANK * largest).collect();
         let basis = range.eigenvectors.select_columns(&places);
         Some(basis.transpose() * sliding * basis)
     }

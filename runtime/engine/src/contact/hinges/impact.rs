@@ -10,13 +10,13 @@ use nalgebra::DVector;
 use super::policy;
 use crate::contact::impulse::{Collision, CollisionError, Outcome, Row};
 use crate::model::Friction;
+use crate::numerics::zero::{SOLVED, roundoff};
 use crate::system::System;
 
 /// Repetitions at most.
 const STEPS: usize = 200;
 /// Impulses are one up to this part of the largest, or up to so much if repetition does not bring them closer.
-const SAME: f64 = 4.0 * f64::EPSILON;
-const STALLED: f64 = 1e-12;
+const SAME: f64 = roundoff(4.0);
 /// The residual of an outcome that obeys the laws of the other rows.
 const RESIDUAL: f64 = 1e-9;
 /// Changes of the rates are so much larger accelerations that the forces of gravity and of the velocities are nothing beside theirs;
@@ -115,7 +115,7 @@ impl Struck<'_> {
             let largest = found.iter().copied().fold(0.0, f64::max);
             let apart =
                 found.iter().zip(&normals).map(|(a, b): (&f64, &f64)| (a - b).abs()).fold(0.0, f64::max);
-            let stalls = apart >= 0.5 * last && apart <= STALLED * largest.max(outcome.impulses.amax());
+            let stalls = apart >= 0.5 * last && apart <= SOLVED * largest.max(outcome.impulses.amax());
             (normals, last) = (found, apart);
             if apart <= SAME * largest || stalls || !slides {
                 let obeys = acting.residual(&outcome) <= RESIDUAL;

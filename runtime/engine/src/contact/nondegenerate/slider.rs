@@ -11,11 +11,12 @@
 //! Glocker, *Multibody Dynamics with Unilateral Contacts*, 1996). Where several modes can follow, as between the cones of μ and
 //! μ_s or in Painlevé's paradox, [`enumeration`](crate::contact::friction) finds and tells them.
 
-use super::{CLEAR, solve};
+use super::solve;
 use crate::contact::friction::{Sense, Slip as KnownSlip};
 use crate::contact::{ContactProblem, ContactSolution};
 use crate::context::{Numbers, RunContext, slips};
 use crate::model::{ContactKind, ContactSet, Slip, SlipState};
+use crate::numerics::zero::MARGIN;
 use crate::system::Equations;
 
 /// The contact, and what is clearly not zero.
@@ -58,7 +59,7 @@ pub(crate) fn decide(
     // A coefficient below zero is refused elsewhere.
     let slip = slips(context.system(), state).get(entry).copied().filter(|slip| slip.kinetic >= 0.0)?;
     let equations = context.system().equations(state);
-    let (force, acceleration) = (CLEAR * context.scales.force(), CLEAR * context.scales.acceleration());
+    let (force, acceleration) = (MARGIN * context.scales.force(), MARGIN * context.scales.acceleration());
     let contact = Contact { context, state, equations, slip, contact, entry, force, acceleration };
     let (falls, open) = contact.without()?;
     let found = match known {

@@ -32,7 +32,7 @@ fn a_reaction_is_clear_from_a_part_of_the_natural_force_on() {
     let (force, weight) = (context(Model::of(&FRAME)).scales.force(), 2.0 * FRAME.m * FRAME.g);
     for s in [0.7, 0.8, 0.9] {
         for part in [-1.0, 0.0, 0.5, 0.999, 1.001, 2.0, 1e5] {
-            let reaction = part * CLEAR * force;
+            let reaction = part * MARGIN * force;
             let sum = (0.25 + 2.25 * s * s - reaction / weight) / (1.5 * s);
             let Some(found) = frame(s, sum, false) else {
                 assert!(part < 1.0, "{part}");
@@ -54,7 +54,7 @@ fn a_vanishing_reaction_opens_where_its_fall_in_a_natural_time_is_clear() {
         let (sum, s) = ((1.0 + root * root).sqrt(), ((1.0 + root * root).sqrt() + root) / 3.0);
         (s, sum, 3.0 * m * g * root * ((1.0 - s * s) * 3.0 * (sum - s) * g / l).sqrt())
     };
-    let clear = CLEAR * scales.force() / scales.time;
+    let clear = MARGIN * scales.force() / scales.time;
     for part in [1e-4, 0.1, 0.9, 1.1, 10.0, 1e4] {
         // The rate is proportional to a small root.
         let (s, sum, fall) = rate(part * clear * 1e-7 / rate(1e-7).2);

@@ -7,13 +7,12 @@ use nalgebra::{DMatrix, DVector, RowDVector};
 use super::{Factor, Shares};
 use crate::contact::least_constraint::LeastConstraint;
 use crate::numerics::decomposition::{singular_values, svd};
+use crate::numerics::zero::{SOLVED, roundoff};
 
 /// Rounding of F beside its terms.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
-/// Reactions that miss F, or their cones, by more than this part are none.
-const HELD: f64 = 1e-12;
+const ROUNDING: f64 = roundoff(16.0);
 /// A singular value below this part of the largest is zero.
-const ZERO: f64 = 64.0 * f64::EPSILON;
+const ZERO: f64 = roundoff(64.0);
 
 /// Jᵀ λ = F and the planes of K, one a row.
 struct Conditions {
@@ -79,7 +78,7 @@ impl Shares {
 impl Conditions {
     /// Those that hold the shortest λ, the faces it is on among them.
     fn closed(&self) -> Option<Vec<usize>> {
-        let slack = known(&self.rows.select_rows(&self.held)).max(HELD) * self.solve(&self.held)?.norm();
+        let slack = known(&self.rows.select_rows(&self.held)).max(SOLVED) * self.solve(&self.held)?.norm();
         let bearing = self.least_constraint(slack)?.bearing(&self.held, &self.above).ok()?;
         let mut closed = self.held.clone();
         closed.extend(bearing.into_iter().filter(|row| self.above.contains(row)));
@@ -104,7 +103,7 @@ impl Conditions {
 
     fn are_met(&self, reactions: &DVector<f64>) -> bool {
         let rest = &self.rows * reactions - &self.right;
-        let (most, size) = (HELD * self.right.norm(), HELD * reactions.norm());
+        let (most, size) = (SOLVED * self.right.norm(), SOLVED * reactions.norm());
         let is_held =
             self.held.iter().all(|&row| rest[row].abs() <= most.max(size * self.rows.row(row).norm()));
         is_held && self.above.iter().all(|&row| rest[row] >= -size)

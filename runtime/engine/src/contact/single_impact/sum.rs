@@ -1,9 +1,11 @@
 //! Sums with the size of their terms, by which what is zero but for rounding is told from what is not.
 
+use crate::numerics::zero::SOLVED;
+
 /// A sum counts as nonzero above this part of its terms, as do pivots of M.
 pub(super) const CLEAR: f64 = 1e-9;
 /// It counts as zero up to this part of them.
-pub(super) const ROUNDING: f64 = 1e-12;
+pub(super) const ROUNDING: f64 = SOLVED;
 
 /// A sum, and that of the sizes of its terms.
 #[derive(Clone, Copy)]

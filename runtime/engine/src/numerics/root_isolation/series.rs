@@ -8,6 +8,7 @@ use super::isolate::turning_points;
 use super::partition::{Node, beyond};
 use super::polynomial::FINE;
 use super::{GuardError, Start};
+use crate::numerics::zero::roundoff;
 
 /// The most coefficients of a series that count; those after them belong to its error.
 pub const TERMS: usize = FINE + 1;
@@ -16,7 +17,7 @@ pub const TERMS: usize = FINE + 1;
 const SUMMED: f64 = TERMS as f64 * f64::EPSILON;
 
 /// Rounding of the coefficients themselves, as they come from some operations each.
-const ROUNDED: f64 = 8.0 * f64::EPSILON;
+const ROUNDED: f64 = roundoff(8.0);
 
 /// θᵐ Σ aₖ θᵏ.
 #[derive(Clone, Copy)]

@@ -6,13 +6,14 @@ use super::Entry;
 use crate::contact::{joint_names, labels};
 use crate::integration::chart::{self, Chart};
 use crate::model::{ContactSet, Form};
+use crate::numerics::zero::roundoff;
 use crate::simulation::snapshot::Snapshot;
 use crate::simulation::{RunCause, Simulation};
 use crate::system::Phase;
 use crate::trajectory::LoggedDecision;
 
 /// A change of the energy by this part of its terms is rounding.
-const ROUNDED: f64 = 16.0 * f64::EPSILON;
+const ROUNDED: f64 = roundoff(16.0);
 
 impl Snapshot<'_> {
     /// Of closed contacts those that bear, given what a decision says. All do where their closed form holds: they depend on each

@@ -8,14 +8,12 @@ use crate::context::{Numbers, without_rounding};
 use crate::event::detection::LOW;
 use crate::event::{EventKind, ImpactOrder, Note};
 use crate::model::{ContactSet, Layout, SlipState};
+use crate::numerics::zero::SOLVED;
 use crate::simulation::RunCause;
 use crate::simulation::decide::Question;
 use crate::simulation::snapshot::{Snapshot, split};
 use crate::system::Equations;
 use crate::trajectory::LoggedDecision;
-
-/// An energy gained by less than this part of a natural one is rounding.
-const GAINED: f64 = 1e-12;
 
 /// What an impact does, what it may gain, J, and the contacts of which the order of simultaneous impacts matters.
 struct Impact {
@@ -169,7 +167,7 @@ impl Snapshot<'_> {
         let scales = &self.setup.context.scales;
         let natural = scales.force() * scales.length;
         let rubs = self.layout().frictions.iter().any(|friction| outcome.impulses[friction.row] != 0.0);
-        Some(outcome.gained).filter(|gained| rubs && *gained > GAINED * natural)
+        Some(outcome.gained).filter(|gained| rubs && *gained > SOLVED * natural)
     }
 
     /// What the collision does, and the phase that follows.

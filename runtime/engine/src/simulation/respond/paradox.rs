@@ -7,14 +7,13 @@ use crate::contact::impulse::Row;
 use crate::contact::{ContactError, labels};
 use crate::event::{EventKind, Note};
 use crate::model::{ContactSet, Slip};
+use crate::numerics::zero::MARGIN;
 use crate::simulation::RunCause;
 use crate::simulation::decide::{LocatedSlips, Question};
 use crate::simulation::snapshot::Snapshot;
 
 /// A contact is beyond the border of Painlevé's region with a coefficient of friction that is larger by this part.
 const BEYOND: f64 = 1e-12;
-/// Reactions of contacts this near to the border have lost their digits.
-const NEAR: f64 = 1e-6;
 
 impl Snapshot<'_> {
     /// Ends a slip at the border of Painlevé's region, where the reaction grows beyond all bounds.
@@ -34,7 +33,7 @@ impl Snapshot<'_> {
             KnownSlip::Rest => set.slipping(contact, Slip::Stick),
         });
         let mut near = holds(self.setup.context.system(), &self.state, &set);
-        near.retain(|(_, hold)| (0.0..NEAR).contains(hold));
+        near.retain(|(_, hold)| (0.0..MARGIN).contains(hold));
         self.end_slip(touching, source, &near)
     }
 

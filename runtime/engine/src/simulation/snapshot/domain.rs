@@ -2,12 +2,10 @@
 
 use super::Snapshot;
 use crate::event::Guard;
+use crate::numerics::zero::MARGIN;
 use crate::simulation::awaited::Role;
 use crate::simulation::domain::{Bounded, driven};
 use crate::simulation::{Domain, RunCause};
-
-/// A driven distance is at zero below this part of the natural length, where its row vanishes and steps fail.
-const VANISHED: f64 = 1e-6;
 
 impl Snapshot<'_> {
     /// Whether a bound matters now: of a drive that is there, of a contact that slides.
@@ -58,7 +56,7 @@ impl Snapshot<'_> {
     pub(in crate::simulation) fn refuse_vanishing(&self) -> Result<(), RunCause> {
         match self.setup.rules.domains.is_empty() {
             true => Ok(()),
-            false => self.refuse_distances(VANISHED * self.setup.context.scales.length),
+            false => self.refuse_distances(MARGIN * self.setup.context.scales.length),
         }
     }
 }

@@ -4,8 +4,9 @@
 use std::cell::Ref;
 
 use super::Snapshot;
-use crate::context::{Numbers, ROUNDINGS};
+use crate::context::Numbers;
 use crate::model::ContactSet;
+use crate::numerics::zero::{place, roundoff};
 use crate::simulation::Simulation;
 
 /// What is too small to be told from zero at a time and a state.
@@ -23,7 +24,7 @@ impl Tiny {
     fn of(setup: &Simulation, t: f64, state: &[f64]) -> Self {
         let context = &setup.context;
         let fastest = context.scales.fastest(context.layout(), &state[context.rates()]);
-        let usual = (10.0 * setup.tolerance).max(ROUNDINGS).max(2.0 * f64::EPSILON * t.abs() * fastest);
+        let usual = place(setup.tolerance).max(roundoff(2.0) * t.abs() * fastest);
         Self { t, state: Numbers::from_slice(state), usual, roundings: context.roundings(state, usual) }
     }
 }

@@ -29,10 +29,9 @@ use super::super::problem::Closed;
 use super::Rubbing;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
 use crate::model::Law;
+use crate::numerics::zero::SOLVED;
 use crate::scalar::Scalar;
 
-/// Velocities below this part of the approach are zero, as is dġ/dP below this part of W_NN, and impulses that differ by less are one.
-const ROUNDING: f64 = 1e-12;
 /// Pieces of a path at most: slip, reversed slip or stick, each in compression and restitution.
 const PIECES: usize = 8;
 
@@ -138,7 +137,7 @@ impl<S: Scalar> Striker<S> {
     /// dġ/dP.
     fn rise(&self, ratio: S) -> S {
         let rise = self.w_nn + ratio * self.w_nt;
-        if rise.abs() <= S::from_f64(ROUNDING) * self.w_nn { S::ZERO } else { rise }
+        if rise.abs() <= S::from_f64(SOLVED) * self.w_nn { S::ZERO } else { rise }
     }
 
     fn advance(&self, now: &Vertex<S>, sense: i8, length: S) -> Vertex<S> {
@@ -185,7 +184,7 @@ impl<S: Scalar> Striker<S> {
 
 /// Whether one impulse is no larger than another, but for rounding.
 fn no_later<S: Scalar>(one: S, other: S) -> bool {
-    one <= other + S::from_f64(ROUNDING) * other
+    one <= other + S::from_f64(SOLVED) * other
 }
 
 fn signum<S: Scalar>(x: S) -> i8 {
@@ -242,7 +241,7 @@ impl Stages<'_> {
         let pressed = |point: &Vertex<f64>, row: usize| {
             let parts = [point.impulse * speed(row, &by_normal), point.friction * speed(row, &by_tangent)];
             let size = self.approach[row].abs() + parts[0].abs() + parts[1].abs();
-            self.approach[row] + parts[0] + parts[1] < -ROUNDING * size
+            self.approach[row] + parts[0] + parts[1] < -SOLVED * size
         };
         let mut others = self.candidates.iter().filter(|row| **row != normal);
         if others.any(|&row| path.vertices.iter().any(|point| pressed(point, row))) {
@@ -332,7 +331,7 @@ impl Stages<'_> {
         let size = self.collision.speed_size();
         for (row, speed) in opening.iter_mut().enumerate() {
             let changed = self.collision.jacobian.row(row).abs() * rates.abs();
-            let slack = (ROUNDING * size[row].max(changed[0])).max(kkt.slack(row) / kkt.scale[kkt.n + row]);
+            let slack = (SOLVED * size[row].max(changed[0])).max(kkt.slack(row) / kkt.scale[kkt.n + row]);
             if speed.abs() <= slack {
                 *speed = 0.0;
             }

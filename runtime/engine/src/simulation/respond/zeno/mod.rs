@@ -17,12 +17,10 @@ mod rest;
 
 use crate::contact::impulse::Outcome;
 use crate::model::ContactSet;
+use crate::numerics::zero::MARGIN;
 use crate::simulation::snapshot::{Rise, Sequence, Snapshot, ZenoClosure};
 use crate::simulation::{Exhausted, RunCause, Simulation};
 
-/// A contact falls if it does so by more than this part of the natural acceleration: one that lifts off with its reaction at
-/// zero has none but rounding.
-const FALLS: f64 = 1e-6;
 /// A sequence converges if its end is known to this part of the time that is left.
 const CONVERGED: f64 = 1e-2;
 
@@ -133,7 +131,7 @@ impl Snapshot<'_> {
         let scales = self.setup.context.scales;
         let e = |contact: usize| self.restitution(contact);
         let unseen = |rise: &Rise| {
-            let falls = rise.fall > FALLS * scales.acceleration();
+            let falls = rise.fall > MARGIN * scales.acceleration();
             rise.rate > 0.0 && falls && rise.height <= rise.least && e(rise.contact) < 1.0
         };
         let rising = self.rising();

@@ -8,10 +8,11 @@ pub(crate) use sequence::Sequence;
 use super::Snapshot;
 use crate::context::CLOSED;
 use crate::model::ContactSet;
+use crate::numerics::zero::roundoff;
 use crate::system::Equations;
 
 /// A flight that rises less than this, in natural lengths or of the terms of its gap, cannot be followed: a gap has some roundings of one.
-const RESOLVED: f64 = 256.0 * f64::EPSILON;
+const RESOLVED: f64 = roundoff(256.0);
 
 /// A contact that leaves its support and falls back.
 #[derive(Debug, Clone, Copy)]
