@@ -70,7 +70,6 @@ const MODULES: usize = 13;
 
 /// The circles that there are: a crate, or a folder of it, with modules that import each other.
 const CIRCLES: &[(&str, &[&str])] = &[
-    ("runtime/core/scalar", &["dispatch", "lanes"]),
     ("runtime/judge", &["condition", "motion"]),
     ("runtime/interpreter", &["code", "constants", "interpreted", "native", "pool", "series", "system"]),
     ("runtime/interpreter/series", &["code", "lowering"]),
@@ -80,10 +79,6 @@ const CIRCLES: &[(&str, &[&str])] = &[
     ("runtime/replay", &["collision", "friction"]),
     ("runtime/replay", &["replay", "root"]),
     ("runtime/columnar", &["ipc", "npz", "parquet", "table"]),
-    (
-        "runtime/studio/sweep",
-        &["boundary", "builder", "columnar", "drawing", "plan", "summary", "table", "team", "threshold"],
-    ),
     ("runtime/fmu/library", &["c", "logger"]),
     ("runtime/analysis/fit", &["datum", "trial"]),
     ("runtime/cli", &["commands", "options", "output"]),

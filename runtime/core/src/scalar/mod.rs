@@ -17,13 +17,13 @@ mod tests;
 #[cfg(feature = "std")]
 pub(crate) use dispatch::Vector;
 pub(crate) use dispatch::{Double, Inside};
+#[cfg(feature = "std")]
+pub use dispatch::{LANES, Lanes};
 pub use double_double::DoubleDouble;
 pub use dual::{Dual, Dual4};
 #[cfg(not(feature = "std"))]
 pub(crate) use elementary::Elementary;
 pub use jet::Jet;
-#[cfg(feature = "std")]
-pub use lanes::{LANES, Lanes};
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 

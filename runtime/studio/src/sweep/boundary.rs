@@ -8,8 +8,8 @@
 //! A curve is found on a coarse grid and followed both ways, to the edge of the ranges, to itself, or to where a third outcome meets the
 //! two. No derivative is taken: a contact that touches and one that is first are found alike.
 
+use super::criterion::Criterion;
 use super::plan::Plan;
-use super::threshold::Criterion;
 use super::{Range, Spread, SweepError, Varied};
 
 /// Cells along each range where no count is given.
@@ -98,7 +98,7 @@ pub(super) fn boundaries(
     let [first, second] = varied else {
         return Err(SweepError::Invalid("boundaries are curves in the plane of two varied names".into()));
     };
-    criterion.check(plan)?;
+    criterion.check(plan.observations, plan.model.layout())?;
     if !(width > 0.0 && width < SLIVER) {
         return Err(SweepError::Invalid(format!("a width above zero and below {SLIVER}, not {width}")));
     }

@@ -47,6 +47,7 @@ mod cell;
 mod check;
 mod columnar;
 mod condition;
+mod criterion;
 mod drawing;
 mod error;
 mod journal;
@@ -55,6 +56,7 @@ mod observation;
 mod paired;
 mod plan;
 mod range;
+mod run;
 mod sample;
 mod setting;
 mod shard;
@@ -64,6 +66,7 @@ mod team;
 #[cfg(test)]
 mod tests;
 mod threshold;
+mod worker;
 
 /// Members of a sweep, of which each is kept until the end.
 pub const MOST_MEMBERS: usize = 4_000_000;
@@ -80,5 +83,6 @@ pub use range::{Range, Spread, Varied};
 pub use sample::Sample;
 pub use shard::{MOST_SHARDS, Merged, Shard, Share, merge};
 pub use table::Table;
-pub use team::{Leader, refuse};
+pub use team::Leader;
 pub use threshold::Threshold;
+pub use worker::refuse;

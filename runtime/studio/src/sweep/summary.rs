@@ -12,7 +12,14 @@ const LISTED: usize = 10;
 /// A sweep of so many members is shown whole.
 const SHOWN: usize = 20;
 
-pub(super) fn summary(table: &Table) -> String {
+impl Table {
+    /// How many members, what was observed how often, least, median and greatest numbers, which failed and why.
+    pub fn summary(&self) -> String {
+        summary(self)
+    }
+}
+
+fn summary(table: &Table) -> String {
     let failed = table.failed().count();
     let known = table.rows.len() - table.computed;
     let mut text = format!("{} members of {}: {} computed", table.total, table.model, table.computed);

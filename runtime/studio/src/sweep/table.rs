@@ -3,8 +3,7 @@
 use super::cell::{Cell, MemberResult, Outcome, written};
 use super::columnar;
 use super::journal::{self, Identity};
-use super::summary::summary;
-use super::{Observation, Sweep, SweepError, Varied, drawing};
+use super::{Observation, Sweep, SweepError, Varied};
 use liftoff_columnar::{Column, Format};
 use rayon::prelude::*;
 use std::path::Path;
@@ -92,16 +91,6 @@ impl Table {
                 table.row(columnar::row(row.member, &row.point, &row.outcome, observations))
             })
         })
-    }
-
-    /// Curves over one varied name, maps over two: as SVG.
-    pub fn svg(&self) -> Result<String, SweepError> {
-        drawing::svg(self)
-    }
-
-    /// How many members, what was observed how often, least, median and greatest numbers, which failed and why.
-    pub fn summary(&self) -> String {
-        summary(self)
     }
 }
 

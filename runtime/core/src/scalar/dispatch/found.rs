@@ -20,8 +20,8 @@ use core::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, Neg, Shl, Shr, Sub};
 use wide::f64x8;
 
 use super::{Inside, Vector};
+use super::{LANES, Lanes};
 use crate::scalar::sin_cos::{Doubles, sin_cos, sin_cos_inlined};
-use crate::scalar::{LANES, Lanes};
 
 /// A type of registers, and another of the same as integers.
 macro_rules! registers {

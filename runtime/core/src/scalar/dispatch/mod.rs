@@ -14,6 +14,8 @@ mod double;
 mod found;
 #[cfg(all(feature = "std", target_arch = "x86_64", any(test, not(target_feature = "fma"))))]
 mod fused;
+#[cfg(feature = "std")]
+mod lanes;
 #[cfg(all(test, feature = "std", target_arch = "x86_64"))]
 mod tests;
 #[cfg(feature = "std")]
@@ -21,6 +23,8 @@ mod vector;
 
 pub use double::Double;
 pub(crate) use double::ForDouble;
+#[cfg(feature = "std")]
+pub use lanes::{LANES, Lanes};
 #[cfg(feature = "std")]
 pub use vector::Vector;
 

@@ -5,8 +5,8 @@ use core::ops::{BitOr, Div, Shr};
 use wide::f64x8;
 
 use super::Inside;
+use super::{LANES, Lanes};
 use crate::scalar::sin_cos::{Doubles, sin_cos_all};
-use crate::scalar::{LANES, Lanes};
 
 /// [`LANES`] doubles side by side; every operation acts on each by itself, with the bits that it has on an `f64`.
 pub trait Vector:

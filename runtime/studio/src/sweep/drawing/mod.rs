@@ -16,7 +16,14 @@ const WIDTH: u32 = 760;
 const FAILED: &str = "failed";
 const NONE: &str = "none";
 
-pub(super) fn svg(table: &Table) -> Result<String, SweepError> {
+impl Table {
+    /// Curves over one varied name, maps over two: as SVG.
+    pub fn svg(&self) -> Result<String, SweepError> {
+        svg(self)
+    }
+}
+
+fn svg(table: &Table) -> Result<String, SweepError> {
     match &table.varied[..] {
         [_] => Ok(curves(table)),
         [_, _] => Ok(maps(table)),

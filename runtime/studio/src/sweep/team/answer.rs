@@ -12,7 +12,7 @@ const END: &str = "end\n";
 
 /// What a worker sends.
 #[derive(PartialEq, Debug)]
-pub(super) enum Answer {
+pub(in crate::sweep) enum Answer {
     /// It can compute this sweep: what identifies it, as JSON.
     Ready(String),
     /// What came of the members that it was given; those that it has not begun are not among them.
@@ -27,7 +27,7 @@ pub(super) enum Answer {
 
 impl Answer {
     /// With so many observations of each member.
-    pub(super) fn text(&self, observations: usize) -> String {
+    pub(in crate::sweep) fn text(&self, observations: usize) -> String {
         let rows = |kind: &str, found: &[Found]| {
             let fields = |(member, outcome): &Found| {
                 [member.to_string()].into_iter().chain(written(outcome, observations)).collect::<Vec<_>>()
@@ -44,7 +44,7 @@ impl Answer {
     }
 
     /// Reads what [`Answer::text`] has written.
-    pub(super) fn parse(text: &str, observations: &[Observation]) -> Option<Self> {
+    pub(in crate::sweep) fn parse(text: &str, observations: &[Observation]) -> Option<Self> {
         let (kind, rest) = text.split_at(text.find('\n')? + 1);
         match kind {
             READY => Some(Self::Ready(rest.to_owned())),

@@ -5,22 +5,20 @@
 //! when it has taken four times as long goes to another process, so that runs of very uneven length keep all of them at work. Points and
 //! what was observed are sent with the fewest digits that read as the same number: rows are bit for bit those of one process.
 
-mod answer;
+pub(super) mod answer;
 mod leader;
-mod order;
+pub(super) mod order;
 mod queue;
-mod worker;
 
 pub use leader::Leader;
 pub(super) use leader::Work;
 pub(super) use queue::LIMIT;
-pub use worker::refuse;
 
 use super::Outcome;
 use std::time::Duration;
 
 /// What a process waits for a message before it looks at other things.
-const TICK: Duration = Duration::from_millis(1);
+pub(super) const TICK: Duration = Duration::from_millis(1);
 
 /// A member by its number among those to be computed, with the values of the varied names.
 pub(super) type Given = (usize, Vec<f64>);

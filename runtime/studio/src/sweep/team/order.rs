@@ -9,7 +9,7 @@ const END: &str = "end\n";
 
 /// What the leader sends.
 #[derive(PartialEq, Debug)]
-pub(super) enum Order {
+pub(in crate::sweep) enum Order {
     /// Members to compute.
     Run(Vec<Given>),
     /// There is no more to do.
@@ -17,7 +17,7 @@ pub(super) enum Order {
 }
 
 impl Order {
-    pub(super) fn text(&self) -> String {
+    pub(in crate::sweep) fn text(&self) -> String {
         match self {
             Self::End => END.to_owned(),
             Self::Run(members) => {
@@ -31,7 +31,7 @@ impl Order {
     }
 
     /// Reads what [`Order::text`] has written.
-    pub(super) fn parse(text: &str) -> Option<Self> {
+    pub(in crate::sweep) fn parse(text: &str) -> Option<Self> {
         match text.strip_prefix(RUN) {
             Some(lines) => lines.lines().map(given).collect::<Option<_>>().map(Self::Run),
             None => (text == END).then_some(Self::End),

@@ -1,10 +1,10 @@
-//! The processes that work for the leader.
+//! The processes that work for the leader of a [team](super::team).
 
-use super::TICK;
-use super::answer::Answer;
-use super::order::Order;
-use crate::sweep::plan::Plan;
-use crate::sweep::{Sweep, SweepError};
+use super::plan::Plan;
+use super::team::TICK;
+use super::team::answer::Answer;
+use super::team::order::Order;
+use super::{Sweep, SweepError};
 use liftoff_processes::Processes;
 use serde_json::Value;
 
