@@ -2,12 +2,10 @@
 
 use super::Driver;
 use crate::contact::friction::Grip;
-use crate::context::Numbers;
 use crate::event::detection::{Bounds, ContactStatus, EventDetector, Signals};
 use crate::simulation::Simulation;
 use crate::simulation::awaited::Role;
-use crate::simulation::phase_run::{Outcome, PhaseRun};
-use crate::trajectory::Work;
+use crate::simulation::phase_run::{Limits, Outcome, PhaseRun, Progress};
 
 /// Order of the first derivative of a gap that does not vanish where its contact opens with its reaction at zero:
 /// g = ġ = g̈ = 0 < g⃛.
@@ -63,16 +61,10 @@ impl Driver<'_> {
             t: now.t,
             horizon,
             state: now.state.clone(),
-            unresolved: 0,
-            work: Work::default(),
-            log: Vec::new(),
-            is_unseen: false,
-            bridged: false,
-            reduced: Numbers::new(),
+            progress: Progress::default(),
             observer: if is_trial { &mut nobody } else { &mut *self.observer },
             affine: Some(&mut self.affine),
-            cancel: cancel.as_deref(),
-            allowance: self.allowance,
+            limits: Limits { cancel: cancel.as_deref(), allowance: self.allowance },
         };
         run.run(&**method)
     }

@@ -72,11 +72,11 @@ impl<'a> PhaseRun<'a> {
             return Ok(end);
         }
         while recording.t1() < self.horizon {
-            if self.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
+            if self.limits.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
                 return Ok(Termination::Cancelled);
             }
             let Counts { accepted, rejected, .. } = stepper.counts();
-            if let Some(of) = self.allowance.exceeded_by(accepted + rejected, recording.memory()) {
+            if let Some(of) = self.limits.allowance.exceeded_by(accepted + rejected, recording.memory()) {
                 return Ok(Termination::Exhausted(of));
             }
             if accepted.is_power_of_two() {
@@ -95,7 +95,7 @@ impl<'a> PhaseRun<'a> {
                 Some(Unseen::Lost) | None => {}
             }
             match self.look(recording, stepper, &mut affine, touches) {
-                Ok(None) => self.unresolved = 0,
+                Ok(None) => self.progress.unresolved = 0,
                 Ok(Some(guards)) => return Ok(Termination::Event(guards)),
                 Err(error) => match self.shorten(error, recording, stepper)? {
                     None => continue,
@@ -208,7 +208,7 @@ impl<'a> PhaseRun<'a> {
     /// The size of the energy on the way, from a few states: the gate compares with it at the end.
     fn note_energy(&mut self, reduced: &[f64]) {
         self.phase.embed(reduced, &mut self.state);
-        self.work.note(&self.context.system().energy(&self.state));
+        self.progress.work.note(&self.context.system().energy(&self.state));
     }
 
     /// The error that says so if the accelerations are nearly undetermined at this state, before which the steps shrink.
@@ -222,16 +222,16 @@ impl<'a> PhaseRun<'a> {
     /// noise from now on.
     fn note_unresolved(&mut self, error: StepError) {
         let StepError::Unresolved { t } = error else { return };
-        self.unresolved += 1;
-        if self.unresolved == MOST_UNRESOLVED {
+        self.progress.unresolved += 1;
+        if self.progress.unresolved == MOST_UNRESOLVED {
             self.detector.expect_noise();
-            self.log.push(LogEntry { t, decision: LoggedDecision::GuardUnresolved });
+            self.progress.log.push(LogEntry { t, decision: LoggedDecision::GuardUnresolved });
         }
     }
 
     pub(super) fn note_once(&mut self, t: f64, decision: LoggedDecision) {
-        if self.log.iter().all(|entry| entry.decision != decision) {
-            self.log.push(LogEntry { t, decision });
+        if self.progress.log.iter().all(|entry| entry.decision != decision) {
+            self.progress.log.push(LogEntry { t, decision });
         }
     }
 
@@ -256,14 +256,14 @@ impl<'a> PhaseRun<'a> {
                 is_struck: false,
             };
             jump = seam.compare(&ahead, &self.state).into_iter().flatten().find(Finding::is_violation);
-            let mut reduced = core::mem::take(&mut self.reduced);
+            let mut reduced = core::mem::take(&mut self.progress.reduced);
             reduced.resize(info.entries, 0.0);
             self.phase.restrict(&self.state, &mut reduced);
             let replaced = stepper.replace_end(&reduced);
-            self.reduced = reduced;
+            self.progress.reduced = reduced;
             replaced?;
         }
-        if self.is_unseen {
+        if self.progress.is_unseen {
             recording.skip_to(stepper.time(), stepper.state());
         } else {
             stepper.dense(recording.next());
@@ -279,7 +279,7 @@ impl<'a> PhaseRun<'a> {
 
     fn add_work(&mut self, recording: &Recording) {
         if !self.context.is_conservative() {
-            recording.add_work(self.context, &mut self.work);
+            recording.add_work(self.context, &mut self.progress.work);
         }
     }
 
@@ -382,8 +382,8 @@ impl<'a> PhaseRun<'a> {
         }
         let powers = self.detector.friction_powers().filter(|_| end == 1.0);
         if let Some(work) = work {
-            self.work.add_known(work);
-        } else if !powers.is_some_and(|powers| self.work.add_sampled(self.context, powers, h)) {
+            self.progress.work.add_known(work);
+        } else if !powers.is_some_and(|powers| self.progress.work.add_sampled(self.context, powers, h)) {
             self.add_work(recording);
         }
         self.observer.step(&LastStep { context: self.context, recorded: recording.recorded() });

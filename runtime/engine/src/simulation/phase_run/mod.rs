@@ -109,23 +109,35 @@ pub(crate) struct PhaseRun<'a> {
     pub(crate) t: f64,
     pub(crate) horizon: f64,
     pub(crate) state: Vec<f64>,
-    /// Steps taken back in a row because a guard turns too often.
-    pub(crate) unresolved: u32,
-    pub(crate) log: Vec<LogEntry>,
-    /// What loads, dampers and drives have done.
-    pub(crate) work: Work,
-    /// Whether nobody looks into the steps, so that only their ends are needed.
-    pub(crate) is_unseen: bool,
-    /// Whether the phase ends within the step across a singular position, where nothing can be projected.
-    pub(crate) bridged: bool,
-    /// Room for a reduced state.
-    pub(crate) reduced: Numbers,
+    /// How far it has come.
+    pub(crate) progress: Progress,
     pub(crate) observer: &'a mut dyn Observer,
     /// The affine guards of the run, until this phase has taken its own.
     pub(crate) affine: Option<&'a mut KnownAffineGuards>,
+    pub(crate) limits: Limits<'a>,
+}
+
+/// What may end a phase from outside.
+pub(crate) struct Limits<'a> {
     /// Once true, no more steps are made.
     pub(crate) cancel: Option<&'a AtomicBool>,
     pub(crate) allowance: Allowance,
+}
+
+/// What a phase has brought so far.
+#[derive(Default)]
+pub(crate) struct Progress {
+    /// Steps taken back in a row because a guard turns too often.
+    unresolved: u32,
+    log: Vec<LogEntry>,
+    /// What loads, dampers and drives have done.
+    work: Work,
+    /// Whether nobody looks into the steps, so that only their ends are needed.
+    is_unseen: bool,
+    /// Whether the phase ends within the step across a singular position, where nothing can be projected.
+    bridged: bool,
+    /// Room for a reduced state.
+    reduced: Numbers,
 }
 
 impl PhaseRun<'_> {
@@ -140,7 +152,7 @@ impl PhaseRun<'_> {
             .flatten();
         let keeps = self.observer.records();
         let is_blind = self.observer.is_blind() && self.context.is_conservative() && loops.is_none();
-        self.is_unseen = self.detector.is_empty() && !keeps && is_blind;
+        self.progress.is_unseen = self.detector.is_empty() && !keeps && is_blind;
         let mut recording = Recording::new((Arc::clone(&phase), self.closed), (self.t, start.clone()), keeps);
         let mut touches = Vec::new();
         let mut counts = Counts::default();
@@ -207,8 +219,10 @@ impl PhaseRun<'_> {
     /// Logs the changes of the method up to the end of the phase.
     fn log_switches(&mut self, switches: &Switches, end: f64) {
         let made = switches.take().into_iter().filter(|(t, _)| *t <= end);
-        self.log.extend(made.map(|(t, choice)| LogEntry { t, decision: LoggedDecision::Method(choice) }));
-        self.log.sort_by(|a, b| a.t.total_cmp(&b.t));
+        self.progress
+            .log
+            .extend(made.map(|(t, choice)| LogEntry { t, decision: LoggedDecision::Method(choice) }));
+        self.progress.log.sort_by(|a, b| a.t.total_cmp(&b.t));
     }
 
     fn finish(
@@ -224,7 +238,7 @@ impl PhaseRun<'_> {
         let mut state = core::mem::take(&mut self.state);
         phase.embed(&reduced, &mut state);
         let ended = state.clone();
-        if !self.bridged {
+        if !self.progress.bridged {
             self.project(&*phase, &mut state);
         }
         let reactions = self.reactions(t, reduced);
@@ -242,7 +256,7 @@ impl PhaseRun<'_> {
         Outcome {
             recorded,
             touches,
-            log: core::mem::take(&mut self.log),
+            log: core::mem::take(&mut self.progress.log),
             end,
             t,
             state,
@@ -250,7 +264,7 @@ impl PhaseRun<'_> {
             reactions,
             counts,
             passed: self.detector.passed(),
-            work: self.work,
+            work: self.progress.work,
             memory,
         }
     }

@@ -103,7 +103,7 @@ impl PhaseRun<'_> {
             .unresolved()
             .is_some_and(|guard| !matches!(guard, Guard::Reaction(_) | Guard::Side(..)))
         {
-            self.log.push(LogEntry { t: ts, decision: LoggedDecision::GuardUnresolved });
+            self.progress.log.push(LogEntry { t: ts, decision: LoggedDecision::GuardUnresolved });
         }
         let near = |theta: f64| (t0 + theta * (t1 - t0) - ts).abs() < UNDETERMINED * (t1 - t0);
         let first = found.first.filter(|(theta, guards)| {
@@ -115,7 +115,7 @@ impl PhaseRun<'_> {
             self.note_once(ts, LoggedDecision::LoadUnresolved);
         }
         if ts >= t0 {
-            self.log.push(LogEntry { t: ts, decision: LoggedDecision::SingularPosition });
+            self.progress.log.push(LogEntry { t: ts, decision: LoggedDecision::SingularPosition });
         }
         if let Some((theta, guards)) = first {
             recording.end_at(t0 + theta * (t1 - t0));
@@ -126,7 +126,7 @@ impl PhaseRun<'_> {
         recording.end_at(t1.min(self.horizon));
         self.show(recording);
         if recording.t1() >= self.horizon {
-            self.bridged = true;
+            self.progress.bridged = true;
             return Ok(Some(Termination::Horizon));
         }
         let mut reduced = vec![0.0; recording.start.len()];
