@@ -1,12 +1,14 @@
-//! Contacts that depend on each other only where the phase begins: at a singular position, such as that of straight legs, where
-//! the gap rows of several are multiples of one another. The accelerations there say nothing of which of them bear the motion
-//! that follows, and with some choices others sink into their grounds:
+//! Contacts that depend on each other only where the phase begins: at a singular position, such as
+//! that of straight legs, where the gap rows of several are multiples of one another. The
+//! accelerations there say nothing of which of them bear the motion that follows, and with some
+//! choices others sink into their grounds:
 //!
 //! ```text
 //! J_s = Σ c_b J_b,   g_b = 0 ⇒ g̈_s = 0, but g_s < 0 later
 //! ```
 //!
-//! Such a phase is first integrated on trial. What sinks takes the place of the one it depends on most.
+//! Such a phase is first integrated on trial. What sinks takes the place of the one it depends on
+//! most.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -15,16 +17,19 @@ use crate::model::{ContactKind, ContactSet, Form};
 use crate::numerics::decomposition::singular_values;
 use crate::simulation::snapshot::Snapshot;
 
-/// A position is singular if contacts that depend on each other there no longer do at one this far away, in natural units.
+/// A position is singular if contacts that depend on each other there no longer do at one this far
+/// away, in natural units.
 const ASIDE: f64 = 1e-4;
 /// What their gap rows change by on that way, relative to it: less is rounding.
 const SLIGHT: f64 = 1e-3;
-/// Nearer to a singular position than this the rounding of rates, some 1e-11/σ², moves reactions by more than a thousandth.
+/// Nearer to a singular position than this the rounding of rates, some 1e-11/σ², moves reactions by
+/// more than a thousandth.
 const BLURRED: f64 = 1e-4;
 
 impl Snapshot<'_> {
-    /// Whether the contacts that bear a phase with multipliers all but depend on each other, so that rounding decides which reaction
-    /// reaches zero: σ of their rows of J in natural units, each of length 1.
+    /// Whether the contacts that bear a phase with multipliers all but depend on each other, so
+    /// that rounding decides which reaction reaches zero: σ of their rows of J in natural units,
+    /// each of length 1.
     pub(in crate::simulation) fn is_blurred(&self) -> bool {
         let (context, layout) = (&self.setup.context, self.layout());
         let rows: Vec<usize> =
@@ -48,8 +53,8 @@ impl Snapshot<'_> {
         dependent.iter().filter(|i| matches!(kind(i), ContactKind::Support | ContactKind::Thread)).collect()
     }
 
-    /// Which of them has sunk deepest in a later state of the phase, and goes on to sink. The event that ends the phase may come
-    /// before the gap has left its bound.
+    /// Which of them has sunk deepest in a later state of the phase, and goes on to sink. The event
+    /// that ends the phase may come before the gap has left its bound.
     pub(in crate::simulation) fn deepest_dependent(&self, later: &[f64]) -> Option<usize> {
         let equations = self.setup.context.system().equations(later);
         let deep = -0.5 * CLOSED.min(self.relative_bound()) * self.setup.context.scales.length;
@@ -75,8 +80,8 @@ impl Snapshot<'_> {
         dependent.iter().any(|contact| self.parts(&aside, contact).1 > SLIGHT * ASIDE)
     }
 
-    /// The gap row of a contact as a combination of those of the contacts that bear and of the joints, and the size of what is
-    /// left of it, in natural units.
+    /// The gap row of a contact as a combination of those of the contacts that bear and of the
+    /// joints, and the size of what is left of it, in natural units.
     fn parts(&self, state: &[f64], contact: usize) -> (DVector<f64>, f64) {
         let (context, layout) = (&self.setup.context, self.layout());
         let equations = context.system().equations(state);
@@ -97,7 +102,8 @@ impl Snapshot<'_> {
         (parts, left)
     }
 
-    /// Those that bear, with one that sinks in place of the one that it depends on most; none if one of them would pull then.
+    /// Those that bear, with one that sinks in place of the one that it depends on most; none if
+    /// one of them would pull then.
     pub(in crate::simulation) fn exchanged(&self, sunk: usize) -> Option<ContactSet> {
         let bearing: Vec<usize> = self.bearing().iter().collect();
         let (parts, _) = self.parts(&self.state, sunk);

@@ -16,9 +16,10 @@ use crate::trajectory::LoggedDecision;
 const ROUNDED: f64 = roundoff(16.0);
 
 impl Snapshot<'_> {
-    /// Of closed contacts those that bear, given what a decision says. All do where their closed form holds: they depend on each
-    /// other at this position at most, such as those of sin α = sin β at cos α = 0, and hold the motion that follows together.
-    pub(super) fn bearing_of(&self, closed: ContactSet, decided: ContactSet) -> ContactSet {
+    /// Of closed contacts those that bear, given what a decision says. All do where their closed
+    /// form holds: they depend on each other at this position at most, such as those of sin α = sin
+    /// β at cos α = 0, and hold the motion that follows together.
+    pub(super) fn choose_bearing(&self, closed: ContactSet, decided: ContactSet) -> ContactSet {
         if decided == closed || self.setup.form == Form::Projected {
             return decided;
         }
@@ -32,8 +33,8 @@ impl Snapshot<'_> {
         (chart == Chart::Valid).then_some(phase)
     }
 
-    /// The phase of contacts that bear, in the form that holds here. A state that does not satisfy the closed form was beside the
-    /// form's own branch, or is on another.
+    /// The phase of contacts that bear, in the form that holds here. A state that does not satisfy
+    /// the closed form was beside the form's own branch, or is on another.
     pub(in crate::simulation) fn enter(
         &self,
         bearing: ContactSet,
@@ -47,7 +48,7 @@ impl Snapshot<'_> {
         if chart == Chart::SmallPivot {
             log.push(LoggedDecision::SmallPivot);
         }
-        let (state, by) = self.restored(bearing, self.rounding_of_the_way(), is_given)?;
+        let (state, by) = self.project(bearing, self.rounding_of_the_way(), is_given)?;
         if is_given && by > self.bound_with(bearing) {
             log.push(LoggedDecision::StartMoves(by));
         }
@@ -69,9 +70,10 @@ impl Snapshot<'_> {
         chart::at(context, bearing, state, (self.bound_with(bearing), *tolerance))
     }
 
-    /// The state projected onto the contacts of a set, and how far that moves it, in natural units. A correction larger than the
-    /// errors that positions cause in rates and than accumulated rounding would be a jump, which is an error.
-    pub(in crate::simulation) fn restored(
+    /// The state projected onto the contacts of a set, and how far that moves it, in natural units.
+    /// A correction larger than the errors that positions cause in rates and than accumulated
+    /// rounding would be a jump, which is an error.
+    pub(in crate::simulation) fn project(
         &self,
         set: ContactSet,
         rounding: f64,
@@ -99,8 +101,9 @@ impl Snapshot<'_> {
         Ok((restored, by))
     }
 
-    /// Takes from the rates what a shift of the position has added to the energy: many small shifts would keep a motion going
-    /// that has lost its energy in impacts. Rates of contacts that stay closed are homogeneous unless they are driven.
+    /// Takes from the rates what a shift of the position has added to the energy: many small shifts
+    /// would keep a motion going that has lost its energy in impacts. Rates of contacts that stay
+    /// closed are homogeneous unless they are driven.
     fn lower_energy(&self, shifted: &mut [f64]) {
         let (system, n) = (self.setup.context.system(), self.layout().coordinates.len());
         if self.layout().timed {

@@ -1,4 +1,5 @@
-//! Which contacts are closed from now on, how they slip, and the phase that follows. Nothing is changed by it.
+//! Which contacts are closed from now on, how they slip, and the phase that follows. Nothing is
+//! changed by it.
 
 mod dependent;
 mod form;
@@ -93,8 +94,8 @@ impl Snapshot<'_> {
 
     /// The closed contacts from now on and how those with friction slip.
     pub(super) fn decide(&self, question: &Question) -> Result<Decision, Refusal> {
-        let touching = question.touching.difference(self.parted()).union(self.contacts.guides());
-        let stationary = self.stationary_gaps(touching);
+        let touching = question.touching.difference(self.find_parted()).union(self.contacts.guides());
+        let stationary = self.find_stationary_gaps(touching);
         let question = &Question { touching: touching.difference(stationary.least), ..question.clone() };
         let (touching, greatest) = (question.touching, stationary.greatest());
         let mut decided = self.solve(question, touching.difference(greatest));
@@ -157,12 +158,13 @@ impl Snapshot<'_> {
         let closed = closed.union(flat);
         let mut log = alternatives.map_or_else(Vec::new, log_alternatives);
         log.extend((!unique).then_some(LoggedDecision::ReactionsNotUnique));
-        let entry = self.enter(self.bearing_of(closed, bearing), is_given)?;
+        let entry = self.enter(self.choose_bearing(closed, bearing), is_given)?;
         Ok(Decision { closed, reactions, entry, log })
     }
 
-    /// Contacts that did depend on those that bear and have come off: their gaps were zero only where the phase began.
-    fn parted(&self) -> ContactSet {
+    /// Contacts that did depend on those that bear and have come off: their gaps were zero only
+    /// where the phase began.
+    fn find_parted(&self) -> ContactSet {
         let dependent = self.closed().difference(self.bearing());
         if dependent.is_empty() {
             return ContactSet::EMPTY;
@@ -174,7 +176,7 @@ impl Snapshot<'_> {
     }
 
     /// Those of touching contacts that may open whose gaps are stationary here.
-    fn stationary_gaps(&self, touching: ContactSet) -> StationaryGaps {
+    fn find_stationary_gaps(&self, touching: ContactSet) -> StationaryGaps {
         let drives = touching.intersection(self.layout().drives());
         let held = self.contacts.held().union(self.contacts.guides()).union(drives);
         let touching = touching.difference(held);

@@ -61,7 +61,8 @@ impl Snapshot<'_> {
         located
     }
 
-    /// Contacts at rest whose force of sticking is at its limit, as at a start: they can stick now, and not in the motion that follows.
+    /// Contacts at rest whose force of sticking is at its limit, as at a start: they can stick now,
+    /// and not in the motion that follows.
     pub(in crate::simulation) fn at_static_limits(&self, touching: ContactSet) -> LocatedSlips {
         let (set, layout, slips) = (self.slipping_as_now(touching), self.layout(), self.slip_states());
         let (reactions, bound) = self.reactions_at(&self.state, set);
@@ -80,7 +81,8 @@ impl Snapshot<'_> {
         located
     }
 
-    /// Contacts at their limits whose friction is not zero: they slip, however small N = |R|/μ may be.
+    /// Contacts at their limits whose friction is not zero: they slip, however small N = |R|/μ may
+    /// be.
     pub(in crate::simulation) fn still_rubbing(&self, located: &LocatedSlips) -> ContactSet {
         if located.leaving.is_empty() {
             return ContactSet::EMPTY;
@@ -99,8 +101,8 @@ impl Snapshot<'_> {
         margin(self.setup.context.system(), &self.state, &self.closed(), &reactions).leaving
     }
 
-    /// What is known of the slip of each touching contact with friction: what was located, how it slipped in the phase
-    /// before, else what its velocity says.
+    /// What is known of the slip of each touching contact with friction: what was located, how it
+    /// slipped in the phase before, else what its velocity says.
     pub(in crate::simulation) fn known_slips(&self, question: &Question) -> Vec<(usize, KnownSlip)> {
         let layout = self.layout();
         if layout.frictions.is_empty() {

@@ -1,5 +1,5 @@
-//! Phases that are first integrated on trial: those that begin where contacts depend on each other. What sinks in the trial takes
-//! the place of the one it depends on most.
+//! Phases that are first integrated on trial: those that begin where contacts depend on each other.
+//! What sinks in the trial takes the place of the one it depends on most.
 
 use super::Driver;
 use crate::simulation::RunCause;

@@ -1,11 +1,12 @@
-//! The event loop: decide the closed contacts, integrate their phase to the first event, respond to it, decide again.
+//! The event loop: decide the closed contacts, integrate their phase to the first event, respond to
+//! it, decide again.
 
 mod dependent;
 mod phase;
 
 use super::awaited::Awaited;
 use super::respond::Next;
-use super::snapshot::{Begun, Snapshot, Told};
+use super::snapshot::{PhaseStart, Snapshot, Transition};
 use super::{Allowance, Exhausted, RunCause, RunError, Simulation};
 use crate::assembly::{Start, StartError};
 use crate::contact::{ContactError, labels};
@@ -30,7 +31,7 @@ pub(crate) struct Driver<'a> {
     taken: usize,
     /// The state in which the phase before has ended, as it was recorded.
     ended: Option<Vec<f64>>,
-    /// How many phases have begun since time last advanced.
+    /// How many phases have start since time last advanced.
     stalled: usize,
 }
 
@@ -79,9 +80,9 @@ impl<'a> Driver<'a> {
             if let Some(ended) = &self.ended {
                 self.now.refuse_seam(ended)?;
             }
-            let begun = self.now.begin_phase();
+            let start = self.now.phase_start();
             let outcome = self.advance();
-            next = self.follow(outcome, &begun)?;
+            next = self.follow(outcome, &start)?;
         }
         Ok(())
     }
@@ -107,7 +108,7 @@ impl<'a> Driver<'a> {
         response: impl FnOnce(&mut Snapshot<'a>) -> Result<T, RunCause>,
     ) -> Result<T, RunCause> {
         let answer = response(&mut self.now);
-        let Told { events, log, impulses } = core::mem::take(&mut self.now.told);
+        let Transition { events, log, impulses } = core::mem::take(&mut self.now.transition);
         for event in events {
             self.observer.event(event.t);
             if let Some(found) = &event.before {
@@ -141,10 +142,10 @@ impl<'a> Driver<'a> {
     }
 
     /// Follows a phase with what its end asks for.
-    fn follow(&mut self, outcome: Outcome, begun: &Begun) -> Result<Next, RunCause> {
+    fn follow(&mut self, outcome: Outcome, start: &PhaseStart) -> Result<Next, RunCause> {
         let logged = self.trajectory.log.len();
         let (counts, work, memory) = (outcome.counts, outcome.work, outcome.memory);
-        let end = self.take(outcome, begun)?;
+        let end = self.take(outcome, start)?;
         if self.stalled > 4 + 2 * self.setup.layout().contacts.len() {
             self.now.refuse_singular()?;
             return Err(self.stalled_by(&end));
@@ -156,7 +157,7 @@ impl<'a> Driver<'a> {
         }
         let breaks = matches!(end, Termination::Failed(_) | Termination::Drive(_) | Termination::Seam(_));
         if !breaks && !matches!(end, Termination::Singular(_) | Termination::Loop(_)) {
-            now.refuse_drift(begun, counts, &work, &self.trajectory.log[logged..])?;
+            now.refuse_drift(start, counts, &work, &self.trajectory.log[logged..])?;
         }
         match end {
             Termination::Exhausted(of) => Err(now.exhausted(of)),
@@ -178,12 +179,12 @@ impl<'a> Driver<'a> {
                 })?;
                 Ok(Next::Continue)
             }
-            Termination::Paradox | Termination::Horizon | Termination::Event(_) => self.pass(&end, begun),
+            Termination::Paradox | Termination::Horizon | Termination::Event(_) => self.pass(&end, start),
         }
     }
 
     /// Takes over what a phase has brought, and says how it ended.
-    fn take(&mut self, outcome: Outcome, begun: &Begun) -> Result<Termination, RunCause> {
+    fn take(&mut self, outcome: Outcome, start: &PhaseStart) -> Result<Termination, RunCause> {
         let Outcome { recorded, touches, log, end, t, state, ended, reactions, counts, passed, .. } = outcome;
         let mut recorded = recorded;
         if let (Some(recorded), Termination::Event(guards)) = (&mut recorded, &end) {
@@ -216,7 +217,7 @@ impl<'a> Driver<'a> {
             let contacts = &self.now.contacts;
             recorded.is_struck = onset.is_struck;
             recorded.held = contacts.held();
-            recorded.removed = contacts.absent().union(begun.sunk).union(contacts.waiting());
+            recorded.removed = contacts.absent().union(start.sunk).union(contacts.waiting());
             let guards = if let Termination::Event(guards) = &end { guards.clone() } else { Vec::new() };
             self.keep(recorded, guards);
         } else {
@@ -226,10 +227,10 @@ impl<'a> Driver<'a> {
     }
 
     /// What happens at the end of a phase, and what that makes true at once.
-    fn pass(&mut self, end: &Termination, begun: &Begun) -> Result<Next, RunCause> {
+    fn pass(&mut self, end: &Termination, start: &PhaseStart) -> Result<Next, RunCause> {
         let before = self.now.before_event();
         let (next, roots) = match end {
-            Termination::Event(guards) => (self.respond(|now| now.handle(guards, begun))?, &guards[..]),
+            Termination::Event(guards) => (self.respond(|now| now.handle(guards, start))?, &guards[..]),
             Termination::Paradox => {
                 self.respond(Snapshot::cross_border)?;
                 (Next::Continue, &[][..])
@@ -273,8 +274,9 @@ impl<'a> Driver<'a> {
         self.allowance.exceeded_by(0, 0).map_or(Ok(()), |of| Err(self.now.exhausted(of)))
     }
 
-    /// What a step has failed by: a bound of the equations, accelerations that are nearly undetermined, or hinges that have come to
-    /// where their law leaves no motion; else the step's own error.
+    /// What a step has failed by: a bound of the equations, accelerations that are nearly
+    /// undetermined, or hinges that have come to where their law leaves no motion; else the step's
+    /// own error.
     fn failed_by(&self, error: StepError) -> RunCause {
         let now = &self.now;
         let checked = now.refuse_vanishing().and_then(|()| now.refuse_singular());
@@ -282,7 +284,8 @@ impl<'a> Driver<'a> {
         cause.err().unwrap_or_else(|| error.into())
     }
 
-    /// Why events follow one another without time: a hinge at its limit that has no motion beyond it, else that is not decided.
+    /// Why events follow one another without time: a hinge at its limit that has no motion beyond
+    /// it, else that is not decided.
     fn stalled_by(&self, end: &Termination) -> RunCause {
         let guards = if let Termination::Event(guards) = end { &guards[..] } else { &[] };
         let (now, layout) = (&self.now, self.setup.layout());
@@ -337,8 +340,8 @@ impl<'a> Driver<'a> {
         }
     }
 
-    /// Shows the observer what has happened since it was last shown, and keeps what it has not taken, what the run waits for, and
-    /// what ends it.
+    /// Shows the observer what has happened since it was last shown, and keeps what it has not
+    /// taken, what the run waits for, and what ends it.
     fn show_events(&mut self, ends: bool) {
         let events = &mut self.trajectory.events;
         while let Some(event) = events.get(self.shown) {

@@ -7,8 +7,8 @@ use crate::simulation::Simulation;
 use crate::simulation::awaited::Role;
 use crate::simulation::phase_run::{Limits, Outcome, PhaseRun, Progress};
 
-/// Order of the first derivative of a gap that does not vanish where its contact opens with its reaction at zero:
-/// g = ġ = g̈ = 0 < g⃛.
+/// Order of the first derivative of a gap that does not vanish where its contact opens with its
+/// reaction at zero: g = ġ = g̈ = 0 < g⃛.
 const LIFTOFF_ORDER: usize = 3;
 
 impl Driver<'_> {
@@ -31,11 +31,11 @@ impl Driver<'_> {
             closed: now.closed(),
             held: now.contacts.held(),
             removed: now.contacts.absent(),
-            off: now.beyond_end(),
+            off: now.find_beyond_end(),
             passed: now.contacts.below(),
             kept: now.onset.kept,
             grip: Grip::of(context.system(), &now.state, &now.closed()),
-            heights: &now.low_flights(),
+            heights: &now.find_low_flights(),
             orders: &orders,
             forces: &now.forces(),
             slips: &now.natural_slips(),

@@ -15,14 +15,14 @@ use crate::simulation::snapshot::Snapshot;
 use crate::trajectory::{LogEntry, LoggedDecision};
 
 impl Snapshot<'_> {
-    /// The phase of the start, after the impact of what its rates drive into a support, or without collision where they obey no law of
-    /// friction.
+    /// The phase of the start, after the impact of what its rates drive into a support, or without
+    /// collision where they obey no law of friction.
     pub(in crate::simulation) fn begin(&mut self) -> Result<Next, RunCause> {
         self.refuse_vanishing()?;
         if let Next::Finished = self.start()? {
             return Ok(Next::Finished);
         }
-        self.tell_met();
+        self.log_met_conditions();
         self.do_due()?;
         Ok(Next::Continue)
     }
@@ -33,13 +33,13 @@ impl Snapshot<'_> {
         if striking.is_empty() {
             self.decide_at_start()?;
             self.refuse_equilibrium()?;
-            if self.told.events.is_empty() {
+            if self.transition.events.is_empty() {
                 self.record(EventKind::Start, ContactSet::EMPTY, None);
                 return Ok(Next::Continue);
             }
             let reactions = reactions(self.layout(), &vec![0.0; self.layout().reactions()]);
             let start = Event { reactions, note: Some(Note::BeforeImpact), ..start };
-            self.told.events.insert(0, start);
+            self.transition.events.insert(0, start);
             return self.follow_start(before);
         }
         self.record(EventKind::Start, ContactSet::EMPTY, Some(Note::BeforeImpact));
@@ -60,7 +60,7 @@ impl Snapshot<'_> {
     }
 
     /// Logs the conditions that are to end the run and hold at its start.
-    fn tell_met(&mut self) {
+    fn log_met_conditions(&mut self) {
         let conditions = &self.setup.ends.conditions;
         if conditions.is_empty() {
             return;
@@ -70,8 +70,9 @@ impl Snapshot<'_> {
         met.into_iter().for_each(|condition| self.log(LoggedDecision::ConditionHolds(condition)));
     }
 
-    /// Decides on the contacts. A reaction that vanishes, as that of a state at which another run was left, is zero to within its
-    /// bound, and its change may be; if it is not told then what would follow, the contact stays closed as long as it is.
+    /// Decides on the contacts. A reaction that vanishes, as that of a state at which another run
+    /// was left, is zero to within its bound, and its change may be; if it is not told then what
+    /// would follow, the contact stays closed as long as it is.
     fn decide_at_start(&mut self) -> Result<(), RunCause> {
         let (given, touching) = (self.clone(), self.closed());
         let question = Question { is_given: true, ..Question::about(touching) };
@@ -118,14 +119,15 @@ impl Snapshot<'_> {
         (0..contacts).filter(closes).collect()
     }
 
-    /// Refuses a start in equilibrium unless something is planned: nothing would ever set it in motion. What an impact without
-    /// collision has brought to rest did move, and where friction allows another motion too, rest is one that was taken.
+    /// Refuses a start in equilibrium unless something is planned: nothing would ever set it in
+    /// motion. What an impact without collision has brought to rest did move, and where friction
+    /// allows another motion too, rest is one that was taken.
     fn refuse_equilibrium(&self) -> Result<(), RunCause> {
         let is_one_of_several =
             |entry: &LogEntry| matches!(entry.decision, LoggedDecision::SeveralMotions { .. });
-        let moves = !self.told.events.is_empty()
+        let moves = !self.transition.events.is_empty()
             || !self.setup.plan.is_empty()
-            || self.told.log.iter().any(is_one_of_several)
+            || self.transition.log.iter().any(is_one_of_several)
             || !self.setup.rules.switches.is_empty();
         if !moves && is_equilibrium(&self.setup.context, &*self.phase, &self.state) {
             return Err(StartError::Equilibrium.into());

@@ -15,7 +15,8 @@ use crate::simulation::snapshot::{Snapshot, split};
 use crate::system::Equations;
 use crate::trajectory::LoggedDecision;
 
-/// What an impact does, what it may gain, J, and the contacts of which the order of simultaneous impacts matters.
+/// What an impact does, what it may gain, J, and the contacts of which the order of simultaneous
+/// impacts matters.
 struct Impact {
     outcome: Outcome,
     allowed: f64,
@@ -35,11 +36,12 @@ impl Snapshot<'_> {
         let Impact { outcome, allowed, order } = self.strike(present, &equations)?;
         self.refuse_gain(&found.energy, allowed)?;
         let acting = outcome.acting.iter().fold(closing, |set, &i| set.with(i));
-        // Those that were closed before pass an impulse on; of open ones within their bounds those that have one are struck.
+        // Those that were closed before pass an impulse on; of open ones within their bounds those
+        // that have one are struck.
         let struck = acting.difference(before.difference(closing));
         let (threads, supports) = split(self.layout(), struck);
         let gained = self.gained(&outcome).map(Note::EnergyGained);
-        let note = gained.or(self.tell_order(order, struck.len() > 1));
+        let note = gained.or(self.log_order(order, struck.len() > 1));
         for (kind, set) in [(EventKind::Impact, supports), (EventKind::Taut, threads)] {
             if !set.is_empty() {
                 let shown = acting.union(self.both_ways_struck(&outcome));
@@ -71,7 +73,7 @@ impl Snapshot<'_> {
     }
 
     /// Logs the order of impacts that matters; a note on an event of several struck contacts.
-    fn tell_order(&mut self, order: Option<ImpactOrder>, on_event: bool) -> Option<Note> {
+    fn log_order(&mut self, order: Option<ImpactOrder>, on_event: bool) -> Option<Note> {
         let order = order?;
         self.log(LoggedDecision::ImpactOrder(order.clone()));
         on_event.then_some(Note::ImpactOrder(order))
@@ -85,7 +87,7 @@ impl Snapshot<'_> {
         let collision = collision(&equations, (&self.known_rates(), applied), self.rows(present));
         let outcome = self.collide(&collision, present)?;
         let order = impact_order(self.layout(), &collision, &outcome);
-        self.tell_order(order, false);
+        self.log_order(order, false);
         let acting = outcome.acting.iter().copied().collect();
         let all = ContactSet::ALL;
         let parts = (Some(found), &outcome.impulses);
@@ -94,15 +96,16 @@ impl Snapshot<'_> {
         self.follow_flights(present, &outcome)
     }
 
-    /// Contacts with g = 0: the closed ones, those that close, and open ones within the error bound of their gap, in a low
-    /// flight a part of its height. A drive that waits is there from its own event on.
+    /// Contacts with g = 0: the closed ones, those that close, and open ones within the error bound
+    /// of their gap, in a low flight a part of its height. A drive that waits is there from its own
+    /// event on.
     pub(super) fn present(&self, closing: ContactSet, equations: &Equations<f64>) -> ContactSet {
         let usual = self.gap_bounds();
         let bound = |i: usize| {
             let flight = self.bounces.heights.iter().find(|(contact, _)| *contact == i);
             flight.map_or(f64::INFINITY, |(_, height)| LOW * height).min(usual(i))
         };
-        let off = self.beyond_end().union(self.contacts.waiting());
+        let off = self.find_beyond_end().union(self.contacts.waiting());
         let zero = |i: &usize| {
             equations.gap()[*i].abs() <= bound(*i)
                 && !self.contacts.absent().contains(*i)
@@ -150,7 +153,8 @@ impl Snapshot<'_> {
         }
     }
 
-    /// What holds both ways and bears a part of the impulses: guides, drives that have taken hold, held supports.
+    /// What holds both ways and bears a part of the impulses: guides, drives that have taken hold,
+    /// held supports.
     pub(super) fn both_ways_struck(&self, outcome: &Outcome) -> ContactSet {
         let held = self.contacts.held().union(self.contacts.guides());
         held.iter().filter(|&i| outcome.impulses[i] != 0.0).collect()
@@ -179,7 +183,8 @@ impl Snapshot<'_> {
         Ok(outcome)
     }
 
-    /// The state after an impact, exactly zero where contacts stay closed, and the phase that follows.
+    /// The state after an impact, exactly zero where contacts stay closed, and the phase that
+    /// follows.
     fn follow_impact(
         &mut self,
         before: &[f64],
@@ -201,7 +206,8 @@ impl Snapshot<'_> {
         self.proceed(&outcome.rates, touching)
     }
 
-    /// A contact does not open at a speed that the rounding of the pose makes of zero, relative to the fastest motion before.
+    /// A contact does not open at a speed that the rounding of the pose makes of zero, relative to
+    /// the fastest motion before.
     fn round_openings(&self, before: &[f64], outcome: &mut Outcome) {
         let (layout, scales) = (self.layout(), &self.setup.context.scales);
         let n = layout.coordinates.len();
@@ -212,10 +218,10 @@ impl Snapshot<'_> {
         }
     }
 
-    /// Records what an impact has opened: undecided where a contact that it leaves at rest opens by an acceleration that the rounding of
-    /// the pose makes of zero.
+    /// Records what an impact has opened: undecided where a contact that it leaves at rest opens by
+    /// an acceleration that the rounding of the pose makes of zero.
     fn record_rebounds(&mut self, before: ContactSet, outcome: &Outcome) {
-        let recorded = self.told.events.len();
+        let recorded = self.transition.events.len();
         self.record_changes(before);
         let rests = |i: &usize| outcome.opening[*i] == 0.0;
         let opened: ContactSet = before.difference(self.closed()).iter().filter(rests).collect();
@@ -231,7 +237,7 @@ impl Snapshot<'_> {
             without_rounding(equations.gap_acceleration(i, &a), unit) == 0.0
         };
         if opened.iter().any(rounded) {
-            self.tell_undecided(recorded);
+            self.mark_undecided(recorded);
         }
     }
 
@@ -241,7 +247,7 @@ impl Snapshot<'_> {
         let (n, rounding) = (rates.len(), self.rounding_of_the_way());
         self.state[n..2 * n].copy_from_slice(rates.as_slice());
         self.onset.is_struck = true;
-        (self.state, _) = self.restored(touching, rounding, false)?;
+        (self.state, _) = self.project(touching, rounding, false)?;
         self.go_on(Question::about(touching))
     }
 
@@ -257,7 +263,8 @@ impl Snapshot<'_> {
     }
 }
 
-/// The energy that an impact may gain, J: what its law has told, and the work of moving surfaces and drives, −Σ P ∂g/∂t.
+/// The energy that an impact may gain, J: what its law has told, and the work of moving surfaces
+/// and drives, −Σ P ∂g/∂t.
 pub(super) fn allowed_gain(drift: &[f64], outcome: &Outcome) -> f64 {
     let work: f64 = outcome.impulses.iter().zip(drift).map(|(impulse, drift)| impulse * drift).sum();
     outcome.gained.max(0.0) - work

@@ -1,4 +1,5 @@
-//! Drives on conditions: they take hold where what they drive has its value, and are held from there as supports can be.
+//! Drives on conditions: they take hold where what they drive has its value, and are held from
+//! there as supports can be.
 
 use nalgebra::DVector;
 
@@ -8,8 +9,8 @@ use crate::simulation::RunCause;
 use crate::simulation::decide::Question;
 use crate::simulation::snapshot::Snapshot;
 
-/// Where a drive comes smoothly to what it drives, the time is that of a double root, known to the square root of rounding, and with it
-/// the difference of the rates.
+/// Where a drive comes smoothly to what it drives, the time is that of a double root, known to the
+/// square root of rounding, and with it the difference of the rates.
 const SMOOTH: f64 = 1e-7;
 
 impl Snapshot<'_> {
@@ -27,7 +28,8 @@ impl Snapshot<'_> {
         closing.difference(self.layout().drives()).is_empty() && !self.differs(closing)
     }
 
-    /// Contacts close without an impulse, and drives among them take hold; the contacts that were closed before.
+    /// Contacts close without an impulse, and drives among them take hold; the contacts that were
+    /// closed before.
     pub(super) fn join(&mut self, set: ContactSet) -> Result<ContactSet, RunCause> {
         let before = self.closed();
         self.contacts.take_hold(set);

@@ -1,5 +1,6 @@
-//! Conditions that become true by a jump: impacts change rates, and a change of contacts, springs or loads changes accelerations and
-//! reactions, at once. An equation is met by no jump: what passes a value without having it does not have it.
+//! Conditions that become true by a jump: impacts change rates, and a change of contacts, springs
+//! or loads changes accelerations and reactions, at once. An equation is met by no jump: what
+//! passes a value without having it does not have it.
 
 use super::Next;
 use crate::event::{EventKind, Guard, Note};
@@ -27,7 +28,8 @@ impl Snapshot<'_> {
         jumps.then(|| Before { margins: self.margins(), state: self.state.clone(), closed: self.closed() })
     }
 
-    /// Does what conditions ask for that the event has made true. Those that it was the root of are done with.
+    /// Does what conditions ask for that the event has made true. Those that it was the root of are
+    /// done with.
     pub(in crate::simulation) fn follow_jumps(
         &mut self,
         before: Option<Before>,

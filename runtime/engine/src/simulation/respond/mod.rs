@@ -22,7 +22,7 @@ use crate::simulation::RunCause;
 use crate::simulation::awaited::Role;
 use crate::simulation::decide::{LocatedSlips, Question, Refusal, Unsolved};
 use crate::simulation::phase_run::Touch;
-use crate::simulation::snapshot::{Begun, Snapshot};
+use crate::simulation::snapshot::{PhaseStart, Snapshot};
 use crate::trajectory::LoggedDecision;
 
 /// Whether the run goes on.
@@ -62,17 +62,18 @@ impl Snapshot<'_> {
         Ok(Next::Finished)
     }
 
-    /// Reactions first; then what ends the run, at the state before any impact; then impacts and what is planned.
+    /// Reactions first; then what ends the run, at the state before any impact; then impacts and
+    /// what is planned.
     pub(in crate::simulation) fn handle(
         &mut self,
         guards: &[Guard],
-        begun: &Begun,
+        start: &PhaseStart,
     ) -> Result<Next, RunCause> {
         let pick =
             |kind: fn(&Guard) -> Option<usize>| -> ContactSet { guards.iter().filter_map(kind).collect() };
         let unloaded = pick(|g| if let Guard::Reaction(i) | Guard::Side(i, _) = g { Some(*i) } else { None });
         let closing = pick(|g| g.gap());
-        let closing = closing.difference(self.beyond_end());
+        let closing = closing.difference(self.find_beyond_end());
         let sliding = pick(|g| if let Guard::Foot { contact, .. } = g { Some(*contact) } else { None });
         let met = guards.iter().filter_map(|g| if let Guard::Condition(k) = g { Some(*k) } else { None });
         let (mut stops, mut planned, mut switched) = (Vec::new(), Vec::new(), Vec::new());
@@ -90,7 +91,7 @@ impl Snapshot<'_> {
         if !sliding.is_empty() {
             self.slide_off(sliding, unloaded)?;
         } else if !unloaded.is_empty() || !slips.is_empty() {
-            self.open(unloaded, slips, begun)?;
+            self.open(unloaded, slips, start)?;
         } else if guards.contains(&Guard::Grip) {
             self.keep_grip();
         }
@@ -133,16 +134,21 @@ impl Snapshot<'_> {
         Ok(())
     }
 
-    fn open(&mut self, unloaded: ContactSet, located: LocatedSlips, begun: &Begun) -> Result<(), RunCause> {
-        self.refuse_lost_inertia(begun)?;
-        let (before, blurred, recorded) = (self.closed(), self.is_blurred(), self.told.events.len());
+    fn open(
+        &mut self,
+        unloaded: ContactSet,
+        located: LocatedSlips,
+        start: &PhaseStart,
+    ) -> Result<(), RunCause> {
+        self.refuse_lost_inertia(start)?;
+        let (before, blurred, recorded) = (self.closed(), self.is_blurred(), self.transition.events.len());
         let (slipping, slips) = (!located.is_empty(), located.contacts());
         self.go_on(Question { unloaded, located, ..self.question() })?;
         let opened = before.difference(self.closed());
         if before != self.closed() {
             self.record_changes(before);
             if blurred {
-                self.tell_undecided(recorded);
+                self.mark_undecided(recorded);
             }
             self.onset.lifted = if slipping { opened.intersection(unloaded) } else { opened };
         } else if !unloaded.is_empty() && !unloaded.difference(self.bearing()).is_empty() {
@@ -156,18 +162,19 @@ impl Snapshot<'_> {
         Ok(())
     }
 
-    /// Where a motion comes to a position at which it loses inertia, rates grow beyond all bounds and reactions lose their digits:
-    /// a zero of one is no event there.
-    fn refuse_lost_inertia(&self, begun: &Begun) -> Result<(), RunCause> {
+    /// Where a motion comes to a position at which it loses inertia, rates grow beyond all bounds
+    /// and reactions lose their digits: a zero of one is no event there.
+    fn refuse_lost_inertia(&self, start: &PhaseStart) -> Result<(), RunCause> {
         let model = &self.setup.context.model;
-        let had_inertia = || refuse_singular(model, &begun.state, self.closed()).is_ok();
+        let had_inertia = || refuse_singular(model, &start.state, self.closed()).is_ok();
         if are_determined(&*model.system, &self.state) || !had_inertia() {
             return Ok(());
         }
         self.refuse_singular()
     }
 
-    /// The cause of a failed step may be accelerations that are nearly undetermined; then that is the error.
+    /// The cause of a failed step may be accelerations that are nearly undetermined; then that is
+    /// the error.
     pub(in crate::simulation) fn refuse_singular(&self) -> Result<(), RunCause> {
         let refused = refuse_singular(&self.setup.context.model, &self.state, self.closed());
         refused.map_err(|source| self.contact_error(source))
@@ -186,7 +193,8 @@ impl Snapshot<'_> {
         }
     }
 
-    /// Contacts that share their load are at their limits, and none of them can slip, as at a dead centre.
+    /// Contacts that share their load are at their limits, and none of them can slip, as at a dead
+    /// centre.
     fn keep_grip(&mut self) {
         let sticks = |i: &usize| {
             self.layout().contacts[*i].friction.is_some() && self.closed().slip(*i) == Slip::Stick
@@ -196,7 +204,8 @@ impl Snapshot<'_> {
         self.onset.kept = sticking;
     }
 
-    /// Contacts that only depended on those that bear where the phase began, and have parted since: they opened there.
+    /// Contacts that only depended on those that bear where the phase began, and have parted since:
+    /// they opened there.
     pub(in crate::simulation) fn part(&mut self, parted: ContactSet) {
         self.contacts.open(parted);
         self.reactions = self.reactions_at(&self.state, self.bearing()).0;

@@ -1,5 +1,6 @@
-//! Painlevé's paradox in a run: a slip that no reaction obeys the law of friction in, or whose reaction grows beyond all bounds, is
-//! ended by an impact without collision, unless a contact jams.
+//! Painlevé's paradox in a run: a slip that no reaction obeys the law of friction in, or whose
+//! reaction grows beyond all bounds, is ended by an impact without collision, unless a contact
+//! jams.
 
 use super::collide::allowed_gain;
 use crate::contact::friction::{Sense, Slip as KnownSlip, holds};
@@ -12,7 +13,8 @@ use crate::simulation::RunCause;
 use crate::simulation::decide::{LocatedSlips, Question};
 use crate::simulation::snapshot::Snapshot;
 
-/// A contact is beyond the border of Painlevé's region with a coefficient of friction that is larger by this part.
+/// A contact is beyond the border of Painlevé's region with a coefficient of friction that is
+/// larger by this part.
 const BEYOND: f64 = 1e-12;
 
 impl Snapshot<'_> {
@@ -37,8 +39,8 @@ impl Snapshot<'_> {
         self.end_slip(touching, source, &near)
     }
 
-    /// Ends a slip by an impact without collision, unless a contact jams. Contacts at the border, with what holds them, are
-    /// just beyond it: so near it does not matter.
+    /// Ends a slip by an impact without collision, unless a contact jams. Contacts at the border,
+    /// with what holds them, are just beyond it: so near it does not matter.
     fn end_slip(
         &mut self,
         touching: ContactSet,

@@ -1,4 +1,5 @@
-//! What is planned for a run: supports that vanish, threads that are cut, impulses; at a time or on a condition.
+//! What is planned for a run: supports that vanish, threads that are cut, impulses; at a time or on
+//! a condition.
 
 use nalgebra::DVector;
 
@@ -31,7 +32,7 @@ impl Snapshot<'_> {
                 Action::Remove(contact) => removed = removed.with(contact),
                 Action::Impulse { point, impulse } => {
                     let load = self.generalised(point, impulse);
-                    self.told.impulses.push(AppliedImpulse { t: self.t, point, impulse });
+                    self.transition.impulses.push(AppliedImpulse { t: self.t, point, impulse });
                     impulses.push((self.layout().points[point], impulse));
                     applied = Some(applied.map_or(load.clone(), |sum| sum + load));
                 }
@@ -55,8 +56,8 @@ impl Snapshot<'_> {
         Ok(())
     }
 
-    /// Q = (∂r/∂q)ᵀ p for the impulse p at a point: the derivative of its position by each coordinate. What the rounding of
-    /// the position makes of p is no part of it.
+    /// Q = (∂r/∂q)ᵀ p for the impulse p at a point: the derivative of its position by each
+    /// coordinate. What the rounding of the position makes of p is no part of it.
     fn generalised(&self, point: usize, impulse: [f64; 2]) -> DVector<f64> {
         let (model, layout) = (&self.setup.context.model, self.layout());
         let mut points = vec![TimeSeries::constant(0.0); 2 * layout.points.len()];

@@ -40,7 +40,7 @@ impl Snapshot<'_> {
         for (label, arms, condition) in changed {
             let kind = if arms { EventKind::Arm } else { EventKind::Disarm };
             self.record(kind, ContactSet::EMPTY, Some(Note::Condition(condition)));
-            if let Some(event) = self.told.events.last_mut() {
+            if let Some(event) = self.transition.events.last_mut() {
                 event.supports = label.split(", ").collect();
             }
         }
@@ -65,7 +65,8 @@ impl Snapshot<'_> {
         Ok(())
     }
 
-    /// How far a condition holds a moment ago, now and in a moment, along the phase that is decided on.
+    /// How far a condition holds a moment ago, now and in a moment, along the phase that is decided
+    /// on.
     fn margins_along(&self, condition: &Condition) -> [f64; 3] {
         let context = &self.setup.context;
         let phase = context.phase(self.bearing(), Form::Projected);

@@ -50,7 +50,7 @@ fn with_snapshot(
 }
 
 fn kinds(snapshot: &Snapshot<'_>) -> Vec<EventKind> {
-    snapshot.told.events.iter().map(|event| event.kind).collect()
+    snapshot.transition.events.iter().map(|event| event.kind).collect()
 }
 
 #[test]
@@ -77,11 +77,11 @@ fn a_gap_at_zero_is_an_impact() {
         [0.0, 1.0, 0.0, 0.0],
         |mut ball| {
             ball.begin().unwrap();
-            let begun = ball.begin_phase();
+            let start = ball.phase_start();
             (ball.t, ball.state[1], ball.state[3]) = (0.5, 0.0, -4.0);
-            assert_eq!(ball.handle(&[Guard::Gap(FLOOR)], &begun).unwrap(), Next::Continue);
+            assert_eq!(ball.handle(&[Guard::Gap(FLOOR)], &start).unwrap(), Next::Continue);
             assert_eq!(kinds(&ball), [EventKind::Start, EventKind::Impact]);
-            let impact = &ball.told.events[1];
+            let impact = &ball.transition.events[1];
             // P = m (1 + e) v.
             assert!((impact.impulses[0].value - 12.0).abs() < 1e-14 && (ball.state[3] - 2.0).abs() < 1e-15);
             assert_eq!(impact.before.as_ref().unwrap().state[3], -4.0);
@@ -97,7 +97,7 @@ fn a_slip_at_zero_sticks() {
         [0.0, 0.0, 3.0, 0.0],
         |mut ball| {
             ball.begin().unwrap();
-            let begun = ball.begin_phase();
+            let start = ball.phase_start();
             let guard = Guard::Slip(crate::event::Rub {
                 contact: FLOOR,
                 friction: 0,
@@ -105,7 +105,7 @@ fn a_slip_at_zero_sticks() {
                 side: ball.closed().side(FLOOR),
             });
             (ball.t, ball.state[2]) = (1.2, 0.0);
-            ball.handle(&[guard], &begun).unwrap();
+            ball.handle(&[guard], &start).unwrap();
             assert_eq!(kinds(&ball), [EventKind::Start, EventKind::Stick]);
             assert_eq!(ball.reactions, [20.0, 0.0, 0.0]);
         },
@@ -119,9 +119,9 @@ fn a_reaction_that_is_zero_and_stays_is_a_touch_that_is_kept() {
         [0.0, 0.0, 3.0, 0.0],
         |mut ball| {
             ball.begin().unwrap();
-            let begun = ball.begin_phase();
+            let start = ball.phase_start();
             // The weight presses all the same.
-            ball.handle(&[Guard::Reaction(FLOOR)], &begun).unwrap();
+            ball.handle(&[Guard::Reaction(FLOOR)], &start).unwrap();
             assert_eq!(kinds(&ball), [EventKind::Start, EventKind::Touch]);
             assert!(ball.onset.kept.contains(FLOOR) && ball.onset.lifted.is_empty());
         },
@@ -141,7 +141,7 @@ fn what_is_due_happens_once() {
         assert_eq!((ball.state[2], ball.contacts.absent()), (5.0, set(FLOOR).union(set(WALL))));
         assert!(ball.next_time() > 1.0);
         ball.reach_time().unwrap();
-        assert_eq!(ball.told.impulses.len(), 1);
+        assert_eq!(ball.transition.impulses.len(), 1);
     });
 }
 
@@ -152,7 +152,7 @@ fn conditions_arm_contacts_and_loads() {
         [1.0, 0.0, 3.0, 0.0],
         |mut ball| {
             ball.begin().unwrap();
-            let begun = ball.begin_phase();
+            let start = ball.phase_start();
             assert!(ball.contacts.absent().contains(WALL));
             let arms = |label: &str| {
                 ball.awaited
@@ -162,7 +162,7 @@ fn conditions_arm_contacts_and_loads() {
             };
             let guards = ["t", "x"].map(|label| Guard::Condition(arms(label).unwrap()));
             (ball.t, ball.state[0]) = (1.0, 2.0);
-            ball.handle(&guards, &begun).unwrap();
+            ball.handle(&guards, &start).unwrap();
             assert!(!ball.contacts.absent().contains(WALL));
             // The wind is heavier than friction, 3 N against 5 N: it goes on to slide.
             assert_eq!(kinds(&ball)[1..], [EventKind::Arm, EventKind::Arm]);
@@ -200,12 +200,14 @@ fn a_stop_ends_before_the_impact() {
         [0.0, 1.0, 0.0, 0.0],
         |mut ball| {
             ball.begin().unwrap();
-            let begun = ball.begin_phase();
+            let start = ball.phase_start();
             (ball.state[1], ball.state[3]) = (0.0, -4.0);
             let guards = [Guard::Gap(FLOOR), Guard::Condition(0)];
-            assert_eq!(ball.handle(&guards, &begun).unwrap(), Next::Finished);
+            assert_eq!(ball.handle(&guards, &start).unwrap(), Next::Finished);
             assert_eq!(kinds(&ball), [EventKind::Start, EventKind::Stop]);
-            assert!(matches!(ball.told.events[1].note, Some(Note::Condition(_))) && ball.state[3] == -4.0);
+            assert!(
+                matches!(ball.transition.events[1].note, Some(Note::Condition(_))) && ball.state[3] == -4.0
+            );
         },
     );
 }

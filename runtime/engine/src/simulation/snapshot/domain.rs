@@ -52,7 +52,8 @@ impl Snapshot<'_> {
         self.setup.rules.domains.iter().enumerate().find(is_below).map_or(Ok(()), |(k, _)| Err(self.left(k)))
     }
 
-    /// The cause of a failed step or of a singular loop may be a distance that vanishes; then that is the error.
+    /// The cause of a failed step or of a singular loop may be a distance that vanishes; then that
+    /// is the error.
     pub(in crate::simulation) fn refuse_vanishing(&self) -> Result<(), RunCause> {
         match self.setup.rules.domains.is_empty() {
             true => Ok(()),

@@ -8,9 +8,10 @@ use crate::model::ContactSet;
 use crate::system::Equations;
 
 impl Snapshot<'_> {
-    /// The size of the reaction of each closed contact: what it is now, or what gives its contact's own mass 1/Wᵢᵢ the natural
-    /// acceleration, or that of the motion where it is faster by now; of one that slides no more than what has a natural force of
-    /// friction, however large μ is. That of an open one is zero.
+    /// The size of the reaction of each closed contact: what it is now, or what gives its contact's
+    /// own mass 1/Wᵢᵢ the natural acceleration, or that of the motion where it is faster by now; of
+    /// one that slides no more than what has a natural force of friction, however large μ is. That
+    /// of an open one is zero.
     pub(in crate::simulation) fn forces(&self) -> Numbers {
         let mut forces: Numbers = smallvec![0.0; self.layout().contacts.len()];
         if self.closed().is_empty() {
@@ -29,8 +30,8 @@ impl Snapshot<'_> {
         forces
     }
 
-    /// The mass that the reaction of a contact moves by itself: `1/W_NN = dᵀ M d` of the least d with `J_N d = −1`, and where it slides
-    /// `1/(W_NN − σ μ W_Nt)` with `W_Nt = −W_NN J_t d`.
+    /// The mass that the reaction of a contact moves by itself: `1/W_NN = dᵀ M d` of the least d
+    /// with `J_N d = −1`, and where it slides `1/(W_NN − σ μ W_Nt)` with `W_Nt = −W_NN J_t d`.
     fn effective_mass(&self, equations: &Equations<f64>, contact: usize, mu: f64) -> f64 {
         let mut residual: Numbers = smallvec![0.0; self.layout().rows()];
         residual[contact] = 1.0;

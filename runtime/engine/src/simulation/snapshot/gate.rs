@@ -1,6 +1,7 @@
-//! What every motion satisfies, checked at the ends of phases and at impacts: it costs nothing per step.
+//! What every motion satisfies, checked at the ends of phases and at impacts: it costs nothing per
+//! step.
 
-use super::{Begun, Snapshot};
+use super::{PhaseStart, Snapshot};
 use crate::audit::{Bounds, Finding, Place, Quantity, Seam, energy_finding, gain};
 use crate::integrate::Counts;
 use crate::model::Energy;
@@ -8,10 +9,11 @@ use crate::simulation::{RunCause, Simulation};
 use crate::trajectory::{LogEntry, Work};
 
 impl Snapshot<'_> {
-    /// Refuses the end of a phase that has left its contacts, or whose energy has changed by anything but work.
+    /// Refuses the end of a phase that has left its contacts, or whose energy has changed by
+    /// anything but work.
     pub(in crate::simulation) fn refuse_drift(
         &self,
-        begun: &Begun,
+        start: &PhaseStart,
         counts: Counts,
         work: &Work,
         log: &[LogEntry],
@@ -19,9 +21,9 @@ impl Snapshot<'_> {
         let context = &self.setup.context;
         // Contacts that do not exist, drives that do not hold, and those below their bars.
         let absent = self.contacts.absent().union(self.contacts.waiting()).union(self.contacts.below());
-        let place = Place { context, set: self.closed(), absent: absent.union(begun.sunk), t: self.t };
+        let place = Place { context, set: self.closed(), absent: absent.union(start.sunk), t: self.t };
         let bounds = Bounds::of(self.setup.tolerance, counts.accepted + counts.rejected).past(log);
-        let kept = energy_finding(context, self.t, [&begun.energy, &self.energy()], (work, &bounds));
+        let kept = energy_finding(context, self.t, [&start.energy, &self.energy()], (work, &bounds));
         refuse(place.gaps(&self.state, &bounds).chain([kept]))
     }
 
@@ -32,8 +34,13 @@ impl Snapshot<'_> {
         refuse(seam.compare(ended, &self.state).into_iter().flatten())
     }
 
-    /// Refuses an impact, without an impulse from outside, that has gained more energy than its law has told.
-    pub(in crate::simulation) fn refuse_gain(&self, before: &Energy<f64>, told: f64) -> Result<(), RunCause> {
+    /// Refuses an impact, without an impulse from outside, that has gained more energy than its law
+    /// has told.
+    pub(in crate::simulation) fn refuse_gain(
+        &self,
+        before: &Energy<f64>,
+        allowed: f64,
+    ) -> Result<(), RunCause> {
         if self.layout().timed {
             return Ok(());
         }
@@ -42,7 +49,7 @@ impl Snapshot<'_> {
         refuse([Finding {
             t: self.t,
             quantity: Quantity::Impact,
-            value: gain(&self.setup.context.scales, [before, &now], told),
+            value: gain(&self.setup.context.scales, [before, &now], allowed),
             bound,
         }])
     }

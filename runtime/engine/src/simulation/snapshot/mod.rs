@@ -6,12 +6,12 @@ mod flights;
 mod forces;
 mod gate;
 mod slips;
-mod tell;
 mod tiny;
+mod transition;
 
 pub(crate) use contacts::Contacts;
 pub(crate) use flights::{Bounces, Rise, Sequence, ZenoClosure};
-pub(crate) use tell::{Told, split};
+pub(crate) use transition::{Transition, split};
 
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -49,7 +49,7 @@ pub(crate) struct Snapshot<'a> {
     pub(super) done: Vec<bool>,
     pub(super) bounces: Bounces,
     /// What has happened since the driver last took note.
-    pub(super) told: Told,
+    pub(super) transition: Transition,
     memory: RefCell<Memory>,
 }
 
@@ -68,7 +68,7 @@ pub(crate) struct Onset {
 }
 
 /// What a phase begins with.
-pub(crate) struct Begun {
+pub(crate) struct PhaseStart {
     pub(super) state: Vec<f64>,
     pub(super) energy: Energy<f64>,
     /// Contacts below their grounds, where they had been armed.
@@ -98,11 +98,11 @@ impl<'a> Snapshot<'a> {
             onset: Onset::default(),
             done: vec![false; setup.plan.len()],
             bounces: Bounces::new(layout.contacts.len()),
-            told: Told::default(),
+            transition: Transition::default(),
             memory: RefCell::default(),
         };
         snapshot.contacts.set_below(snapshot.find_below());
-        snapshot.tell_depth(start.depth);
+        snapshot.log_depth(start.depth);
         snapshot
     }
 
@@ -164,7 +164,7 @@ impl<'a> Snapshot<'a> {
 
     /// Open contacts whose foot is at the end of its bar or beyond, or that were armed below their
     /// ground.
-    pub(super) fn beyond_end(&self) -> ContactSet {
+    pub(super) fn find_beyond_end(&self) -> ContactSet {
         let context = &self.setup.context;
         let contacts = self.layout().contacts.iter().enumerate();
         let mut open = contacts
@@ -179,11 +179,11 @@ impl<'a> Snapshot<'a> {
         let bound = self.relative_bound() * context.scales.length;
         let is_off = |(_, k): &(usize, usize)| feet[2 * k..2 * k + 2].iter().any(|margin| *margin <= bound);
         let off: ContactSet = open.filter(is_off).map(|(i, _)| i).collect();
-        off.union(self.sunk())
+        off.union(self.find_sunk())
     }
 
     /// Open contacts that have been armed below their grounds.
-    pub(super) fn sunk(&self) -> ContactSet {
+    pub(super) fn find_sunk(&self) -> ContactSet {
         let switches = &self.setup.rules.switches;
         if switches.is_empty() {
             return ContactSet::EMPTY;
@@ -205,9 +205,9 @@ impl<'a> Snapshot<'a> {
     }
 
     /// What the phase that follows begins with.
-    pub(super) fn begin_phase(&self) -> Begun {
-        let sunk = self.beyond_end().intersection(self.setup.rules.switches.contacts());
-        Begun { state: self.state.clone(), energy: self.energy(), sunk }
+    pub(super) fn phase_start(&self) -> PhaseStart {
+        let sunk = self.find_beyond_end().intersection(self.setup.rules.switches.contacts());
+        PhaseStart { state: self.state.clone(), energy: self.energy(), sunk }
     }
 
     /// Rounding accumulated over the distance that the coordinates have travelled at their rates.

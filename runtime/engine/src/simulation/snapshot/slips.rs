@@ -5,8 +5,8 @@ use crate::context::{Numbers, Slips, slips};
 use crate::model::{ContactSet, Friction, Slip};
 
 impl Snapshot<'_> {
-    /// The natural slip velocity of each contact with friction; of a hinge that of its journal's surface at a radian in the natural
-    /// time.
+    /// The natural slip velocity of each contact with friction; of a hinge that of its journal's
+    /// surface at a radian in the natural time.
     pub(in crate::simulation) fn natural_slips(&self) -> Numbers {
         let (layout, scales) = (self.layout(), &self.setup.context.scales);
         if layout.frictions.is_empty() {

@@ -1,5 +1,5 @@
-//! What is too small to be told from zero: max(10 tol, 64 ε, 2 ε t · fastest rate) of a natural unit, and of a gap at least
-//! 64 ε Σ |Jᵢ qᵢ|, the rounding of the terms that it is a sum of.
+//! What is too small to be told from zero: max(10 tol, 64 ε, 2 ε t · fastest rate) of a natural
+//! unit, and of a gap at least 64 ε Σ |Jᵢ qᵢ|, the rounding of the terms that it is a sum of.
 
 use std::cell::Ref;
 
@@ -14,7 +14,8 @@ use crate::simulation::Simulation;
 pub(super) struct Tiny {
     t: f64,
     state: Numbers,
-    /// Local errors of ten steps, or some roundings, or what the motion goes in the rounding of a time that is long.
+    /// Local errors of ten steps, or some roundings, or what the motion goes in the rounding of a
+    /// time that is long.
     usual: f64,
     /// What rounding makes of each gap, where that may be more.
     roundings: Numbers,
@@ -30,8 +31,8 @@ impl Tiny {
 }
 
 impl Snapshot<'_> {
-    /// What counts as zero at the state, that of closed contacts too: a projection back onto them turns the motion by as much as
-    /// the rounding of coordinates lets it leave them.
+    /// What counts as zero at the state, that of closed contacts too: a projection back onto them
+    /// turns the motion by as much as the rounding of coordinates lets it leave them.
     pub(in crate::simulation) fn relative_bound(&self) -> f64 {
         self.bound_with(ContactSet::EMPTY)
     }

@@ -1,17 +1,19 @@
-//! Sequences of impacts that come to their end in finite time. Flights of one contact begin at t₁, t₂, … with the speeds v₁,
-//! v₂, …; where both shrink by one factor q, the sequence ends at
+//! Sequences of impacts that come to their end in finite time. Flights of one contact begin at t₁,
+//! t₂, … with the speeds v₁, v₂, …; where both shrink by one factor q, the sequence ends at
 //!
 //! ```text
 //! t∞ = tₙ + q (tₙ − tₙ₋₁)/(1 − q),    q = vₙ/vₙ₋₁
 //! ```
 //!
-//! for a bouncing point, whose q is e, as for a rocking block, which stands between its flights. The last impacts are
-//! then replaced by one plastic impact and a closed phase up to t∞: their impulses sum up to those of that phase, with
-//! an error of the order of the square of the time they take. What t∞ changes from one flight to the next is its error;
-//! below some height the rounding of the gap, divided by v, is all that is left of it, and the best t∞ so far is taken.
+//! for a bouncing point, whose q is e, as for a rocking block, which stands between its flights.
+//! The last impacts are then replaced by one plastic impact and a closed phase up to t∞: their
+//! impulses sum up to those of that phase, with an error of the order of the square of the time
+//! they take. What t∞ changes from one flight to the next is its error; below some height the
+//! rounding of the gap, divided by v, is all that is left of it, and the best t∞ so far is taken.
 //!
-//! Contacts that take turns have sequences of such sequences. The fastest flights of each are one that ends the same way
-//! ([`sequence`]), and those that end at one time come to rest together ([`rest`]).
+//! Contacts that take turns have sequences of such sequences. The fastest flights of each are one
+//! that ends the same way ([`sequence`]), and those that end at one time come to rest together
+//! ([`rest`]).
 
 mod rest;
 
@@ -94,8 +96,9 @@ impl Snapshot<'_> {
             Some(end) if self.is_near(end) => settles(end),
             _ if followed => BounceOutcome::Flies,
             Some(end) if converged(end) => settles(end),
-            // Too low for another flight: the contact's own restitution is all there is to go by. Where the flights of
-            // several contacts disturb one another the end is known to the time that is left.
+            // Too low for another flight: the contact's own restitution is all there is to go by.
+            // Where the flights of several contacts disturb one another the end is known to the
+            // time that is left.
             irregular => {
                 let e = factor * self.restitution(contact);
                 let rest = 2.0 * speed / fall / (1.0 - e);
@@ -105,7 +108,8 @@ impl Snapshot<'_> {
         }
     }
 
-    /// Whether an end is known, and so near that it may be taken for now. One that has passed is of flights before.
+    /// Whether an end is known, and so near that it may be taken for now. One that has passed is of
+    /// flights before.
     fn is_near(&self, (end, error): (f64, f64)) -> bool {
         let Simulation { tolerance, context, .. } = self.setup;
         let (short, close) =
@@ -122,11 +126,12 @@ impl Snapshot<'_> {
             let mut ends = sequence.best().into_iter().chain(sequence.of_fastest());
             *i == contact || ends.any(|(other, by)| (other - end).abs() <= same.max(by))
         };
-        let near = self.near(&self.gaps());
+        let near = self.find_near(&self.gaps());
         ZenoClosure { end, error, set: near.iter().filter(joins).collect() }
     }
 
-    /// Closes open contacts that rise too little to be seen: they are back at once, and their impacts over.
+    /// Closes open contacts that rise too little to be seen: they are back at once, and their
+    /// impacts over.
     pub(in crate::simulation) fn settle_unseen(&mut self) -> Result<(), RunCause> {
         let scales = self.setup.context.scales;
         let e = |contact: usize| self.restitution(contact);
@@ -134,7 +139,7 @@ impl Snapshot<'_> {
             let falls = rise.fall > MARGIN * scales.acceleration();
             rise.rate > 0.0 && falls && rise.height <= rise.least && e(rise.contact) < 1.0
         };
-        let rising = self.rising();
+        let rising = self.find_rising();
         let low = rising.iter().filter(|rise| unseen(rise)).map(|&Rise { contact, rate, fall, .. }| {
             let rest = 2.0 * rate / fall / (1.0 - e(contact));
             ZenoClosure { end: self.t + rest, error: 0.0, set: ContactSet::EMPTY.with(contact) }

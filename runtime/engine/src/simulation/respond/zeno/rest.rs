@@ -1,6 +1,6 @@
-//! Contacts that come to rest at the end of their impacts. Their last impacts and the phase up to t∞ have the same impulses,
-//! the normal ones as those of friction: a contact that slides all along has borne P_t = −σ μ P in each of them, one that stops
-//! before t∞ ends with v = 0.
+//! Contacts that come to rest at the end of their impacts. Their last impacts and the phase up to
+//! t∞ have the same impulses, the normal ones as those of friction: a contact that slides all along
+//! has borne P_t = −σ μ P in each of them, one that stops before t∞ ends with v = 0.
 
 use nalgebra::DVector;
 
@@ -13,7 +13,8 @@ use crate::simulation::snapshot::{Snapshot, ZenoClosure, split};
 use crate::trajectory::LoggedDecision;
 
 impl ZenoClosure {
-    /// Those that end at one time as far as is known are one. A contact of several is at rest when the last of them ends.
+    /// Those that end at one time as far as is known are one. A contact of several is at rest when
+    /// the last of them ends.
     pub(super) fn joined(mut all: Vec<Self>, bound: f64) -> Vec<Self> {
         all.sort_by(|one, other| other.end.total_cmp(&one.end));
         let mut joined: Vec<Self> = Vec::new();
@@ -37,7 +38,8 @@ impl ZenoClosure {
 }
 
 impl Snapshot<'_> {
-    /// Closes the contacts now; the events are recorded at the times at which their impacts would have ended.
+    /// Closes the contacts now; the events are recorded at the times at which their impacts would
+    /// have ended.
     pub(super) fn settle(&mut self, settles: Vec<ZenoClosure>) -> Result<(), RunCause> {
         let set = settles.iter().fold(ContactSet::EMPTY, |set, settling| set.union(settling.set));
         let end = settles.iter().map(|settling| settling.end).fold(self.t, f64::max);
@@ -66,7 +68,8 @@ impl Snapshot<'_> {
         Ok(())
     }
 
-    /// The motion with contacts closed that slip until `end` as they do now, but for those that friction stops before.
+    /// The motion with contacts closed that slip until `end` as they do now, but for those that
+    /// friction stops before.
     fn rest(&self, collision: &Collision, closed: ContactSet, end: f64) -> Result<Outcome, CollisionError> {
         let mut set = self.slipping_as_now(closed);
         loop {
@@ -97,7 +100,8 @@ impl Snapshot<'_> {
         sliding.filter(|friction| stops(friction.contact, friction.row)).map(|it| it.contact).collect()
     }
 
-    /// Records the sequences of impacts that have come to their end, and those of contacts that now open.
+    /// Records the sequences of impacts that have come to their end, and those of contacts that now
+    /// open.
     pub(in crate::simulation) fn record_settled(&mut self, opening: ContactSet) {
         let (t, bound) = (self.t, self.relative_bound() * self.setup.context.scales.time);
         let over =

@@ -11,7 +11,8 @@ use crate::model::ContactSet;
 use crate::numerics::zero::roundoff;
 use crate::system::Equations;
 
-/// A flight that rises less than this, in natural lengths or of the terms of its gap, cannot be followed: a gap has some roundings of one.
+/// A flight that rises less than this, in natural lengths or of the terms of its gap, cannot be
+/// followed: a gap has some roundings of one.
 const RESOLVED: f64 = roundoff(256.0);
 
 /// A contact that leaves its support and falls back.
@@ -35,7 +36,8 @@ pub(crate) struct ZenoClosure {
     pub(in crate::simulation) set: ContactSet,
 }
 
-/// The flights of all contacts since they began to bounce, and those whose impacts have been cut short.
+/// The flights of all contacts since they began to bounce, and those whose impacts have been cut
+/// short.
 #[derive(Debug, Clone)]
 pub(crate) struct Bounces {
     pub(in crate::simulation) sequences: Vec<Sequence>,
@@ -87,11 +89,11 @@ impl Bounces {
 }
 
 impl Snapshot<'_> {
-    /// Open contacts with the heights that they are to reach: those that bounce, and those that rise within the bound of their
-    /// gap, where their fall would be lost.
-    pub(in crate::simulation) fn low_flights(&self) -> Vec<(usize, f64)> {
+    /// Open contacts with the heights that they are to reach: those that bounce, and those that
+    /// rise within the bound of their gap, where their fall would be lost.
+    pub(in crate::simulation) fn find_low_flights(&self) -> Vec<(usize, f64)> {
         let known = self.onset.risen.as_ref().filter(|(bearing, _)| *bearing == self.bearing());
-        let rising = known.map_or_else(|| self.rising(), |(_, rising)| rising.clone());
+        let rising = known.map_or_else(|| self.find_rising(), |(_, rising)| rising.clone());
         let mut flights = self.bounces.heights.clone();
         // One that is no higher than the rounding of its gap cannot be followed.
         for Rise { contact, height, .. } in rising.into_iter().filter(|rise| rise.height > rise.least) {
@@ -105,11 +107,11 @@ impl Snapshot<'_> {
         flights
     }
 
-    /// Open contacts that begin the run within the bound of their gap and do not rise, with the height that they fall from: it is
-    /// given, and known better than what an integration leaves.
+    /// Open contacts that begin the run within the bound of their gap and do not rise, with the
+    /// height that they fall from: it is given, and known better than what an integration leaves.
     fn falling_at_start(&self) -> Vec<(usize, f64)> {
         let gaps = self.gaps();
-        let low = self.near(&gaps).difference(self.closed()).difference(self.layout().drives());
+        let low = self.find_near(&gaps).difference(self.closed()).difference(self.layout().drives());
         if low.is_empty() {
             return Vec::new();
         }
@@ -120,10 +122,11 @@ impl Snapshot<'_> {
         low.iter().filter(falls).map(|i| (i, gaps[i])).collect()
     }
 
-    /// Open contacts within the bound of their gaps, above their bars, that do not approach their supports but will fall back.
-    pub(in crate::simulation) fn rising(&self) -> Vec<Rise> {
+    /// Open contacts within the bound of their gaps, above their bars, that do not approach their
+    /// supports but will fall back.
+    pub(in crate::simulation) fn find_rising(&self) -> Vec<Rise> {
         let (gaps, n) = (self.gaps(), self.layout().coordinates.len());
-        let near = self.near(&gaps).difference(self.closed());
+        let near = self.find_near(&gaps).difference(self.closed());
         if near.is_empty() {
             return Vec::new();
         }
@@ -138,11 +141,16 @@ impl Snapshot<'_> {
         near.iter().map(rise).filter(|rise| rise.rate >= 0.0 && rise.fall > 0.0).collect()
     }
 
-    /// Contacts within the bound of their gaps. A foot that has slid off the end of its bar has nothing to fall back on.
-    pub(in crate::simulation) fn near(&self, gaps: &[f64]) -> ContactSet {
+    /// Contacts within the bound of their gaps. A foot that has slid off the end of its bar has
+    /// nothing to fall back on.
+    pub(in crate::simulation) fn find_near(&self, gaps: &[f64]) -> ContactSet {
         let bound = self.gap_bounds();
         let near: ContactSet = (0..gaps.len()).filter(|i| gaps[*i].abs() <= bound(*i)).collect();
-        if near.is_empty() { near } else { near.difference(self.contacts.absent().union(self.beyond_end())) }
+        if near.is_empty() {
+            near
+        } else {
+            near.difference(self.contacts.absent().union(self.find_beyond_end()))
+        }
     }
 
     /// The height below which a flight is lost in the rounding of its gap.

@@ -1,7 +1,9 @@
-//! Where a sequence of flights ends, and a sequence of such sequences: a block that rocks on two feet bounces on one, then on
-//! the other, and each foot's fastest flights are a sequence of their own.
+//! Where a sequence of flights ends, and a sequence of such sequences: a block that rocks on two
+//! feet bounces on one, then on the other, and each foot's fastest flights are a sequence of their
+//! own.
 
-/// The flights of one contact since it began to bounce, or the fastest flights of sequences that follow one another.
+/// The flights of one contact since it began to bounce, or the fastest flights of sequences that
+/// follow one another.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Sequence {
     /// Start and speed of the last one.
@@ -36,7 +38,8 @@ impl Sequence {
         self.end = end;
     }
 
-    /// Gives the last flight to the sequence of the fastest ones, if it was not slower than the one before.
+    /// Gives the last flight to the sequence of the fastest ones, if it was not slower than the one
+    /// before.
     fn tell_fastest(&mut self) {
         if let Some((t, speed)) = self.last.filter(|_| !self.slows) {
             self.fastest.get_or_insert_default().begin(t, speed);

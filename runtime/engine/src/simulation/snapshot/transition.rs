@@ -10,7 +10,7 @@ use crate::trajectory::{AppliedImpulse, LogEntry, LoggedDecision};
 
 /// What has happened, in its order.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Told {
+pub(crate) struct Transition {
     pub(in crate::simulation) events: Vec<Event>,
     pub(in crate::simulation) log: Vec<LogEntry>,
     pub(in crate::simulation) impulses: Vec<AppliedImpulse>,
@@ -20,7 +20,7 @@ impl Snapshot<'_> {
     /// Tells an event.
     pub(in crate::simulation) fn record(&mut self, kind: EventKind, set: ContactSet, note: Option<Note>) {
         let event = self.event(kind, set, note);
-        self.told.events.push(event);
+        self.transition.events.push(event);
     }
 
     /// The same unless it is of no contact.
@@ -43,7 +43,7 @@ impl Snapshot<'_> {
         event.impulses = reactions(self.layout(), impulses.as_slice());
         event.impulses.retain(|impulse| shown.contains(impulse.contact));
         event.before = before;
-        self.told.events.push(event);
+        self.transition.events.push(event);
     }
 
     /// An event now, without impulses.
@@ -80,7 +80,8 @@ impl Snapshot<'_> {
         self.record_some(EventKind::Slack, threads);
     }
 
-    /// Events of the contacts with friction that stay closed and slip otherwise than before, or press to the other side.
+    /// Events of the contacts with friction that stay closed and slip otherwise than before, or
+    /// press to the other side.
     pub(in crate::simulation) fn record_slips(&mut self, before: ContactSet) {
         let (guides, closed) = (self.contacts.guides().iter(), self.closed());
         let turned = guides.filter(|&i| before.contains(i) && before.side(i) != closed.side(i)).collect();
@@ -115,20 +116,21 @@ impl Snapshot<'_> {
     }
 
     /// Events from the `first` on are undecided, unless something else is said of them.
-    pub(in crate::simulation) fn tell_undecided(&mut self, first: usize) {
-        let events = self.told.events.iter_mut().skip(first);
+    pub(in crate::simulation) fn mark_undecided(&mut self, first: usize) {
+        let events = self.transition.events.iter_mut().skip(first);
         events.for_each(|event| _ = event.note.get_or_insert(Note::Undecided));
     }
 
-    /// Logs how deep the start asks for contacts to be penetrated, if that is more than the rounding of a pose.
-    pub(super) fn tell_depth(&mut self, depth: f64) {
+    /// Logs how deep the start asks for contacts to be penetrated, if that is more than the
+    /// rounding of a pose.
+    pub(super) fn log_depth(&mut self, depth: f64) {
         if depth > CLOSED * self.setup.context.scales.length {
             self.log(LoggedDecision::StartPenetrates(depth));
         }
     }
 
     pub(in crate::simulation) fn log(&mut self, decision: LoggedDecision) {
-        self.told.log.push(LogEntry { t: self.t, decision });
+        self.transition.log.push(LogEntry { t: self.t, decision });
     }
 
     /// What an impact finds.
