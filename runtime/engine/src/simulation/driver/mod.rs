@@ -108,6 +108,11 @@ impl<'a> Driver<'a> {
         response: impl FnOnce(&mut Snapshot<'a>) -> Result<T, RunCause>,
     ) -> Result<T, RunCause> {
         let answer = response(&mut self.now);
+        self.take_transition();
+        answer
+    }
+
+    fn take_transition(&mut self) {
         let Transition { events, log, impulses } = core::mem::take(&mut self.now.transition);
         for event in events {
             self.observer.event(event.t);
@@ -121,7 +126,6 @@ impl<'a> Driver<'a> {
         }
         self.trajectory.impulses.extend(impulses);
         self.keep_last();
-        answer
     }
 
     /// Logs a decision; that the order of impacts matters only once for the same contacts.

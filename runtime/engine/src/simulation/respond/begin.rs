@@ -70,28 +70,32 @@ impl Snapshot<'_> {
         met.into_iter().for_each(|condition| self.log(LoggedDecision::ConditionHolds(condition)));
     }
 
-    /// Decides on the contacts. A reaction that vanishes, as that of a state at which another run
-    /// was left, is zero to within its bound, and its change may be; if it is not told then what
-    /// would follow, the contact stays closed as long as it is.
+    /// Decides on the contacts. A reaction that vanishes, as that of a state at which another run was
+    /// left, is zero to within its bound, and its change may be; if it is not known then what would
+    /// follow, the contact stays closed as long as it is.
     fn decide_at_start(&mut self) -> Result<(), RunCause> {
-        let (given, touching) = (self.clone(), self.closed());
+        let touching = self.closed();
         let question = Question { is_given: true, ..Question::about(touching) };
-        let Err(error) = self.go_on(question.clone()) else { return Ok(()) };
-        let (reactions, bound) = given.reactions_at(&given.state, touching);
-        let held = given.contacts.held();
-        let unloaded: ContactSet =
-            touching.difference(held).iter().filter(|i| reactions[*i].abs() <= bound).collect();
+        let refusal = match self.decide(&question) {
+            Ok(decision) => {
+                self.adopt(decision);
+                return Ok(());
+            }
+            Err(refusal) => refusal,
+        };
+        let (reactions, bound) = self.reactions_at(&self.state, touching);
+        let free = touching.difference(self.contacts.held());
+        let unloaded: ContactSet = free.iter().filter(|i| reactions[*i].abs() <= bound).collect();
         if unloaded.is_empty() {
-            return Err(error);
+            return self.resolve(&question, refusal);
         }
-        self.clone_from(&given);
-        if self.go_on(Question { unloaded, ..question }).is_ok() {
+        if let Ok(decision) = self.decide(&Question { unloaded, ..question.clone() }) {
+            self.adopt(decision);
             return Ok(());
         }
-        if touching.difference(held).iter().any(|i| reactions[i] < -bound) {
-            return Err(error);
+        if free.iter().any(|i| reactions[i] < -bound) {
+            return self.resolve(&question, refusal);
         }
-        *self = given;
         let entry = self.enter(touching, true)?;
         self.reactions = reactions;
         self.adopt_entry(entry);

@@ -41,11 +41,18 @@ impl Snapshot<'_> {
                 self.adopt(decision);
                 Ok(())
             }
-            Err(Refusal::Contacts(unsolved)) => {
+            Err(refusal) => self.resolve(&question, refusal),
+        }
+    }
+
+    /// Goes on where nothing has been decided.
+    fn resolve(&mut self, question: &Question, refusal: Refusal) -> Result<(), RunCause> {
+        match refusal {
+            Refusal::Contacts(unsolved) => {
                 let Unsolved { touching, source } = *unsolved;
-                self.unjam(&Question { touching, ..question }, source)
+                self.unjam(&Question { touching, ..question.clone() }, source)
             }
-            Err(Refusal::Run(cause)) => Err(cause),
+            Refusal::Run(cause) => Err(cause),
         }
     }
 

@@ -32,7 +32,7 @@ pub(crate) enum ContactState {
 }
 
 /// The states of all contacts; of the closed ones how they slip too.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub(crate) struct Contacts {
     closed: ContactSet,
     /// Those to be held wherever they are closed.

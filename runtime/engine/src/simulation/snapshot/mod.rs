@@ -32,7 +32,6 @@ use crate::trajectory::RecordedPhase;
 use tiny::Tiny;
 
 /// A run at one moment.
-#[derive(Clone)]
 pub(crate) struct Snapshot<'a> {
     pub(super) setup: &'a Simulation,
     pub(super) awaited: &'a Awaited,
@@ -54,7 +53,7 @@ pub(crate) struct Snapshot<'a> {
 }
 
 /// What is known of the phase that follows, until it begins.
-#[derive(Clone, Default)]
+#[derive(Default)]
 pub(crate) struct Onset {
     /// Contacts that have just opened with their reaction at zero.
     pub(super) lifted: ContactSet,
@@ -76,7 +75,7 @@ pub(crate) struct PhaseStart {
 }
 
 /// What has been computed for a state, which is often asked for again.
-#[derive(Clone, Default)]
+#[derive(Default)]
 struct Memory {
     tiny: Tiny,
     accelerations: Option<(Numbers, ContactSet, Numbers)>,

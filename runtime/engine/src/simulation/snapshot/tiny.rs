@@ -10,7 +10,7 @@ use crate::numerics::zero::{place, roundoff};
 use crate::simulation::Simulation;
 
 /// What is too small to be told from zero at a time and a state.
-#[derive(Clone, Default)]
+#[derive(Default)]
 pub(super) struct Tiny {
     t: f64,
     state: Numbers,

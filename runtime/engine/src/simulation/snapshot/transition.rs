@@ -9,7 +9,7 @@ use crate::model::{ContactKind, ContactSet, Energy, Layout, Slip};
 use crate::trajectory::{AppliedImpulse, LogEntry, LoggedDecision};
 
 /// What has happened, in its order.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct Transition {
     pub(in crate::simulation) events: Vec<Event>,
     pub(in crate::simulation) log: Vec<LogEntry>,

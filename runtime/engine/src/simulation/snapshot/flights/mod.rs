@@ -38,7 +38,7 @@ pub(crate) struct ZenoClosure {
 
 /// The flights of all contacts since they began to bounce, and those whose impacts have been cut
 /// short.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub(crate) struct Bounces {
     pub(in crate::simulation) sequences: Vec<Sequence>,
     /// Contacts in flight, with the height that they are to reach.
