@@ -158,7 +158,7 @@ pub use modes::{Change, Mode, Modes, Transition, modes};
 #[cfg(feature = "std")]
 pub use simulation::phase_handle::{PhaseHandle, Phases};
 #[cfg(feature = "std")]
-pub use simulation::{Budget, Exhausted, RunCause, RunError, Simulation};
+pub use simulation::{Budget, Exhausted, RunCause, RunError, Scene, Simulation};
 #[cfg(feature = "std")]
 pub use trajectory::observe::{Observer, Step};
 #[cfg(feature = "std")]

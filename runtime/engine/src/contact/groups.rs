@@ -16,12 +16,15 @@ use super::trials::Trials;
 impl Collision {
     /// The outcomes of the groups together; `None` where all contacts are coupled, or where a group does not determine its rates
     /// without the others, as where a point has no mass.
-    pub(super) fn solve_groups(&self, most_trials: usize) -> Result<Option<Outcome>, CollisionError> {
+    pub(super) fn solve_groups<const ROUGH: bool>(
+        &self,
+        most_trials: usize,
+    ) -> Result<Option<Outcome>, CollisionError> {
         let groups = self.find_groups();
         if groups.len() < 2 {
             return Ok(None);
         }
-        match self.join_groups(groups, most_trials) {
+        match self.join_groups::<ROUGH>(groups, most_trials) {
             Err(CollisionError::Singular) => Ok(None),
             joined => joined,
         }
@@ -52,7 +55,7 @@ impl Collision {
         least.find_groups(&self.two_sided(), &rows)
     }
 
-    fn join_groups(
+    fn join_groups<const ROUGH: bool>(
         &self,
         groups: Vec<Vec<usize>>,
         most_trials: usize,
@@ -60,12 +63,13 @@ impl Collision {
         let approach = Stages::new(self, Trials::up_to(most_trials)).approach;
         let takes_hold = self.two_sided().iter().any(|&row| approach[row] != 0.0);
         let is_driven = takes_hold || self.applied.amax() > 0.0;
-        let without = if is_driven { Some(self.with_contacts(&[]).solve_alone(most_trials)?) } else { None };
+        let without =
+            if is_driven { Some(self.with_contacts(&[]).solve_alone::<ROUGH>(most_trials)?) } else { None };
         let strikes =
             |&row: &usize| approach[row] < 0.0 || self.rows[row] == Row::Guide && approach[row] != 0.0;
         let active = groups.into_iter().filter(|group| is_driven || group.iter().any(strikes));
         let solve = |contacts: Vec<usize>| {
-            let outcome = self.with_contacts(&contacts).solve_alone(most_trials)?;
+            let outcome = self.with_contacts(&contacts).solve_alone::<ROUGH>(most_trials)?;
             Ok(Group { contacts, outcome })
         };
         let groups = active.map(solve).collect::<Result<Vec<_>, CollisionError>>()?;

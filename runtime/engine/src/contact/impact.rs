@@ -41,7 +41,7 @@ use super::complementarity::{LcpRows, Solution};
 use super::equilibrated_kkt::EquilibratedKkt;
 use super::impulse::{Collision, CollisionError, Method, Outcome, Row};
 use super::trials::{LcpError, Trials};
-use crate::model::Law;
+use crate::model::{ContactSet, Law};
 
 /// Work of the contacts that counts as none, relative to the terms it is summed from.
 const ROUNDING: f64 = 1e-13;
@@ -69,29 +69,41 @@ impl Collision {
 
     /// The same with so many sets of contacts tried at most, which only rough contacts need.
     pub fn solve_within(&self, most_trials: usize) -> Result<Outcome, CollisionError> {
-        self.check()?;
-        self.of_single().map_or_else(|| self.searched_within(most_trials), Ok)
+        self.solve_by::<true>(most_trials)
     }
 
-    pub(super) fn searched_within(&self, most_trials: usize) -> Result<Outcome, CollisionError> {
-        if let Some(acting) = self.without_open_rows() {
-            return acting.searched_within(most_trials);
-        }
-        match self.solve_groups(most_trials)? {
+    /// The same of contacts without friction.
+    pub(super) fn solve_smooth(&self, most_trials: usize) -> Result<Outcome, CollisionError> {
+        self.solve_by::<false>(most_trials)
+    }
+
+    fn solve_by<const ROUGH: bool>(&self, most_trials: usize) -> Result<Outcome, CollisionError> {
+        self.check()?;
+        self.of_single().map_or_else(|| self.search::<ROUGH>(most_trials), Ok)
+    }
+
+    pub(super) fn search<const ROUGH: bool>(&self, most_trials: usize) -> Result<Outcome, CollisionError> {
+        let acting = self.without_open_rows();
+        let acting = acting.as_ref().unwrap_or(self);
+        match acting.solve_groups::<ROUGH>(most_trials)? {
             Some(outcome) => Ok(outcome),
-            None => self.search_at_once(most_trials),
+            None => acting.search_at_once::<ROUGH>(most_trials),
         }
     }
 
     /// The outcome of contacts that are all coupled.
-    pub(super) fn solve_alone(&self, most_trials: usize) -> Result<Outcome, CollisionError> {
-        self.of_single()
-            .map_or_else(|| self.without_open_rows().as_ref().unwrap_or(self).search_at_once(most_trials), Ok)
+    pub(super) fn solve_alone<const ROUGH: bool>(
+        &self,
+        most_trials: usize,
+    ) -> Result<Outcome, CollisionError> {
+        let acting = self.without_open_rows();
+        let at_once = || acting.as_ref().unwrap_or(self).search_at_once::<ROUGH>(most_trials);
+        self.of_single().map_or_else(at_once, Ok)
     }
 
-    fn search_at_once(&self, most_trials: usize) -> Result<Outcome, CollisionError> {
+    fn search_at_once<const ROUGH: bool>(&self, most_trials: usize) -> Result<Outcome, CollisionError> {
         let stages = Stages::new(self, Trials::up_to(most_trials));
-        if self.has_friction() {
+        if ROUGH && self.has_friction() {
             return stages.with_friction();
         }
         let law = stages.law()?;
@@ -121,6 +133,27 @@ impl Collision {
             stages.trials.any_left()?;
         }
         Ok(best)
+    }
+}
+
+impl Collision {
+    /// The outcome of contacts without friction with those of a set closed.
+    pub(super) fn come_to_rest_smoothly(
+        &self,
+        set: &ContactSet,
+        most_trials: usize,
+    ) -> Result<Outcome, CollisionError> {
+        self.plastic(set).solve_smooth(most_trials)
+    }
+
+    /// The same without restitution, and with the contacts of a set held closed.
+    pub(super) fn plastic(&self, set: &ContactSet) -> Self {
+        let hold = |(i, row): (usize, &Row)| match row {
+            Row::Contact { .. } if set.contains(i) => Row::TwoSided,
+            Row::Contact { law, .. } => Row::Contact { restitution: 0.0, law: *law },
+            other => *other,
+        };
+        Self { rows: self.rows.iter().enumerate().map(hold).collect(), ..self.clone() }
     }
 }
 

@@ -13,6 +13,7 @@ pub(crate) mod hinges;
 mod impact;
 pub mod impulse;
 mod kinetic_angle;
+mod laws;
 mod least_constraint;
 pub(crate) mod nondegenerate;
 mod residual;
@@ -24,8 +25,11 @@ mod stationary_gap;
 mod tests;
 mod trials;
 
-pub(crate) use degenerate::{Alternatives, ContactProblem, ContactSolution, decide};
+#[cfg(test)]
+pub(crate) use degenerate::decide;
+pub(crate) use degenerate::{Alternatives, ContactProblem, ContactSolution};
 pub use friction::impact::path::{Path, Striker, Vertex};
+pub(crate) use laws::Laws;
 pub(crate) use shares::shortest_reactions;
 pub(crate) use single_impact::Struck;
 pub(crate) use singular::{are_determined, refuse_singular, singular};

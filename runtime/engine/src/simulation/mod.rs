@@ -10,6 +10,7 @@ pub(crate) mod phase_handle;
 pub(crate) mod phase_run;
 mod respond;
 mod rules;
+mod scene;
 mod schedule;
 mod snapshot;
 
@@ -18,6 +19,7 @@ pub use budget::{Budget, Exhausted};
 pub(crate) use domain::Domain;
 pub use error::{RunCause, RunError};
 pub(crate) use rules::Rules;
+pub use scene::Scene;
 
 use core::sync::atomic::AtomicBool;
 use std::sync::Arc;
@@ -26,6 +28,7 @@ use smallvec::smallvec;
 
 use crate::EventKind;
 use crate::assembly::{Pose, Start, StartError, on_energy_of, start};
+use crate::contact::Laws;
 use crate::context::{Numbers, RunContext, Scales, scales_of};
 use crate::error::{ModelError, NameError, OutputError, ScheduleError, SupportError};
 use crate::event::EventFilter;
@@ -62,6 +65,7 @@ pub struct Simulation {
     pub(crate) restitution: Vec<f64>,
     pub(crate) plan: Vec<Scheduled>,
     pub(crate) rules: Arc<Rules>,
+    pub(crate) laws: &'static Laws,
     pub(crate) ends: Ends,
     pub(crate) form: Form,
     pub(crate) method: Arc<dyn Method>,
@@ -93,11 +97,11 @@ struct GivenStart {
 
 impl Simulation {
     /// Checks the model's parameters, masses, lengths, gravity and restitution.
-    pub fn new(model: impl Into<Model>) -> Result<Self, ModelError> {
+    pub fn new(model: impl Into<Scene>) -> Result<Self, ModelError> {
         Self::of(model.into())
     }
 
-    fn of(model: Model) -> Result<Self, ModelError> {
+    fn of(Scene { model, laws }: Scene) -> Result<Self, ModelError> {
         let scales = scales_of(&model)?;
         let restitution = model.restitution.clone();
         let context = RunContext { model, scales };
@@ -111,6 +115,7 @@ impl Simulation {
             restitution,
             plan: Vec::new(),
             rules: Arc::new(rules),
+            laws,
             ends: Ends::default(),
             form: Form::Closed,
             method: Arc::new(Auto),

@@ -76,6 +76,23 @@ pub(crate) fn decide(
     state: &[f64],
     question: &ContactProblem,
 ) -> Result<ContactSolution, ContactError> {
+    decide_by::<true>(model, state, question)
+}
+
+/// The same for contacts without friction.
+pub(crate) fn decide_smooth(
+    model: &Model,
+    state: &[f64],
+    question: &ContactProblem,
+) -> Result<ContactSolution, ContactError> {
+    decide_by::<false>(model, state, question)
+}
+
+fn decide_by<const ROUGH: bool>(
+    model: &Model,
+    state: &[f64],
+    question: &ContactProblem,
+) -> Result<ContactSolution, ContactError> {
     let named = |failure| name(model, state, failure, question);
     let trials = question.most_trials.map(Trials::up_to);
     // Contacts that have come off, with the reactions that they had.
@@ -83,8 +100,10 @@ pub(crate) fn decide(
     loop {
         let touching = question.touching.difference(off.iter().map(|(row, _)| *row).collect());
         let mut ladder = Ladder::new(model.layout(), &ContactProblem { touching, ..*question });
-        ladder.rub(model, state, &ContactProblem { touching, ..*question })?;
-        let lifted = ladder.raise_order(model, state, trials.as_ref()).map_err(named)?;
+        if ROUGH {
+            ladder.rub(model, state, &ContactProblem { touching, ..*question })?;
+        }
+        let lifted = ladder.raise_order::<ROUGH>(model, state, trials.as_ref()).map_err(named)?;
         if !lifted.is_empty() {
             off.extend(lifted.iter().map(|row| (row, ladder.reactions[0][row])));
             continue;
@@ -183,7 +202,7 @@ impl Ladder {
 
     /// Solves order by order until all contacts are decided. Returns the rough contacts that a lower order kept closed and a
     /// higher one opens.
-    fn raise_order(
+    fn raise_order<const ROUGH: bool>(
         &mut self,
         model: &Model,
         state: &[f64],
@@ -196,7 +215,7 @@ impl Ladder {
             let (layout, acting) = (model.layout(), &self.acting);
             let acts = |row: usize| layout.contact_of(row).is_none_or(|contact| acting.contains(contact));
             let equations = Equations::along(model, state, &self.accelerations).acting(acts);
-            let lifted = match self.climb(&equations, trials) {
+            let lifted = match self.climb::<ROUGH>(&equations, trials) {
                 // How rows that are dependent here only share the load follows from the orders above: with another share these
                 // contradict each other.
                 Err(LcpError::Jammed) if !self.unique => return Ok(ContactSet::EMPTY),
@@ -210,7 +229,11 @@ impl Ladder {
     }
 
     /// Solves the next order and keeps as undecided what it leaves at zero.
-    fn climb(&mut self, equations: &Equations, trials: Option<&Trials>) -> Result<ContactSet, LcpError> {
+    fn climb<const ROUGH: bool>(
+        &mut self,
+        equations: &Equations,
+        trials: Option<&Trials>,
+    ) -> Result<ContactSet, LcpError> {
         let order = self.accelerations.len();
         if order == 0 && !equations.are_finite() {
             return Err(LcpError::NotFinite);
@@ -224,7 +247,7 @@ impl Ladder {
         let fixed: Vec<usize> = self.closed.iter().chain(&self.pledged).copied().collect();
         let choice = LcpRows { fixed: &fixed, candidates: &candidates, tied: &self.tied, trials };
         let mut problem = self.problem(equations, order);
-        let solution = match self.rubbing.is_empty() {
+        let solution = match !ROUGH || self.rubbing.is_empty() {
             true => problem.solve(&choice)?,
             false => {
                 let contacts: Vec<Frictional> =

@@ -33,7 +33,7 @@ mod stability;
 pub(in crate::contact) mod tests;
 
 pub(crate) use decision::{FrictionError, FrictionSolution, Reason};
-pub(crate) use grip::{Grip, LastMargin, margin};
+pub(crate) use grip::{Grip, LastMargin, Margin, margin};
 pub(crate) use modes::{Frictional, Mode, Sense, Slip};
 pub(crate) use problem::Question;
 pub(crate) use stability::{holds, least_hold};

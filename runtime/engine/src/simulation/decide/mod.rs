@@ -9,10 +9,8 @@ pub(crate) use slips::LocatedSlips;
 
 use std::sync::Arc;
 
-use crate::contact::nondegenerate::slider;
 use crate::contact::{
-    Alternatives, ContactError, ContactProblem, ContactSolution, StationaryGaps, decide, hinges, labels,
-    nondegenerate,
+    Alternatives, ContactError, ContactProblem, ContactSolution, StationaryGaps, labels, nondegenerate,
 };
 use crate::context::CLOSED;
 use crate::model::ContactSet;
@@ -123,16 +121,8 @@ impl Snapshot<'_> {
             slips: &self.known_slips(question),
             time: Some(context.scales.time),
         };
-        let searched = || decide(&context.model, &self.state, &problem);
-        match (self.layout().has_hinges(), problem.slips.is_empty()) {
-            (true, _) => hinges::decide(context, &self.state, &problem),
-            (false, true) => {
-                let reduced = self.valid_chart(touching.union(held));
-                nondegenerate::decide(context, &self.state, &problem, reduced.as_deref())
-                    .map_or_else(searched, Ok)
-            }
-            (false, false) => slider::decide(context, &self.state, &problem).map_or_else(searched, Ok),
-        }
+        let reduced = problem.slips.is_empty().then(|| self.valid_chart(touching.union(held))).flatten();
+        (self.setup.laws.decide)(context, &self.state, &problem, reduced.as_deref())
     }
 
     /// What else may be taken for located where the contacts jam: what was at its limit need not be

@@ -1,7 +1,7 @@
 //! Contacts with friction: what is known of their slips before a decision.
 
 use super::Question;
-use crate::contact::friction::{Reason, Sense, Slip as KnownSlip, margin};
+use crate::contact::friction::{Reason, Sense, Slip as KnownSlip};
 use crate::event::detection::{Guard, Rub};
 use crate::model::{ContactSet, Slip};
 use crate::simulation::snapshot::Snapshot;
@@ -98,7 +98,8 @@ impl Snapshot<'_> {
     /// The contacts that share their load and slip now, however they do.
     fn leaving_together(&self) -> Vec<(usize, Sense)> {
         let (reactions, _) = self.reactions_at(&self.state, self.bearing());
-        margin(self.setup.context.system(), &self.state, &self.closed(), &reactions).leaving
+        let Some(rough) = self.setup.laws.rough else { return Vec::new() };
+        (rough.margin)(self.setup.context.system(), &self.state, &self.closed(), &reactions).leaving
     }
 
     /// What is known of the slip of each touching contact with friction: what was located, how it

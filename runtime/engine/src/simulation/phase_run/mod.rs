@@ -11,7 +11,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use crate::audit::Finding;
-use crate::contact::ContactError;
+use crate::contact::{ContactError, Laws};
 use crate::context::{Numbers, RunContext, Scales};
 use crate::event::detection::{Broken, EventDetector, Guard, KnownAffineGuards, Signals, StepView};
 use crate::integrate::{Counts, StepError};
@@ -114,6 +114,7 @@ pub(crate) struct PhaseRun<'a> {
     pub(crate) observer: &'a mut dyn Observer,
     /// The affine guards of the run, until this phase has taken its own.
     pub(crate) affine: Option<&'a mut KnownAffineGuards>,
+    pub(crate) laws: &'static Laws,
     pub(crate) limits: Limits<'a>,
 }
 

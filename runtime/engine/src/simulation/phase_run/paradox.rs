@@ -6,7 +6,6 @@
 //!
 //! Accelerations grow beyond all bounds towards it, so that steps shrink and guards turn ever faster. A phase ends there.
 
-use crate::contact::friction::least_hold;
 use crate::system::PhaseStepper;
 
 use super::PhaseRun;
@@ -47,11 +46,11 @@ impl PhaseRun<'_> {
 
     /// The least p of the contacts that slide, at a reduced state.
     fn hold(&self, reduced: &[f64]) -> Option<f64> {
-        let set = self.phase.info().set;
+        let (set, rough) = (self.phase.info().set, self.laws.rough?);
         let system = self.context.system();
         system.layout().sliding(&set).next()?;
         let mut state = vec![0.0; self.state.len()];
         self.phase.embed(reduced, &mut state);
-        least_hold(system, &state, &set)
+        (rough.least_hold)(system, &state, &set)
     }
 }

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::contact::impulse::{Collision, CollisionError, Outcome, Row};
-use crate::contact::{ContactError, Struck, hinges, labels, singular};
+use crate::contact::{ContactError, Struck, labels, singular};
 use crate::context::{Numbers, without_rounding};
 use crate::event::detection::LOW;
 use crate::event::{EventKind, ImpactOrder, Note};
@@ -177,8 +177,9 @@ impl Snapshot<'_> {
     /// What the collision does, and the phase that follows.
     fn collide(&mut self, collision: &Collision, present: ContactSet) -> Result<Outcome, RunCause> {
         let most = self.setup.budget.trials;
-        let answer = hinges::answer(self.setup.context.system(), &self.state, collision, most);
-        let mut outcome = answer.map_err(|error| self.collision_error(error, present))?;
+        let system = self.setup.context.system();
+        let struck = (self.setup.laws.strike)(system, &self.state, collision, most);
+        let mut outcome = struck.map_err(|error| self.collision_error(error, present))?;
         self.follow_impact(collision.rates.as_slice(), &mut outcome, present)?;
         Ok(outcome)
     }

@@ -3,7 +3,7 @@
 //! jams.
 
 use super::collide::allowed_gain;
-use crate::contact::friction::{Sense, Slip as KnownSlip, holds};
+use crate::contact::friction::{Sense, Slip as KnownSlip};
 use crate::contact::impulse::Row;
 use crate::contact::{ContactError, labels};
 use crate::event::{EventKind, Note};
@@ -21,8 +21,14 @@ impl Snapshot<'_> {
     /// Ends a slip at the border of Painlevé's region, where the reaction grows beyond all bounds.
     pub(in crate::simulation) fn cross_border(&mut self) -> Result<(), RunCause> {
         let contacts = labels(self.layout(), self.closed());
-        let holds = holds(self.setup.context.system(), &self.state, &self.bearing());
+        let holds = self.find_holds(&self.bearing());
         self.end_slip(self.closed(), ContactError::Jammed { contacts }, &holds)
+    }
+
+    /// What holds each contact that slides in a set.
+    fn find_holds(&self, set: &ContactSet) -> Vec<(usize, f64)> {
+        let rough = self.setup.laws.rough;
+        rough.map_or_else(Vec::new, |rough| (rough.holds)(self.setup.context.system(), &self.state, set))
     }
 
     /// Ends a slip that no reaction obeys the law of friction in.
@@ -34,7 +40,7 @@ impl Snapshot<'_> {
             KnownSlip::Backward | KnownSlip::Leaves(_) => set.slipping(contact, Slip::Backward),
             KnownSlip::Rest => set.slipping(contact, Slip::Stick),
         });
-        let mut near = holds(self.setup.context.system(), &self.state, &set);
+        let mut near = self.find_holds(&set);
         near.retain(|(_, hold)| (0.0..MARGIN).contains(hold));
         self.end_slip(touching, source, &near)
     }
@@ -49,13 +55,14 @@ impl Snapshot<'_> {
     ) -> Result<(), RunCause> {
         let layout = self.layout();
         let rubs = layout.frictions.iter().any(|friction| touching.contains(friction.contact));
-        let rubs = rubs && !layout.has_hinges();
+        let rough = self.setup.laws.rough.filter(|_| rubs && !layout.has_hinges());
         let jams = touching.iter().any(|i| layout.contacts[i].jams);
         self.bounces.wedged += 1;
         let gives_up = self.bounces.wedged > 4 + layout.contacts.len();
-        if !rubs || jams || gives_up || !matches!(source, ContactError::Jammed { .. }) {
+        let is_jammed = matches!(source, ContactError::Jammed { .. });
+        let Some(rough) = rough.filter(|_| is_jammed && !jams && !gives_up) else {
             return Err(self.contact_error(source));
-        }
+        };
         let found = self.pre_impact();
         let mut collision = self.collision(touching, &self.setup.context.system().equations(&self.state));
         for row in &mut collision.rows {
@@ -65,7 +72,7 @@ impl Snapshot<'_> {
                 *mu *= (1.0 + BEYOND) / (1.0 - hold);
             }
         }
-        let Ok(outcome) = collision.tangential_impact(self.setup.budget.trials) else {
+        let Ok(outcome) = (rough.end_slip)(&collision, self.setup.budget.trials) else {
             return Err(self.contact_error(source));
         };
         let touching = touching.iter().filter(|i| outcome.opening[*i] == 0.0).collect();

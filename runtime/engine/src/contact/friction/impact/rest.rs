@@ -8,7 +8,7 @@
 //! Those that are present besides answer to it without restitution.
 
 use super::super::super::impact::Stages;
-use super::super::super::impulse::{Collision, CollisionError, Outcome, Row};
+use super::super::super::impulse::{Collision, CollisionError, Outcome};
 use super::super::super::trials::Trials;
 use super::super::modes::{Frictional, Mode, Sense};
 use super::Rubbing;
@@ -22,13 +22,8 @@ impl Collision {
         set: &ContactSet,
         most_trials: usize,
     ) -> Result<Outcome, CollisionError> {
-        let rubs = |row: usize| self.rubbing().iter().any(|it| it.normal == row);
-        let hold = |(i, row): (usize, &Row)| match row {
-            Row::Contact { .. } if set.contains(i) && !rubs(i) => Row::TwoSided,
-            Row::Contact { law, .. } => Row::Contact { restitution: 0.0, law: *law },
-            other => *other,
-        };
-        let plastic = Self { rows: self.rows.iter().enumerate().map(hold).collect(), ..self.clone() };
+        let rubbing: ContactSet = self.rubbing().iter().map(|it| it.normal).collect();
+        let plastic = self.plastic(&set.difference(rubbing));
         let contacts: Vec<Frictional> = plastic.rubbing().iter().map(|it| resting(it, set)).collect();
         if contacts.is_empty() {
             return plastic.solve_within(most_trials);
