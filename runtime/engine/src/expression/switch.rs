@@ -65,7 +65,7 @@ impl Switched {
 }
 
 /// All switches of a model.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Switches(Vec<Switch>);
 
 impl Switches {

@@ -6,6 +6,7 @@ mod decide;
 mod domain;
 mod driver;
 mod error;
+mod parts;
 pub(crate) mod phase_handle;
 pub(crate) mod phase_run;
 mod respond;
@@ -28,7 +29,6 @@ use smallvec::smallvec;
 
 use crate::EventKind;
 use crate::assembly::{Pose, Start, StartError, on_energy_of, start};
-use crate::contact::Laws;
 use crate::context::{Numbers, RunContext, Scales, scales_of};
 use crate::error::{ModelError, NameError, OutputError, ScheduleError, SupportError};
 use crate::event::EventFilter;
@@ -40,6 +40,7 @@ use crate::model::names::{ContactFilter, ContactName, PointName, ThreadName};
 use crate::model::{ContactKind, ContactSet, Form, Layout};
 use crate::simulation::awaited::Awaited;
 use crate::simulation::driver::Driver;
+use crate::simulation::parts::Parts;
 use crate::simulation::schedule::{Action, Scheduled, Trigger};
 use crate::system::Model;
 use crate::trajectory::observe::{Observer, Recorder};
@@ -65,7 +66,7 @@ pub struct Simulation {
     pub(crate) restitution: Vec<f64>,
     pub(crate) plan: Vec<Scheduled>,
     pub(crate) rules: Arc<Rules>,
-    pub(crate) laws: &'static Laws,
+    pub(crate) parts: Parts,
     pub(crate) ends: Ends,
     pub(crate) form: Form,
     pub(crate) method: Arc<dyn Method>,
@@ -101,11 +102,11 @@ impl Simulation {
         Self::of(model.into())
     }
 
-    fn of(Scene { model, laws }: Scene) -> Result<Self, ModelError> {
+    fn of(Scene { model, parts }: Scene) -> Result<Self, ModelError> {
         let scales = scales_of(&model)?;
         let restitution = model.restitution.clone();
         let context = RunContext { model, scales };
-        let rules = Rules::from_model(&context)?;
+        let rules = (parts.rules)(&context)?;
         Ok(Self {
             context: Arc::new(context),
             tolerance: TOLERANCE,
@@ -115,7 +116,7 @@ impl Simulation {
             restitution,
             plan: Vec::new(),
             rules: Arc::new(rules),
-            laws,
+            parts,
             ends: Ends::default(),
             form: Form::Closed,
             method: Arc::new(Auto),

@@ -8,6 +8,7 @@ use crate::event::detection::Signal;
 use crate::expression::Switches;
 
 /// Conditions and functions of time of a model.
+#[derive(Default)]
 pub(crate) struct Rules {
     /// What is there while a condition holds.
     pub(crate) switches: Switches,

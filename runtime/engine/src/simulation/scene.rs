@@ -1,24 +1,24 @@
-//! A model with what its run needs.
+//! A model with what its run needs of the engine.
 
-use crate::contact::Laws;
+use super::parts::Parts;
 use crate::model::BarSystem;
 use crate::system::Model;
 
-/// A model with the laws that its contacts name. Those of a compiled model are known while it is
-/// compiled: its program has no code of others.
+/// A model with what its run needs of the engine. That of a compiled model is known while it is
+/// compiled: its program has no code of friction, say, if nothing rubs.
 pub struct Scene {
     pub(super) model: Model,
-    pub(super) laws: &'static Laws,
+    pub(super) parts: Parts,
 }
 
 impl<M: BarSystem> From<&M> for Scene {
     fn from(model: &M) -> Self {
-        Self { model: Model::of(model), laws: const { Laws::from_layout(M::LAYOUT) } }
+        Self { model: Model::of(model), parts: const { Parts::from_layout(M::LAYOUT) } }
     }
 }
 
 impl From<Model> for Scene {
     fn from(model: Model) -> Self {
-        Self { laws: Laws::from_layout(model.layout()), model }
+        Self { parts: Parts::from_layout(model.layout()), model }
     }
 }

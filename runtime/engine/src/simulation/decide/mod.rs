@@ -122,7 +122,7 @@ impl Snapshot<'_> {
             time: Some(context.scales.time),
         };
         let reduced = problem.slips.is_empty().then(|| self.valid_chart(touching.union(held))).flatten();
-        (self.setup.laws.decide)(context, &self.state, &problem, reduced.as_deref())
+        (self.setup.parts.laws.decide)(context, &self.state, &problem, reduced.as_deref())
     }
 
     /// What else may be taken for located where the contacts jam: what was at its limit need not be

@@ -98,7 +98,7 @@ impl Snapshot<'_> {
     /// The contacts that share their load and slip now, however they do.
     fn leaving_together(&self) -> Vec<(usize, Sense)> {
         let (reactions, _) = self.reactions_at(&self.state, self.bearing());
-        let Some(rough) = self.setup.laws.rough else { return Vec::new() };
+        let Some(rough) = self.setup.parts.laws.rough else { return Vec::new() };
         (rough.margin)(self.setup.context.system(), &self.state, &self.closed(), &reactions).leaving
     }
 

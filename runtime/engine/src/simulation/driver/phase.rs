@@ -22,7 +22,7 @@ impl Driver<'_> {
     }
 
     fn integrate(&mut self, is_trial: bool) -> Outcome {
-        let Simulation { context, tolerance, method, rules, laws, cancel, .. } = self.setup;
+        let Simulation { context, tolerance, method, rules, parts, cancel, .. } = self.setup;
         let horizon = if self.has_seen_enough() { self.now.t } else { self.now.next_time() };
         let (now, mut nobody) = (&self.now, ());
         let bounds = Bounds { relative: now.relative_bound(), length: context.scales.length };
@@ -34,7 +34,7 @@ impl Driver<'_> {
             off: now.find_beyond_end(),
             passed: now.contacts.below(),
             kept: now.onset.kept,
-            grip: laws.rough.map_or_else(Grip::default, |rough| {
+            grip: parts.laws.rough.map_or_else(Grip::default, |rough| {
                 (rough.grip)(context.system(), &now.state, &now.closed())
             }),
             heights: &now.find_low_flights(),
@@ -66,7 +66,7 @@ impl Driver<'_> {
             progress: Progress::default(),
             observer: if is_trial { &mut nobody } else { &mut *self.observer },
             affine: Some(&mut self.affine),
-            laws,
+            parts: *parts,
             limits: Limits { cancel: cancel.as_deref(), allowance: self.allowance },
         };
         run.run(&**method)

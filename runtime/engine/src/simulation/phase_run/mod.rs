@@ -11,14 +11,15 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use crate::audit::Finding;
-use crate::contact::{ContactError, Laws};
+use crate::contact::ContactError;
 use crate::context::{Numbers, RunContext, Scales};
 use crate::event::detection::{Broken, EventDetector, Guard, KnownAffineGuards, Signals, StepView};
 use crate::integrate::{Counts, StepError};
-use crate::integration::method::{Method, Problem, StartedStepper, Switches, cut};
+use crate::integration::method::{Method, Problem, StartedStepper, Switches};
 use crate::integration::phase_point::PhasePoint;
 use crate::integration::singular::{ROUNDED, SingularityMonitor};
 use crate::model::{ContactSet, Energy, Form};
+use crate::simulation::parts::Parts;
 use crate::simulation::{Allowance, Exhausted};
 use crate::system::{DenseOutput, InitialValueProblem, Phase};
 use crate::trajectory::observe::Observer;
@@ -114,7 +115,7 @@ pub(crate) struct PhaseRun<'a> {
     pub(crate) observer: &'a mut dyn Observer,
     /// The affine guards of the run, until this phase has taken its own.
     pub(crate) affine: Option<&'a mut KnownAffineGuards>,
-    pub(crate) laws: &'static Laws,
+    pub(crate) parts: Parts,
     pub(crate) limits: Limits<'a>,
 }
 
@@ -209,7 +210,11 @@ impl PhaseRun<'_> {
         let tightness = 1.0;
         let problem = InitialValueProblem { phase, t, start, end, relative, absolute, tightness, longest };
         let problem = Problem { problem, time, damped };
-        method.begin(&problem).map(|begun| cut(begun, &problem))
+        let begun = method.begin(&problem)?;
+        Some(match self.parts.cut {
+            Some(cut) => cut(begun, &problem),
+            None => begun,
+        })
     }
 
     /// The time of the shortest flight that begins with the phase, in natural times: T² = 8 H/g.

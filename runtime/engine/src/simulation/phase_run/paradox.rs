@@ -46,7 +46,7 @@ impl PhaseRun<'_> {
 
     /// The least p of the contacts that slide, at a reduced state.
     fn hold(&self, reduced: &[f64]) -> Option<f64> {
-        let (set, rough) = (self.phase.info().set, self.laws.rough?);
+        let (set, rough) = (self.phase.info().set, self.parts.laws.rough?);
         let system = self.context.system();
         system.layout().sliding(&set).next()?;
         let mut state = vec![0.0; self.state.len()];

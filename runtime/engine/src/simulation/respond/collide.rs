@@ -178,7 +178,7 @@ impl Snapshot<'_> {
     fn collide(&mut self, collision: &Collision, present: ContactSet) -> Result<Outcome, RunCause> {
         let most = self.setup.budget.trials;
         let system = self.setup.context.system();
-        let struck = (self.setup.laws.strike)(system, &self.state, collision, most);
+        let struck = (self.setup.parts.laws.strike)(system, &self.state, collision, most);
         let mut outcome = struck.map_err(|error| self.collision_error(error, present))?;
         self.follow_impact(collision.rates.as_slice(), &mut outcome, present)?;
         Ok(outcome)

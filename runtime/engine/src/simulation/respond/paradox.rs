@@ -27,7 +27,7 @@ impl Snapshot<'_> {
 
     /// What holds each contact that slides in a set.
     fn find_holds(&self, set: &ContactSet) -> Vec<(usize, f64)> {
-        let rough = self.setup.laws.rough;
+        let rough = self.setup.parts.laws.rough;
         rough.map_or_else(Vec::new, |rough| (rough.holds)(self.setup.context.system(), &self.state, set))
     }
 
@@ -55,7 +55,7 @@ impl Snapshot<'_> {
     ) -> Result<(), RunCause> {
         let layout = self.layout();
         let rubs = layout.frictions.iter().any(|friction| touching.contains(friction.contact));
-        let rough = self.setup.laws.rough.filter(|_| rubs && !layout.has_hinges());
+        let rough = self.setup.parts.laws.rough.filter(|_| rubs && !layout.has_hinges());
         let jams = touching.iter().any(|i| layout.contacts[i].jams);
         self.bounces.wedged += 1;
         let gives_up = self.bounces.wedged > 4 + layout.contacts.len();

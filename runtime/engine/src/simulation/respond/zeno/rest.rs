@@ -73,7 +73,7 @@ impl Snapshot<'_> {
     fn rest(&self, collision: &Collision, closed: ContactSet, end: f64) -> Result<Outcome, CollisionError> {
         let mut set = self.slipping_as_now(closed);
         loop {
-            let outcome = (self.setup.laws.come_to_rest)(collision, &set, self.setup.budget.trials)?;
+            let outcome = (self.setup.parts.laws.come_to_rest)(collision, &set, self.setup.budget.trials)?;
             let stopped = self.stopped_at(&outcome.rates, set, end);
             if stopped.is_empty() {
                 return Ok(outcome);
