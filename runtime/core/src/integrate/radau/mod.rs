@@ -2,13 +2,14 @@
 //! Ordinary Differential Equations II*, 2nd ed., IV.8). L-stable; the Jacobian and its factors are kept while they serve.
 //!
 //! What is not in `radau5.f`: dense output of order 4; Newton's own iteration where stiff directions turn; tolerances
-//! below the rounding of the stiff forces are widened to it.
+//! below the rounding of the stiff forces are widened to it; steps that are short where motion is unstable.
 
 mod coefficients;
 mod control;
 mod dense;
 mod factors;
 mod full;
+mod growth;
 mod lu;
 mod newton;
 mod system;
@@ -163,7 +164,8 @@ impl<F: Fn(&[f64; N]) -> [f64; N], const N: usize> Stepper<f64, N> for Radau<'_,
         let mut wanted = planned_step(&self.f, &mut self.step_state, &slope, ORDER);
         let mut finite = true;
         loop {
-            let (h, t1) = self.step_state.fit(wanted, finite)?;
+            let followed = self.system.update_jacobian(&mut self.step_state, wanted);
+            let (h, t1) = self.step_state.fit(followed, finite)?;
             match self.attempt(h, &slope) {
                 Ok((trial, end)) => {
                     self.accept(&trial, [h, t1]);

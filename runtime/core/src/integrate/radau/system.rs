@@ -3,6 +3,7 @@
 use super::coefficients::DEFECT;
 use super::factors::Factors;
 use super::full::Full;
+use super::growth::compute_growth;
 use super::newton::{Criterion, Newton, NewtonFailure, Stages};
 use crate::integrate::tolerance::norm;
 use crate::integrate::{StepState, Tolerance, is_finite};
@@ -16,6 +17,10 @@ const MARGIN: f64 = 10.0;
 /// So many steps are made with the Jacobian of every stage once one Jacobian did not serve all three.
 const TURNING: u32 = 20;
 
+/// h λ of a step over which what grows as e^(λ t) is followed: to 4e-8 in any case, which keeps a fall from 1e-15 right to 1e-6 of
+/// its time and leaves to the error estimate what a tighter tolerance can see; and not beyond the expansion of the error.
+const REACH: [f64; 2] = [0.25, 1.0];
+
 /// ∂f/∂y.
 type Exact<'a, const N: usize> = Box<dyn Fn(&[f64; N]) -> [[f64; N]; N] + 'a>;
 
@@ -23,6 +28,8 @@ type Exact<'a, const N: usize> = Box<dyn Fn(&[f64; N]) -> [[f64; N]; N] + 'a>;
 pub(super) struct System<'a, const N: usize> {
     jacobian: Exact<'a, N>,
     known: Option<([[f64; N]; N], u64)>,
+    /// The largest rate at which a motion grows by it.
+    growth: f64,
     fresh: bool,
     factors: Option<Factors<N>>,
     newton: Newton,
@@ -43,6 +50,7 @@ impl<'a, const N: usize> System<'a, N> {
         Self {
             jacobian: Box::new(jacobian),
             known: None,
+            growth: 0.0,
             fresh: false,
             factors: None,
             newton,
@@ -71,7 +79,7 @@ impl<'a, const N: usize> System<'a, N> {
         tolerance: &Tolerance<N>,
         (h, guess): (f64, Stages<N>),
     ) -> Result<Solved<N>, NewtonFailure> {
-        self.prepare(h, step_state, tolerance.absolute());
+        self.factor(h, tolerance.absolute());
         let Self { jacobian, fresh, factors, newton, full, turning, .. } = self;
         let factors = factors.as_ref().ok_or(NewtonFailure::NotFinite)?;
         let (y, counts) = (&step_state.state, &mut step_state.counts);
@@ -104,26 +112,36 @@ impl<'a, const N: usize> System<'a, N> {
         self.factors.as_ref().map_or([f64::NAN; N], |factors| factors.filter(&defect))
     }
 
-    /// The Jacobian where there is none or the last one served badly, and its factors for a step of length `h`; `unit`: that of
-    /// each entry of the state.
-    fn prepare(&mut self, h: f64, step_state: &mut StepState<f64, N>, unit: &[f64; N]) {
-        let jumps = step_state.jumps();
-        let keep = self.fresh || self.turning == 0 && self.newton.contraction <= FAST;
-        let jacobian = match self.known {
-            Some((jacobian, at)) if keep && at == jumps => jacobian,
-            _ => {
-                step_state.counts.jacobians += 1;
-                (self.fresh, self.factors) = (true, None);
-                (self.jacobian)(&step_state.state)
-            }
-        };
-        self.known = Some((jacobian, jumps));
-        let serves = |factors: &Factors<N>| (factors.h - h).abs() <= SAME * h;
-        if !self.factors.as_ref().is_some_and(serves) {
-            let finite = jacobian.iter().all(is_finite);
-            self.factors = finite.then(|| Factors::new(h, &jacobian, unit)).flatten();
+    /// The Jacobian where there is none, or the last one served badly or keeps a step short. Returns the step that is `wanted`,
+    /// or the longest over which what grows is followed.
+    pub(super) fn update_jacobian(&mut self, step_state: &mut StepState<f64, N>, wanted: f64) -> f64 {
+        let (jumps, reach) = (step_state.jumps(), compute_reach(step_state.tolerance.relative()));
+        let serves = self.turning == 0 && self.newton.contraction <= FAST && wanted * self.growth <= reach;
+        if !((self.fresh || serves) && self.known.is_some_and(|(_, at)| at == jumps)) {
+            step_state.counts.jacobians += 1;
+            (self.fresh, self.factors) = (true, None);
+            let jacobian = (self.jacobian)(&step_state.state);
+            self.growth = compute_growth(&jacobian, step_state.tolerance.absolute());
+            self.known = Some((jacobian, jumps));
         }
+        wanted.min(reach / self.growth)
     }
+
+    /// The factors for a step of length `h`; `unit`: that of each entry of the state.
+    fn factor(&mut self, h: f64, unit: &[f64; N]) {
+        let serves = |factors: &Factors<N>| (factors.h - h).abs() <= SAME * h;
+        if self.factors.as_ref().is_some_and(serves) {
+            return;
+        }
+        let finite = self.known.as_ref().filter(|(jacobian, _)| jacobian.iter().all(is_finite));
+        self.factors = finite.and_then(|(jacobian, _)| Factors::new(h, jacobian, unit));
+    }
+}
+
+/// h λ of a step over which what grows as e^(λ t) grows right to the tolerance: e^z − R(z) = −z⁶/7200 + O(z⁷) (Hairer & Wanner
+/// II, IV.3, on Padé approximations), within [`REACH`].
+fn compute_reach(relative: f64) -> f64 {
+    (7200.0 * relative).powf(1.0 / 6.0).clamp(REACH[0], REACH[1])
 }
 
 /// The tolerance, not below rounding.

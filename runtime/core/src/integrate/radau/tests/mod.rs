@@ -1,5 +1,6 @@
-//! Coefficients, orders, and the linear algebra; [`stiff`] springs.
+//! Coefficients, orders, and the linear algebra; [`stiff`] springs, [`growth`] from below the tolerance.
 
+mod growth;
 mod stiff;
 
 use nalgebra::{Complex, SMatrix};
@@ -99,6 +100,7 @@ fn single(h: f64) -> Dense<f64, 4> {
     let mut system = System::new(|y: &[f64; 4]| Kepler.jacobian(y));
     let tolerance = Tolerance::new(1e-12, [1e-12; 4]).expect("a valid tolerance");
     let y0 = *step_state.state();
+    system.update_jacobian(&mut step_state, h);
     let Ok(Solved { z, .. }) = system.solve(&kepler, &mut step_state, &tolerance, (h, [[0.0; 4]; 3])) else {
         panic!("no stages for h = {h}")
     };
