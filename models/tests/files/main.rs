@@ -42,6 +42,34 @@ fn a_file_runs_with_the_values_and_the_run_that_it_declares() {
     assert!(told("list", "swing.rs", &[]).contains("m = 2 kg, l = 0.5, g = 9.81 m/s²"));
 }
 
+/// A point flies round the end of a bar and is below it: from each state that is printed the run goes on.
+#[test]
+fn a_state_that_is_printed_is_a_start() {
+    let run = |start: &[String], limit: f64| {
+        let options = ["--limit".to_owned(), format!("{limit:?}"), "--every".to_owned(), "0.1".to_owned()];
+        let start = start.iter().flat_map(|given| ["--start".to_owned(), given.clone()]);
+        let arguments: Vec<String> = options.into_iter().chain(start).chain(["--json".to_owned()]).collect();
+        let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+        serde_json::from_str::<serde_json::Value>(&told("run", "beside.rs", &arguments)).expect("JSON")
+    };
+    let start = ["phi=0", "x=2.2", "y=0.3", "phi'=0", "x'=-1", "y'=-2"].map(str::to_owned);
+    let whole = run(&start, 0.6);
+    let samples = whole["samples"].as_array().expect("samples");
+    let mut below = 0;
+    for sample in samples {
+        let state = sample["state"].as_object().expect("a state");
+        below += usize::from(state.contains_key("below(P)"));
+        let given: Vec<String> = state.iter().map(|(name, value)| format!("{name}={value}")).collect();
+        let rest = run(&given, 0.6 - sample["t"].as_f64().expect("a time"));
+        for (name, value) in whole["final_state"].as_object().expect("a state") {
+            let [found, expected] =
+                [&rest["final_state"][name], value].map(|x| x.as_f64().expect("a number"));
+            assert!((found - expected).abs() < 1e-9, "{name} from {given:?}: {found}, not {expected}");
+        }
+    }
+    assert!(below >= 2 && below < samples.len(), "{below} of {}", samples.len());
+}
+
 #[test]
 fn every_command_takes_a_file() {
     assert!(told("modes", "swing.rs", &[]).contains("own code"));

@@ -91,7 +91,7 @@ pub fn text(
     let sample = |row: &Row| Sample {
         t: row.t,
         before: row.is_before,
-        state: named(record, row.values.get(..size).unwrap_or_default()),
+        state: named(record, row.values.get(..size).unwrap_or_default(), row.t),
         outputs: outputs(&row.values),
     };
     let largest = [largest(record, |event| &event.reactions), largest(record, |event| &event.impulses)];
@@ -104,7 +104,7 @@ pub fn text(
         model,
         parameters: spec.parameters.iter().map(|(name, value)| (name.clone(), Value::from(*value))).collect(),
         events: record.events().iter().enumerate().map(event).collect(),
-        final_state: state(record, &record.final_state()),
+        final_state: state(record, &record.final_state(), record.end_time()),
         notes: decisions(record),
         samples: rows.iter().filter(|row| row.is_requested).map(sample).collect(),
         error,
@@ -125,7 +125,7 @@ fn event_json(
     largest: [f64; 2],
 ) -> EventJson {
     let before = event.before.as_ref().map(|before| BeforeJson {
-        state: state(record, &before.state),
+        state: state(record, &before.state, event.t),
         energy: energy(record, before.energy),
         outputs: outputs_before,
     });
@@ -133,7 +133,7 @@ fn event_json(
         t: event.t,
         kind: event.kind.to_string(),
         supports: event.supports.clone(),
-        state: state(record, &event.state),
+        state: state(record, &event.state, event.t),
         energy: energy(record, event.energy),
         reactions: by_support(&event.reactions, normal, largest[0]),
         friction: by_support(&event.reactions, friction, largest[0]),
@@ -171,12 +171,14 @@ fn energy(record: &Trajectory, Energy { kinetic, potential }: Energy<f64>) -> Ma
     all.into_iter().map(|(name, value)| (name.to_owned(), Value::from(unrounded(value, unit)))).collect()
 }
 
-/// Coordinates by name, then rates with a prime; those that follow them behind.
-fn state(record: &Trajectory, state: &[f64]) -> Map<String, Value> {
-    named(record, &record.with_dependent(state))
+/// Coordinates by name, then rates with a prime; those that follow them behind, and what of supports a start there must say.
+fn state(record: &Trajectory, state: &[f64], t: f64) -> Map<String, Value> {
+    named(record, &record.with_dependent(state), t)
 }
 
-fn named(record: &Trajectory, values: &[f64]) -> Map<String, Value> {
+fn named(record: &Trajectory, values: &[f64], t: f64) -> Map<String, Value> {
     let names = record.layout().names_of_motion();
-    names.zip(record.unrounded(values)).map(|(name, value)| (name, Value::from(value))).collect()
+    let motion = names.zip(record.unrounded(values)).map(|(name, value)| (name, Value::from(value)));
+    let below = record.find_below(values, t).into_iter();
+    motion.chain(below.map(|support| (format!("below({support})"), Value::from(1.0)))).collect()
 }

@@ -86,6 +86,26 @@ pub(crate) fn start(
     Ok(Start { state, touching, depth })
 }
 
+/// The contacts that a start in this state must say to be below their edges, `below(P)` = 1.
+pub(crate) fn find_below(
+    (context, switches): (&RunContext, &Switches),
+    tolerance: f64,
+    state: &[f64],
+    t: f64,
+) -> ContactSet {
+    let layout = context.layout();
+    let edges = layout.contacts.iter().enumerate();
+    let edges: ContactSet = edges.filter(|(_, contact)| contact.foot.is_some()).map(|(i, _)| i).collect();
+    if edges.is_empty() {
+        return edges;
+    }
+    let n = layout.coordinates.len();
+    let (positions, rates) = (&state[..n], state[n..2 * n].to_vec());
+    let below = (rates, ContactSet::EMPTY);
+    let assembly = AssemblyProblem::new((context, switches), deepest(tolerance), below, t);
+    assembly.find_penetrated(positions, assembly.absent(positions)).intersection(edges)
+}
+
 /// The state of a model that has neither contacts nor joints, where all rates or none are given: it is as it was asked for.
 fn unbound((context, switches): (&RunContext, &Switches), given: &Given, t: f64) -> Option<Vec<f64>> {
     let (layout, nominal) = (context.layout(), &context.model.nominal);

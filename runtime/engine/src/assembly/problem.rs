@@ -164,14 +164,19 @@ impl<'a> AssemblyProblem<'a> {
     pub(super) fn refuse_penetration(&self, positions: &[f64], off: ContactSet) -> Result<(), StartError> {
         let rows = self.rows(positions);
         let gap = rows.gap();
-        let two_sided = self.layout().guides().union(self.layout().drives());
-        let on = (0..self.layout().contacts.len()).filter(|&i| !off.contains(i) && !two_sided.contains(i));
-        let penetrated =
-            |i: &usize| gap[*i] < -self.deepest.max(self.closed_below(positions, *i)) * self.unit(*i);
-        match on.filter(penetrated).min_by(|&a, &b| gap[a].total_cmp(&gap[b])) {
+        match self.find_penetrated(positions, off).iter().min_by(|&a, &b| gap[a].total_cmp(&gap[b])) {
             Some(deepest) => Err(self.penetration(deepest, gap[deepest])),
             None => Ok(()),
         }
+    }
+
+    /// The penetrated contacts, those that are `off` left out.
+    pub(super) fn find_penetrated(&self, positions: &[f64], off: ContactSet) -> ContactSet {
+        let rows = self.rows(positions);
+        let two_sided = self.layout().guides().union(self.layout().drives());
+        let on = (0..self.layout().contacts.len()).filter(|&i| !off.contains(i) && !two_sided.contains(i));
+        let bound = |i: usize| self.deepest.max(self.closed_below(positions, i)) * self.unit(i);
+        on.filter(|&i| rows.gap()[i] < -bound(i)).collect()
     }
 
     /// What is wrong with a contact whose gap is negative.

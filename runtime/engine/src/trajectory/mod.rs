@@ -11,10 +11,11 @@ use core::fmt;
 
 use std::sync::{Arc, OnceLock};
 
+use crate::assembly::find_below;
 use crate::context::{RunContext, Scales};
 use crate::error::OutputError;
 use crate::event::{Event, Guard};
-use crate::expression::{Condition, Output, unrounded};
+use crate::expression::{Condition, Output, Switches, unrounded};
 use crate::integrate::Counts;
 use crate::integration::method::Choice;
 use crate::integration::phase_point::PhasePoint;
@@ -213,6 +214,15 @@ impl Trajectory {
     /// The full state at the end.
     pub fn final_state(&self) -> Vec<f64> {
         self.last.clone()
+    }
+
+    /// The supports that have gone round an end of their edges and are below these in a state of the
+    /// motion: its coordinates do not tell, and a start there says `below(P)` = 1 of each.
+    pub fn find_below(&self, state: &[f64], t: f64) -> Vec<&'static str> {
+        let layout = self.layout();
+        let Ok(switches) = Switches::from_layout(layout) else { return Vec::new() };
+        let below = find_below((&self.context, &switches), self.tolerance, state, t);
+        below.iter().map(|contact| layout.contacts[contact].supports[0]).collect()
     }
 
     /// Ends of the integrator's steps in order of time; between two neighbours the motion is one polynomial.

@@ -233,9 +233,14 @@ fn a_state_round_the_end_of_an_edge_is_a_start_once_that_is_said() {
         let t = 0.05 * f64::from(k);
         let left = Pose::of_state(Beside::LAYOUT, &run.state(t));
         let is_below = run.value(&gap, t) < 0.0;
+        let found = run.find_below(&run.state(t), t);
         let begun = match simulation().continued(t, &left) {
-            Ok(begun) => begun,
+            Ok(begun) => {
+                assert!(found.is_empty(), "{t}: {found:?}");
+                begun
+            }
             Err(error) => {
+                assert_eq!(found, ["P"], "{t}");
                 below += 1;
                 assert!(is_below && matches!(error, StartError::BelowEdge { .. }), "{t}: {error}");
                 assert!(error.to_string().ends_with("start with `below(P)` = 1"), "{error}");
