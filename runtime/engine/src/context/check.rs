@@ -57,11 +57,13 @@ fn check_spread(model: &Model, scales: &Scales) -> Result<(), ModelError> {
 }
 
 fn check_figure(model: &Model) -> Result<(), ModelError> {
-    let mut coordinates = model.layout().coordinates.iter().zip(&model.nominal);
-    match coordinates.find(|(_, q)| !q.is_finite()) {
-        Some((coordinate, _)) => Err(ModelError::Figure { coordinate: coordinate.name.to_owned() }),
-        None => Ok(()),
-    }
+    let layout = model.layout();
+    let mut coordinates = layout.coordinates.iter().zip(&model.nominal);
+    let Some((coordinate, _)) = coordinates.find(|(_, q)| !q.is_finite()) else { return Ok(()) };
+    let parameters = layout.parameters.iter().zip(&model.parameters);
+    let parameters: Vec<String> = parameters.map(|(name, value)| format!("{name} = {value}")).collect();
+    let (coordinate, parameters) = (coordinate.name.to_owned(), parameters.join(", "));
+    Err(ModelError::Figure { coordinate, parameters })
 }
 
 /// Checks that the signs and sides settled at compile time, for samples of the parameters, hold for these.

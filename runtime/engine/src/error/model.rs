@@ -84,10 +84,15 @@ pub enum ModelError {
         beyond: f64,
     },
     /// The figure gives a coordinate no number.
-    #[error("the figure gives `{coordinate}` no number; check the parameters that the figure depends on")]
+    #[error(
+        "the figure gives `{coordinate}` no number with {parameters}: its bars do not reach, or a root in it is of less than zero; change \
+         lengths until the figure can be drawn"
+    )]
     Figure {
         /// The coordinate.
         coordinate: String,
+        /// The parameters, `r = 2, l = 1`.
+        parameters: String,
     },
     /// With these parameters the figure gives a coordinate another sign, or another end of its line, than was settled when
     /// the model was compiled.
