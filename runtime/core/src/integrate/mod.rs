@@ -110,6 +110,19 @@ pub enum StepError {
         /// The step that was refused.
         h: f64,
     },
+    /// The constant step of a symplectic method would have to be far shorter for the rest of the run.
+    #[error(
+        "the step of Gauss's method, the same throughout, is {longest:e} and would have to be {h:e} from t = {t} on: the methods auto, \
+         radau and dop853 make theirs longer again"
+    )]
+    Constant {
+        /// Time of the last accepted state.
+        t: f64,
+        /// The step that would do.
+        h: f64,
+        /// The longest step made.
+        longest: f64,
+    },
     /// The state or its derivative is infinite or not a number, however small the step.
     #[error("state or derivative not finite at t = {t}")]
     NotFinite {

@@ -11,7 +11,7 @@ pub struct StepState<S, const N: usize> {
     pub(super) state: [S; N],
     pub(super) next: Option<S>,
     first: S,
-    end: Option<S>,
+    pub(super) end: Option<S>,
     longest: Option<S>,
     pub(super) counts: Counts,
     /// How often the state was changed from outside.

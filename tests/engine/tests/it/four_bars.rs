@@ -3,6 +3,7 @@
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
+use liftoff::method::MethodId;
 use liftoff::prelude::*;
 
 #[derive(BarSystem, Clone, Debug)]
@@ -162,5 +163,18 @@ fn a_crank_just_longer_than_its_rocker_does_not_pass_its_flat_position() {
     for longer in [1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6] {
         let phi = end(longer);
         assert!((phi - right).abs() < 5e-3, "{longer:e}: {phi} for {right}");
+    }
+}
+
+/// Where it turns back its angles change in a time of √ε or so: the step of Gauss's method there would serve to the end of the
+/// run.
+#[test]
+fn a_constant_step_past_a_flat_position_is_refused() {
+    for longer in [1e-13, 1e-12, 1e-11] {
+        let of = FourBar { g: 1.0, ..four_bar([1.0 + longer, 2.0, 1.0, 2.0]) };
+        let simulation = Simulation::new(&of).unwrap().method(MethodId::Gauss);
+        let start = Pose::at("phi", 1.0).with("phi'", -1.0);
+        let error = simulation.start(start).unwrap().limit(4.0).run().unwrap_err().to_string();
+        assert!(error.contains("auto, radau and dop853"), "{longer:e}: {error}");
     }
 }

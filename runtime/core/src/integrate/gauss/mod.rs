@@ -37,6 +37,11 @@ const UNSEEN: [f64; 2] = [-1.0; 2];
 const LEAST: f64 = 1e-13;
 /// What the last change of the dense output may be in units of the tolerance; the next would be some hundred times less.
 const ENOUGH: f64 = 0.3;
+/// Steps that are so many times shorter than those before are followed, as those towards a pole are, which soon end; not for
+/// longer than [`PATIENCE`] steps where [`MANY`] are left.
+const SHORTER: f64 = 1e3;
+const PATIENCE: u32 = 10_000;
+const MANY: f64 = 1e6;
 /// Rounding of a step and of its comparison, in units of that of the state and of what it moves by.
 const ROUNDING: f64 = 2.0 * f64::EPSILON;
 
@@ -56,6 +61,8 @@ pub struct Gauss<F, const N: usize> {
     record: [f64; 2],
     /// The largest of each component so far, or what it moved by in a step.
     largest: [f64; N],
+    /// The longest step since the start or a jump, and how many steps far shorter than that have been made.
+    longest: (f64, u32),
 }
 
 /// The last step, and its polynomial once it is asked for.
@@ -98,6 +105,7 @@ impl<F: Fn(&[f64; N]) -> [f64; N], const N: usize> Gauss<F, N> {
             last,
             record: UNSEEN,
             largest,
+            longest: (0.0, 0),
         }
     }
 
@@ -135,6 +143,22 @@ impl<F: Fn(&[f64; N]) -> [f64; N], const N: usize> Gauss<F, N> {
 
     fn pilots(&self) -> u32 {
         if self.starts() { PILOTS } else { 0 }
+    }
+
+    /// Counts a step that is far shorter than those before, which does not grow again; refuses it where there have been many and
+    /// very many would follow.
+    fn check_length(&mut self, h: f64) -> Result<(), StepError> {
+        if self.starts() {
+            self.longest = (0.0, 0);
+        }
+        let (t, (longest, short)) = (self.step_state.time, &mut self.longest);
+        *longest = longest.max(h);
+        *short = if h * SHORTER < *longest { *short + 1 } else { 0 };
+        let left = self.step_state.end.map_or(0.0, |end| end - t);
+        if *short > PATIENCE && left > MANY * h {
+            return Err(StepError::Constant { t, h, longest: *longest });
+        }
+        Ok(())
     }
 
     /// Whether the step begins where the last one did, which was too long.
@@ -247,6 +271,7 @@ impl<F: Fn(&[f64; N]) -> [f64; N], const N: usize> Stepper<f64, N> for Gauss<F, 
             })?;
             match self.attempt(h, pilots) {
                 Ok((l, end)) => {
+                    self.check_length(h)?;
                     let jumps = self.step_state.jumps();
                     self.largest = self.largest(&l);
                     (self.last.times, self.last.y0) = ([self.step_state.time, t1], self.step_state.state);

@@ -249,6 +249,7 @@ impl PhaseRun<'_> {
         }
         let reactions = self.reactions(t, reduced);
         let end = match (end, &mut loops) {
+            (end @ Termination::Failed(StepError::Constant { .. }), _) => end,
             (
                 end @ (Termination::Failed(_) | Termination::Singular(_) | Termination::Seam(_)),
                 Some(loops),
