@@ -89,8 +89,9 @@ fn no_method_takes_another_turn() {
     }
 }
 
-/// When the bars, released at φ = π/2 − δ, have fallen to φ = π/2 − ψ, with every foot on the floor: by energy
-/// φ̇² (1/3 + 2 λ sin² φ) l² = g l (cos δ − cos ψ), and Simpson's rule over u, ψ = δ cosh u.
+/// When the bars, released at φ = π/2 − δ, have fallen to φ = π/2 − ψ, with every foot on the
+/// floor: by energy φ̇² (1/3 + 2 λ sin² φ) l² = g l (cos δ − cos ψ), and Simpson's rule over u, ψ =
+/// δ cosh u.
 fn compute_fall(lambda: f64, delta: f64, to: f64) -> f64 {
     const PARTS: usize = 4000;
     let end = (to / delta).acosh();

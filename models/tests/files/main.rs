@@ -42,7 +42,8 @@ fn a_file_runs_with_the_values_and_the_run_that_it_declares() {
     assert!(told("list", "swing.rs", &[]).contains("m = 2 kg, l = 0.5, g = 9.81 m/s²"));
 }
 
-/// A point flies round the end of a bar and is below it: from each state that is printed the run goes on.
+/// A point flies round the end of a bar and is below it: from each state that is printed the run
+/// goes on.
 #[test]
 fn a_state_that_is_printed_is_a_start() {
     let run = |start: &[String], limit: f64| {

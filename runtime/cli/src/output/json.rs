@@ -171,7 +171,8 @@ fn energy(record: &Trajectory, Energy { kinetic, potential }: Energy<f64>) -> Ma
     all.into_iter().map(|(name, value)| (name.to_owned(), Value::from(unrounded(value, unit)))).collect()
 }
 
-/// Coordinates by name, then rates with a prime; those that follow them behind, and what of supports a start there must say.
+/// Coordinates by name, then rates with a prime; those that follow them behind, and what of
+/// supports a start there must say.
 fn state(record: &Trajectory, state: &[f64], t: f64) -> Map<String, Value> {
     named(record, &record.with_dependent(state), t)
 }

@@ -110,7 +110,8 @@ pub enum StepError {
         /// The step that was refused.
         h: f64,
     },
-    /// The constant step of a symplectic method would have to be far shorter for the rest of the run.
+    /// The constant step of a symplectic method would have to be far shorter for the rest of the
+    /// run.
     #[error(
         "the step of Gauss's method, the same throughout, is {longest:e} and would have to be {h:e} from t = {t} on: the methods auto, \
          radau and dop853 make theirs longer again"

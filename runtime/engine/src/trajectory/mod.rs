@@ -216,8 +216,8 @@ impl Trajectory {
         self.last.clone()
     }
 
-    /// The supports that have gone round an end of their edges and are below these in a state of the
-    /// motion: its coordinates do not tell, and a start there says `below(P)` = 1 of each.
+    /// The supports that have gone round an end of their edges and are below these in a state of
+    /// the motion: its coordinates do not tell, and a start there says `below(P)` = 1 of each.
     pub fn find_below(&self, state: &[f64], t: f64) -> Vec<&'static str> {
         let layout = self.layout();
         let Ok(switches) = Switches::from_layout(layout) else { return Vec::new() };

@@ -166,8 +166,8 @@ fn a_crank_just_longer_than_its_rocker_does_not_pass_its_flat_position() {
     }
 }
 
-/// Where it turns back its angles change in a time of √ε or so: the step of Gauss's method there would serve to the end of the
-/// run.
+/// Where it turns back its angles change in a time of √ε or so: the step of Gauss's method there
+/// would serve to the end of the run.
 #[test]
 fn a_constant_step_past_a_flat_position_is_refused() {
     for longer in [1e-13, 1e-12, 1e-11] {

@@ -37,8 +37,8 @@ const UNSEEN: [f64; 2] = [-1.0; 2];
 const LEAST: f64 = 1e-13;
 /// What the last change of the dense output may be in units of the tolerance; the next would be some hundred times less.
 const ENOUGH: f64 = 0.3;
-/// Steps that are so many times shorter than those before are followed, as those towards a pole are, which soon end; not for
-/// longer than [`PATIENCE`] steps where [`MANY`] are left.
+/// Steps that are so many times shorter than those before are followed, as those towards a pole
+/// are, which soon end; not for longer than [`PATIENCE`] steps where [`MANY`] are left.
 const SHORTER: f64 = 1e3;
 const PATIENCE: u32 = 10_000;
 const MANY: f64 = 1e6;
@@ -61,7 +61,8 @@ pub struct Gauss<F, const N: usize> {
     record: [f64; 2],
     /// The largest of each component so far, or what it moved by in a step.
     largest: [f64; N],
-    /// The longest step since the start or a jump, and how many steps far shorter than that have been made.
+    /// The longest step since the start or a jump, and how many steps far shorter than that have
+    /// been made.
     longest: (f64, u32),
 }
 
@@ -145,8 +146,8 @@ impl<F: Fn(&[f64; N]) -> [f64; N], const N: usize> Gauss<F, N> {
         if self.starts() { PILOTS } else { 0 }
     }
 
-    /// Counts a step that is far shorter than those before, which does not grow again; refuses it where there have been many and
-    /// very many would follow.
+    /// Counts a step that is far shorter than those before, which does not grow again; refuses it
+    /// where there have been many and very many would follow.
     fn check_length(&mut self, h: f64) -> Result<(), StepError> {
         if self.starts() {
             self.longest = (0.0, 0);

@@ -1,8 +1,8 @@
-//! How fast a motion grows at most: the largest real part of the eigenvalues of a Jacobian, by Francis's QR steps (Golub & Van
-//! Loan, *Matrix Computations*, 4th ed., 7.4, 7.5).
+//! How fast a motion grows at most: the largest real part of the eigenvalues of a Jacobian, by
+//! Francis's QR steps (Golub & Van Loan, *Matrix Computations*, 4th ed., 7.4, 7.5).
 //!
-//! Radau's R(z) has a pole at z = γ and vanishes at infinity: a step too long for what grows turns or damps it. What grows from
-//! below the tolerance is not seen in an error estimate.
+//! Radau's R(z) has a pole at z = γ and vanishes at infinity: a step too long for what grows turns
+//! or damps it. What grows from below the tolerance is not seen in an error estimate.
 
 use core::ops::Range;
 
@@ -57,7 +57,8 @@ fn compute_larger_root<const N: usize>(a: &[[f64; N]; N], end: usize) -> f64 {
     0.5 * (a[m][m] + a[n][n]) + half.mul_add(half, a[m][n] * a[n][m]).max(0.0).sqrt()
 }
 
-/// An implicit step with both eigenvalues of the last two rows as shifts, or with others where those go round in circles.
+/// An implicit step with both eigenvalues of the last two rows as shifts, or with others where
+/// those go round in circles.
 fn step<const N: usize>(a: &mut [[f64; N]; N], rows: Range<usize>, is_unusual: bool) {
     let (first, m, n) = (rows.start, rows.end - 2, rows.end - 1);
     let off = a[n][m].abs() + a[m][m - 1].abs();
@@ -78,8 +79,8 @@ fn step<const N: usize>(a: &mut [[f64; N]; N], rows: Range<usize>, is_unusual: b
     }
 }
 
-/// P A P with the Householder matrix P that turns the entries `x` from `at` on into a multiple of the first, on these columns
-/// and rows.
+/// P A P with the Householder matrix P that turns the entries `x` from `at` on into a multiple of
+/// the first, on these columns and rows.
 fn reflect<const N: usize>(a: &mut [[f64; N]; N], at: usize, x: &[f64], [columns, rows]: [Range<usize>; 2]) {
     let mut v = [0.0; N];
     v[..x.len()].copy_from_slice(x);

@@ -2,7 +2,8 @@
 //! Ordinary Differential Equations II*, 2nd ed., IV.8). L-stable; the Jacobian and its factors are kept while they serve.
 //!
 //! What is not in `radau5.f`: dense output of order 4; Newton's own iteration where stiff directions turn; tolerances
-//! below the rounding of the stiff forces are widened to it; steps that are short where motion is unstable.
+//! below the rounding of the stiff forces are widened to it; steps that are short where motion is
+//! unstable.
 
 mod coefficients;
 mod control;

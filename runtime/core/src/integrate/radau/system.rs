@@ -17,8 +17,9 @@ const MARGIN: f64 = 10.0;
 /// So many steps are made with the Jacobian of every stage once one Jacobian did not serve all three.
 const TURNING: u32 = 20;
 
-/// h λ of a step over which what grows as e^(λ t) is followed: to 4e-8 in any case, which keeps a fall from 1e-15 right to 1e-6 of
-/// its time and leaves to the error estimate what a tighter tolerance can see; and not beyond the expansion of the error.
+/// h λ of a step over which what grows as e^(λ t) is followed: to 4e-8 in any case, which keeps a
+/// fall from 1e-15 right to 1e-6 of its time and leaves to the error estimate what a tighter
+/// tolerance can see; and not beyond the expansion of the error.
 const REACH: [f64; 2] = [0.25, 1.0];
 
 /// ∂f/∂y.
@@ -112,8 +113,8 @@ impl<'a, const N: usize> System<'a, N> {
         self.factors.as_ref().map_or([f64::NAN; N], |factors| factors.filter(&defect))
     }
 
-    /// The Jacobian where there is none, or the last one served badly or keeps a step short. Returns the step that is `wanted`,
-    /// or the longest over which what grows is followed.
+    /// The Jacobian where there is none, or the last one served badly or keeps a step short.
+    /// Returns the step that is `wanted`, or the longest over which what grows is followed.
     pub(super) fn update_jacobian(&mut self, step_state: &mut StepState<f64, N>, wanted: f64) -> f64 {
         let (jumps, reach) = (step_state.jumps(), compute_reach(step_state.tolerance.relative()));
         let serves = self.turning == 0 && self.newton.contraction <= FAST && wanted * self.growth <= reach;
@@ -138,8 +139,8 @@ impl<'a, const N: usize> System<'a, N> {
     }
 }
 
-/// h λ of a step over which what grows as e^(λ t) grows right to the tolerance: e^z − R(z) = −z⁶/7200 + O(z⁷) (Hairer & Wanner
-/// II, IV.3, on Padé approximations), within [`REACH`].
+/// h λ of a step over which what grows as e^(λ t) grows right to the tolerance: e^z − R(z) =
+/// −z⁶/7200 + O(z⁷) (Hairer & Wanner II, IV.3, on Padé approximations), within [`REACH`].
 fn compute_reach(relative: f64) -> f64 {
     (7200.0 * relative).powf(1.0 / 6.0).clamp(REACH[0], REACH[1])
 }

@@ -167,7 +167,8 @@ fn an_iteration_that_never_converges_is_told_with_what_to_use() {
     assert!(failure.to_string().contains("radau"), "{failure}");
 }
 
-/// A fall past a centre at a distance of 1e-4, y″ = −y/(y² + 1e-8)^(3/2): the step there would serve for all the rest.
+/// A fall past a centre at a distance of 1e-4, y″ = −y/(y² + 1e-8)^(3/2): the step there would
+/// serve for all the rest.
 #[test]
 fn a_step_that_becomes_far_too_short_for_a_run_is_told() {
     let f = |&[y, v]: &[f64; 2]| [v, -y * (y * y + 1e-8).powf(-1.5)];

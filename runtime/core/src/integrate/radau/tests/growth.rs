@@ -60,8 +60,8 @@ fn growth_is_the_same_in_other_units() {
     assert!((found - find_by_nalgebra(&rows)).abs() < 1e-9, "{found}");
 }
 
-/// y″ = y from 1e-15 at rest beside a vibration 100 times as slow, with a tolerance far above: cosh t to the tolerance in each
-/// step.
+/// y″ = y from 1e-15 at rest beside a vibration 100 times as slow, with a tolerance far above: cosh
+/// t to the tolerance in each step.
 #[test]
 fn growth_from_below_the_tolerance_is_followed() {
     const DELTA: f64 = 1e-15;
@@ -82,7 +82,8 @@ fn growth_from_below_the_tolerance_is_followed() {
     }
 }
 
-/// y″ = y/s from s = 1e-12 on, s′ = 1: a step that the last Jacobian keeps short is not kept short by it for good.
+/// y″ = y/s from s = 1e-12 on, s′ = 1: a step that the last Jacobian keeps short is not kept short
+/// by it for good.
 #[test]
 fn growth_that_is_gone_keeps_no_step_short() {
     let tolerance = Tolerance::new(1e-5, [1e-9; 3]).expect("a valid tolerance");

@@ -1,4 +1,5 @@
-//! Coefficients, orders, and the linear algebra; [`stiff`] springs, [`growth`] from below the tolerance.
+//! Coefficients, orders, and the linear algebra; [`stiff`] springs, [`growth`] from below the
+//! tolerance.
 
 mod growth;
 mod stiff;
