@@ -1,5 +1,6 @@
 //! One guard over a step: its own series where the method has it to well within the error bound, else its values.
 
+use super::advance::Advance;
 use crate::numerics::root_isolation::{self, Accuracy, Crossing, GuardError, Root, Start};
 
 /// A series whose tail is at most this part of the error bound counts as exact.
@@ -15,6 +16,17 @@ pub(super) fn is_exact(series: &[f64], bound: f64) -> bool {
 pub(super) fn is_clear(series: &[f64], bound: f64) -> bool {
     let level = bound.max(root_isolation::tail(series) / EXACT);
     root_isolation::stays_above(series, level) || level > bound && root_isolation::is_above(series, level)
+}
+
+/// What has been decided of a guard that begins a phase at zero: that it does not cross it there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Suppression {
+    /// Nothing: it counts as soon as it falls.
+    None,
+    /// It counts where it has fallen by its bound.
+    ToBound,
+    /// The same, but one that begins above zero is known better: it counts where it is zero.
+    ToZero,
 }
 
 /// A guard as a function of θ.
@@ -59,6 +71,43 @@ impl GuardSource<'_> {
             Crossing::Touch { theta, value } => Crossing::Touch { theta: at(theta), value },
             other => other,
         })
+    }
+
+    /// The first fall through zero behind `from`; `touch` is told where it goes on behind zeros that
+    /// are only touched.
+    pub(super) fn find_fall(
+        &self,
+        bound: f64,
+        (mut from, mut start): (f64, Start),
+        suppression: Suppression,
+        touch: &mut dyn FnMut(f64),
+    ) -> Result<Option<f64>, GuardError> {
+        let is_suppressed = suppression != Suppression::None && from == 0.0;
+        if is_suppressed && self.first() < -0.5 * bound {
+            // It was kept for a reaction that might as well be zero, which this is not.
+            return Ok(Some(0.0));
+        }
+        let mut advance = Advance::BEGUN;
+        loop {
+            match self.watch(from, start, bound)? {
+                Crossing::Clear => return Ok(None),
+                Crossing::At { theta } => return Ok(Some(theta)),
+                Crossing::LeavesAtStart if is_suppressed && from == 0.0 => {
+                    let is_above = suppression == Suppression::ToZero && self.first() > 0.0;
+                    let sunk = if is_above { (0.0, self.rounding()) } else { (bound, 0.5 * bound) };
+                    return self.first_root(0.0, Start::Free, sunk);
+                }
+                Crossing::LeavesAtStart => return Ok(Some(from)),
+                Crossing::Touch { theta, .. } => {
+                    from = advance.behind(theta, from);
+                    touch(from);
+                    start = Start::Order(2);
+                    if from >= 1.0 {
+                        return Ok(None);
+                    }
+                }
+            }
+        }
     }
 
     /// The first zero of the guard + `shift` behind `from`, as θ of the step.

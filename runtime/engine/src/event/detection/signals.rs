@@ -8,10 +8,10 @@
 //! with r = high − low the range of its values there, δ what the tolerance leaves of the largest f and of the natural force, and
 //! R the largest of r, δ and a sixteenth of that f. The second is proved by interval bounds over pieces of the step.
 
-use super::step::Values;
-use super::{StepView, Variable};
+use super::sample::Scratch;
+use super::step::StepView;
 use crate::context::RunContext;
-use crate::expression::{Condition, Enclosure, Interval};
+use crate::expression::{Condition, Enclosure, Interval, Variable};
 use crate::model::Layout;
 use crate::numerics::root_isolation::Smooth;
 
@@ -100,7 +100,7 @@ pub(crate) struct Signals<'a> {
     is_lost: Vec<bool>,
     /// Steps in a row that have not seen one.
     pub(crate) unseen: u32,
-    values: Values,
+    scratch: Scratch,
 }
 
 impl<'a> Signals<'a> {
@@ -115,7 +115,7 @@ impl<'a> Signals<'a> {
             largest: largest.collect(),
             is_lost: vec![false; list.len()],
             unseen: 0,
-            values: Values::of(layout),
+            scratch: Scratch::of(layout),
         }
     }
 
@@ -143,21 +143,21 @@ impl<'a> Signals<'a> {
         (tolerance, is_shortest): (f64, bool),
     ) -> Option<Unseen> {
         let Signal { condition, drives, reads, .. } = &self.list[k];
-        let values = &mut self.values;
-        let leaves = |values: &mut Values| {
+        let scratch = &mut self.scratch;
+        let leaves = |scratch: &mut Scratch| {
             let smooth = |&variable: &Variable| {
                 let smooth = match step.polynomial(variable) {
                     Some(exact) => exact.ok(),
-                    None => {
-                        Smooth::fit(&mut |theta| step.read(theta, variable, values), tolerance).ok().flatten()
-                    }
+                    None => Smooth::fit(&mut |theta| step.read(theta, variable, scratch), tolerance)
+                        .ok()
+                        .flatten(),
                 };
                 Some((variable, smooth?))
             };
             reads.iter().map(smooth).collect::<Option<Vec<_>>>()
         };
         // What has no polynomial over the step is not followed by the method either.
-        let leaves = leaves(values)?;
+        let leaves = leaves(scratch)?;
         let bound = |piece: [f64; 2]| step.enclosure(condition, &leaves, piece);
         let value = |theta: f64| bound([theta, theta]).map_or(f64::NAN, |bounds| bounds.value.middle());
         let seen = NODES.map(value);

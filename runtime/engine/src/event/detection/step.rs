@@ -1,104 +1,19 @@
-//! Values of guards within a step.
+//! A step of a phase: what is evaluated within it.
 
 use std::sync::Arc;
 
-use super::{Guard, Rub};
-use crate::contact::friction::LastMargin;
-use crate::context::{Numbers, RunContext, Slips};
+use super::sample::{Quantities, Sample, Scratch};
+use crate::context::{Numbers, RunContext};
 use crate::expression::{Condition, Enclosure, Interval, Known, Sides, Variable};
 use crate::integrate::Guards;
 use crate::integration::phase_point::PhasePoint;
-use crate::model::{ContactSet, Form, Layout, Side, SlipState};
+use crate::model::{ContactSet, Form};
 use crate::numerics::root_isolation::{GuardError, Smooth, TERMS};
 use crate::system::{DenseOutput, Phase};
 use smallvec::smallvec;
 
 /// What a condition reads, over a step.
 pub(super) type Leaves = Vec<(Variable, Smooth)>;
-
-/// Which guards are asked for.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(crate) struct Kinds {
-    pub(super) reactions: bool,
-    pub(super) gaps: bool,
-    pub(super) feet: bool,
-    pub(super) slips: bool,
-    pub(super) grip: bool,
-}
-
-impl Kinds {
-    pub(super) fn of(guards: impl IntoIterator<Item = Guard>) -> Self {
-        guards.into_iter().fold(Self::default(), |kinds, guard| match guard {
-            Guard::Reaction(_) | Guard::Side(..) => Self { reactions: true, ..kinds },
-            Guard::Gap(_) | Guard::Parting(_) => Self { gaps: true, ..kinds },
-            Guard::Foot { .. } => Self { feet: true, ..kinds },
-            Guard::Limit(_) => Self { reactions: true, slips: true, ..kinds },
-            Guard::Grip => Self { reactions: true, grip: true, ..kinds },
-            Guard::Slip(_) => Self { slips: true, ..kinds },
-            Guard::Condition(_) => kinds,
-        })
-    }
-
-    pub(super) fn any(self) -> bool {
-        self.reactions || self.gaps || self.feet || self.slips || self.grip
-    }
-}
-
-/// Values of all guards of a model at one time; those not asked for are left as they were.
-#[derive(Default)]
-pub(crate) struct Values {
-    pub(super) reactions: Numbers,
-    gaps: Numbers,
-    feet: Numbers,
-    pub(super) slips: Slips,
-    grip: f64,
-    last_grip: LastMargin,
-    reduced: Numbers,
-    pub(super) state: Numbers,
-    /// A point of the phase, made when a condition is first evaluated.
-    point: Option<PhasePoint>,
-}
-
-impl Values {
-    pub(super) fn of(layout: &Layout) -> Self {
-        let contacts = layout.contacts.len();
-        Self {
-            reactions: smallvec![0.0; layout.reactions()],
-            gaps: smallvec![0.0; contacts],
-            feet: smallvec![0.0; 2 * layout.feet()],
-            slips: Slips::from_elem(
-                SlipState { velocity: 0.0, kinetic: 0.0, limit: 0.0 },
-                layout.frictions.len(),
-            ),
-            state: smallvec![0.0; layout.entries()],
-            ..Self::default()
-        }
-    }
-
-    /// NaN for a condition.
-    pub(super) fn get(&self, guard: Guard) -> f64 {
-        match guard {
-            Guard::Reaction(i) => self.reactions[i],
-            Guard::Gap(i) => self.gaps[i],
-            Guard::Parting(i) => -self.gaps[i],
-            Guard::Foot { entry, .. } => self.feet[entry],
-            Guard::Side(i, side) => f64::from(side.sign()) * self.reactions[i],
-            Guard::Limit(Rub { contact, friction, slip, side }) => {
-                let force = self.reactions[self.gaps.len() + friction];
-                let normal = f64::from(side.sign()) * self.reactions[contact];
-                self.slips[friction].limit * normal + f64::from(slip.sign()) * force
-            }
-            Guard::Grip => self.grip,
-            Guard::Slip(Rub { friction, slip, .. }) => f64::from(slip.sign()) * self.slips[friction].velocity,
-            Guard::Condition(_) => f64::NAN,
-        }
-    }
-
-    /// Distances of foot `k` from both ends of its bar.
-    pub(super) fn margins(&self, k: usize) -> [f64; 2] {
-        [self.feet[2 * k], self.feet[2 * k + 1]]
-    }
-}
 
 /// A step of a phase, as the guards see it.
 pub(crate) struct StepView<'a> {
@@ -157,78 +72,77 @@ impl<'a> StepView<'a> {
     }
 
     /// The reduced state at θ.
-    pub(super) fn reduced(&self, theta: f64, reduced: &mut Vec<f64>) {
+    pub(super) fn reduced(&self, theta: f64, reduced: &mut Numbers) {
         reduced.resize(self.dense.entries(), 0.0);
         self.dense.at(theta, reduced);
     }
 
-    /// Values of the guards of these kinds at θ.
-    pub(super) fn sample(&self, theta: f64, kinds: Kinds, values: &mut Values) {
-        let Values { reactions, gaps, feet, slips, grip, last_grip, reduced, state, .. } = values;
-        reduced.resize(self.dense.entries(), 0.0);
-        self.dense.at(theta, reduced);
-        if kinds.reactions {
-            self.phase.reactions(reduced, reactions);
+    /// Evaluates what is asked for at θ.
+    pub(super) fn sample(&self, theta: f64, asked: Quantities, sample: &mut Sample, scratch: &mut Scratch) {
+        let Scratch { reduced, state, last_grip, .. } = scratch;
+        self.reduced(theta, reduced);
+        if asked.have(Quantities::REACTIONS) {
+            self.phase.reactions(reduced, &mut sample.reactions);
         }
-        if kinds.gaps || kinds.feet || kinds.slips || kinds.grip {
+        if asked != Quantities::REACTIONS {
             self.phase.embed(reduced, state);
         }
-        if kinds.gaps {
-            self.phase.system().gaps(state, gaps);
+        if asked.have(Quantities::GAPS) {
+            self.phase.system().gaps(state, &mut sample.gaps);
         }
-        if kinds.feet {
-            self.phase.system().feet(state, feet);
+        if asked.have(Quantities::FEET) {
+            self.phase.system().feet(state, &mut sample.feet);
         }
-        if kinds.slips {
-            self.phase.system().slips(state, slips);
+        if asked.have(Quantities::SLIPS) {
+            self.phase.system().slips(state, &mut sample.slips);
         }
-        if kinds.grip {
-            *grip = last_grip.value(self.context.system(), state, &self.closed, reactions);
+        if asked.have(Quantities::GRIP) {
+            sample.grip = last_grip.value(self.context.system(), state, &self.closed, &sample.reactions);
         }
     }
 
     /// What rounding makes of each gap at the end, if a coordinate of the phase has become so large that it may be more than `bound`.
-    pub(super) fn roundings(&self, bound: f64, values: &mut Values) -> Option<Numbers> {
+    pub(super) fn roundings(&self, bound: f64, scratch: &mut Scratch) -> Option<Numbers> {
         let coordinates =
             self.phase.kept().iter().copied().zip(self.dense.end()).take(self.phase.info().coordinates);
         if !self.context.is_far(coordinates, bound) {
             return None;
         }
-        self.phase.embed(self.dense.end(), &mut values.state);
-        Some(self.context.roundings(&values.state, bound))
+        self.phase.embed(self.dense.end(), &mut scratch.state);
+        Some(self.context.roundings(&scratch.state, bound))
     }
 
     /// The size of the terms at the end that a gap is the sum of.
-    pub(super) fn terms(&self, contact: usize, values: &mut Values) -> f64 {
-        self.phase.embed(self.dense.end(), &mut values.state);
-        let positions = &values.state[..self.context.layout().coordinates.len()];
-        self.context.system().equations(&values.state).terms(contact, positions)
+    pub(super) fn terms(&self, contact: usize, scratch: &mut Scratch) -> f64 {
+        self.phase.embed(self.dense.end(), &mut scratch.state);
+        let positions = &scratch.state[..self.context.layout().coordinates.len()];
+        self.context.system().equations(&scratch.state).terms(contact, positions)
     }
 
     /// The difference of a condition's sides at θ, and the larger of them.
-    pub(super) fn difference(&self, theta: f64, condition: &Condition, values: &mut Values) -> (f64, f64) {
-        condition.difference(self.context, self.point(theta, values))
+    pub(super) fn difference(&self, theta: f64, condition: &Condition, scratch: &mut Scratch) -> (f64, f64) {
+        condition.difference(self.context, self.point(theta, scratch))
     }
 
     /// What rounding may make of the difference of a condition's sides at θ where they are equal; zero where that is no
     /// number.
-    pub(super) fn rounding(&self, theta: f64, condition: &Condition, values: &mut Values) -> f64 {
-        let rounding = condition.rounding(self.context, self.point(theta, values));
+    pub(super) fn rounding(&self, theta: f64, condition: &Condition, scratch: &mut Scratch) -> f64 {
+        let rounding = condition.rounding(self.context, self.point(theta, scratch));
         if rounding.is_finite() { rounding } else { 0.0 }
     }
 
-    fn point<'v>(&self, theta: f64, values: &'v mut Values) -> &'v PhasePoint {
+    fn point<'v>(&self, theta: f64, scratch: &'v mut Scratch) -> &'v PhasePoint {
         let t = self.dense.t0 + theta * self.dense.h;
         let reduced = || smallvec![0.0; self.dense.entries()];
         let begun = || PhasePoint::new(Arc::clone(self.phase), self.closed, t, reduced());
-        let point = values.point.get_or_insert_with(begun);
+        let point = scratch.point.get_or_insert_with(begun);
         point.move_to(t, |reduced| self.dense.at(theta, reduced));
         point
     }
 
     /// g̈ of a contact at θ.
-    pub(super) fn gap_acceleration(&self, theta: f64, contact: usize, values: &mut Values) -> f64 {
-        let point = self.point(theta, values);
+    pub(super) fn gap_acceleration(&self, theta: f64, contact: usize, scratch: &mut Scratch) -> f64 {
+        let point = self.point(theta, scratch);
         let equations = self.phase.system().equations(point.state());
         equations.gap_acceleration(contact, point.accelerations())
     }
@@ -239,8 +153,8 @@ impl<'a> StepView<'a> {
     }
 
     /// What a condition reads, at θ.
-    pub(super) fn read(&self, theta: f64, variable: Variable, values: &mut Values) -> f64 {
-        variable.value(self.context, self.point(theta, values))
+    pub(super) fn read(&self, theta: f64, variable: Variable, scratch: &mut Scratch) -> f64 {
+        variable.value(self.context, self.point(theta, scratch))
     }
 
     /// Bounds of the difference of a condition's sides over a piece, from those of what it reads.
@@ -259,21 +173,9 @@ impl<'a> StepView<'a> {
         condition.enclosure(&self.context.model.parameters, &leaf)
     }
 
-    /// The series of a guard other than a condition, Σ cₖ θᵏ, if the method has it.
-    pub(super) fn series(&self, guard: Guard) -> Option<&[f64]> {
-        let guards = self.guards?;
-        Some(match guard {
-            Guard::Reaction(i) => guards.reaction(i),
-            Guard::Gap(i) => guards.gap(i),
-            Guard::Foot { entry, .. } => guards.foot(entry / 2, entry % 2),
-            Guard::Side(i, Side::Positive) => guards.reaction(i),
-            Guard::Side(_, Side::Negative)
-            | Guard::Parting(_)
-            | Guard::Limit(_)
-            | Guard::Grip
-            | Guard::Slip(_)
-            | Guard::Condition(_) => return None,
-        })
+    /// The series of the guards, for a contact that is one of the phase: what is closed because others are has none.
+    pub(super) fn own_guards(&self, contact: usize) -> Option<Guards<'_>> {
+        self.guards.filter(|_| self.phase.info().set.contains(contact))
     }
 
     /// Where the reduced state has a coordinate or its rate, if it has it.
@@ -318,28 +220,4 @@ impl<'a> StepView<'a> {
 fn copy(series: &[f64], terms: &mut [f64]) -> Option<()> {
     series.iter().zip(terms).for_each(|(c, term)| *term = *c);
     Some(())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::model::Slip;
-
-    /// μₛ |N| + σ R of each of two contacts with friction, whose R stand behind the reactions of all contacts.
-    #[test]
-    fn limits_of_friction_are_those_of_their_contact() {
-        let slips = [0.25, 0.5].map(|limit| SlipState { velocity: 0.0, kinetic: 0.0, limit });
-        let values = Values {
-            reactions: smallvec![-5.0, 7.0, 1.0, -3.0],
-            gaps: smallvec![0.0; 2],
-            slips: Slips::from_slice(&slips),
-            ..Values::default()
-        };
-        let limit =
-            |contact, slip, side| values.get(Guard::Limit(Rub { contact, friction: contact, slip, side }));
-        assert_eq!(limit(0, Slip::Forward, Side::Negative), 0.25 * 5.0 + 1.0);
-        assert_eq!(limit(0, Slip::Backward, Side::Negative), 0.25 * 5.0 - 1.0);
-        assert_eq!(limit(1, Slip::Forward, Side::Positive), 0.5 * 7.0 - 3.0);
-        assert_eq!(limit(1, Slip::Backward, Side::Positive), 0.5 * 7.0 + 3.0);
-    }
 }

@@ -383,7 +383,7 @@ impl<'a> PhaseRun<'a> {
         let powers = self.detector.friction_powers().filter(|_| end == 1.0);
         if let Some(work) = work {
             self.progress.work.add_known(work);
-        } else if !powers.is_some_and(|powers| self.progress.work.add_sampled(self.context, powers, h)) {
+        } else if !powers.is_some_and(|powers| self.progress.work.add_sampled(self.context, &powers, h)) {
             self.add_work(recording);
         }
         self.observer.step(&LastStep { context: self.context, recorded: recording.recorded() });

@@ -1,10 +1,8 @@
 //! Guards of a block by hand.
 
-use super::super::step::Values;
-use super::super::{Guard, Rub, StepView};
+use super::super::StepView;
 use super::*;
-use crate::model::{Form, Side};
-use crate::numerics::root_isolation::without_zeros;
+use crate::model::Form;
 use crate::prelude::*;
 
 /// A block on a belt, held by a spring.
@@ -94,55 +92,6 @@ fn guards_of_a_bar_are_affine_in_flight_only() {
     let sliding = ContactSet::EMPTY.slipping(0, Slip::Forward);
     for (set, affine) in [(ContactSet::EMPTY, true), (sliding, false)] {
         assert_eq!(simulation.context.phase(set, Form::Closed).info().affine, affine, "{set:?}");
-    }
-}
-
-/// μₛ N ± R, ±v and −N over the step: the series of a contact with friction have the signs of its guards.
-#[test]
-fn guards_of_friction_have_their_series() {
-    let simulation = Simulation::new(&BLOCK).expect("a block");
-    for slip in [Slip::Stick, Slip::Forward, Slip::Backward] {
-        let set = ContactSet::EMPTY.slipping(0, slip);
-        let phase = simulation.context.phase(set, Form::Closed);
-        let kept: Vec<&[f64; 4]> = phase.kept().iter().map(|&entry| &MOTION[entry]).collect();
-        let end: Vec<f64> = kept.iter().map(|c| at(&c[..], 1.0)).collect();
-        let coefficients = (0..4).flat_map(|k| kept.iter().map(move |c| c[k]));
-        let step = DenseOutput::series([0.0, 0.5], &end, coefficients);
-        let mut guards = AffineGuards::of(&*phase, &simulation.context);
-        let view = StepView::new(&phase, &simulation.context, &step).with_series(guards.over(&step));
-        for side in [Side::Positive, Side::Negative] {
-            for sense in [Slip::Forward, Slip::Backward] {
-                let rub = Rub { contact: 0, friction: 0, slip: sense, side };
-                let (sigma, s) = (f64::from(sense.sign()), f64::from(side.sign()));
-                for theta in [0.0, 0.4, 1.0] {
-                    let [normal, force, _, velocity] = by_hand(slip, MOTION.map(|c| at(&c, theta)));
-                    let limit = view.limit(Guard::Limit(rub), &mut Values::of(phase.system().layout()));
-                    assert_eq!(limit, BLOCK.mu_s);
-                    for (guard, expected) in [
-                        (Guard::Limit(rub), s * BLOCK.mu_s * normal + sigma * force),
-                        (Guard::Slip(rub), sigma * velocity),
-                    ] {
-                        let mut series = vec![1.0];
-                        view.write_rubbing(guard, limit, &mut series);
-                        let apart = (at(&series, theta) - expected).abs();
-                        assert!(apart < 1e-13 * BLOCK.m * BLOCK.g, "{slip:?} {guard:?} {theta}");
-                    }
-                }
-            }
-            let mut series = Vec::new();
-            view.write_rubbing(Guard::Side(0, side), 0.0, &mut series);
-            let expected: &[f64] = if side == Side::Negative { &[-BLOCK.m * BLOCK.g] } else { &[] };
-            assert_eq!(without_zeros(&series), expected);
-            // One that depends on others has none.
-            let other = ContactSet::EMPTY;
-            let free = simulation.context.phase(other, Form::Closed);
-            let open = StepView::new(&free, &simulation.context, &step).with_series(view.guards);
-            let rub = Rub { contact: 0, friction: 0, slip: Slip::Forward, side };
-            for guard in [Guard::Limit(rub), Guard::Slip(rub), Guard::Side(0, side)] {
-                open.write_rubbing(guard, 0.5, &mut series);
-                assert!(series.is_empty(), "{guard:?}");
-            }
-        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::super::{ContactStatus, Guard};
 use super::given::*;
+use crate::contact::friction::Grip;
 use crate::model::{ContactSet, Form, Side, Slip};
 use crate::numerics::root_isolation::GuardError;
 
@@ -127,12 +128,14 @@ fn a_touch_at_the_first_event_is_part_of_it() {
 /// By more than a 64th of the bound a touch may be a crossing; guards that are neither a reaction nor a gap are decided.
 #[test]
 fn a_touch_is_undecided_where_it_is_not_at_zero() {
-    let scene = Scene::of((ContactSet::EMPTY, Form::Closed), |_| Shown::default());
-    let detector = scene.begun(roles(ContactSet::EMPTY), (&[], false));
+    let closed = set(&[THREAD, CORNER]).slipping(GUIDE, Slip::Forward).pressing(GUIDE, Side::Negative);
+    let scene = Scene::of((closed, Form::Closed), |_| Shown::default());
+    let grip = Grip { sticking: set(&[GUIDE]), normals: ContactSet::EMPTY };
+    let detector = scene.begun(ContactStatus { grip, ..roles(closed.with(PLAIN)) }, (&[], false));
     for (guard, size) in [
         (Guard::Reaction(THREAD), FORCES[THREAD]),
         (Guard::Side(GUIDE, Side::Negative), FORCES[GUIDE]),
-        (Guard::Gap(CORNER), BOUNDS.length),
+        (Guard::Gap(PLAIN), BOUNDS.length),
     ] {
         for sign in [1.0, -1.0] {
             let told = |part: f64| {
@@ -148,6 +151,7 @@ fn a_touch_is_undecided_where_it_is_not_at_zero() {
         }
     }
     for guard in [Guard::Parting(PLAIN), Guard::Grip, Guard::Foot { contact: CORNER, entry: 1 }] {
+        assert_eq!(detector.find(guard).guard.guard(), guard);
         assert!(!detector.is_undecided(guard, &[f64::INFINITY; CONTACTS], &[f64::INFINITY; CONTACTS]));
     }
 }

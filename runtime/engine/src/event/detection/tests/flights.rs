@@ -101,8 +101,8 @@ fn a_flight_that_begins_deep_has_its_ground_there() {
         let heights = [(PLAIN, 1e-9)];
         let detector = scene.begun(ContactStatus { heights: &heights, ..alone(PLAIN) }, (&[], false));
         let watch = &detector.list[0];
-        assert_eq!(watch.height, 2.0 * depth / LOW);
-        assert!(watch.at_root);
+        assert_eq!(watch.guard.height(), 2.0 * depth / LOW);
+        assert!(watch.tracking.at_root);
     }
 }
 
@@ -111,8 +111,8 @@ fn a_flight_that_begins_deep_has_its_ground_there() {
 fn what_is_low() {
     let scene = Scene::closed(ContactSet::EMPTY, |_| Shown::default());
     let detector = scene.begun(alone(PLAIN), (&[], false));
-    let most = BOUNDS.relative * BOUNDS.length;
-    assert!(detector.is_low(most) && detector.is_low(0.0) && !detector.is_low(1.001 * most));
+    let (most, is_low) = (BOUNDS.relative * BOUNDS.length, |gap| detector.scales.is_low(gap));
+    assert!(is_low(most) && is_low(0.0) && !is_low(1.001 * most));
 }
 
 /// Of several the lowest; none where something else is zero at the start, or nothing is.

@@ -1,30 +1,36 @@
 //! A system and its phase in which everything is a given function of time, with a contact of every kind.
 
+use core::cell::RefCell;
 use core::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::Arc;
 
 use liftoff_fixtures::Particle;
 
+use super::super::detector::Watch;
+use super::super::sampled_step::{SampledStep, Scales};
+use super::super::samples::Samples;
 use super::super::{Bounds, ContactStatus, EventDetector, Guard, StepView};
-use crate::context::{RunContext, scales_of};
+use crate::context::{Numbers, RunContext, scales_of};
 use crate::expression::Condition;
+use crate::integrate::Guards;
 use crate::model::*;
 use crate::numerics::root_isolation::GuardError;
+use crate::series::ORDERS;
 use crate::system::{DenseOutput, Equations, Model, Phase, PhaseInfo, System};
 
-pub(super) const CONTACTS: usize = 8;
-pub(super) const FRICTIONS: usize = 3;
+pub(crate) const CONTACTS: usize = 8;
+pub(crate) const FRICTIONS: usize = 3;
 const ROWS: usize = CONTACTS + FRICTIONS;
 
 /// The contacts by what they are.
-pub(super) const PLAIN: usize = 0;
-pub(super) const RUBBING: usize = 1;
-pub(super) const GUIDE: usize = 2;
-pub(super) const CORNER: usize = 3;
-pub(super) const THREAD: usize = 4;
-pub(super) const DRIVE: usize = 5;
-pub(super) const TURN: usize = 6;
-pub(super) const HINGE: usize = 7;
+pub(crate) const PLAIN: usize = 0;
+pub(crate) const RUBBING: usize = 1;
+pub(crate) const GUIDE: usize = 2;
+pub(crate) const CORNER: usize = 3;
+pub(crate) const THREAD: usize = 4;
+pub(crate) const DRIVE: usize = 5;
+pub(crate) const TURN: usize = 6;
+pub(crate) const HINGE: usize = 7;
 
 const fn contact(label: &'static str, kind: ContactKind, friction: Option<usize>) -> Contact {
     Contact {
@@ -46,7 +52,7 @@ const fn friction(contact: usize, row: usize) -> Friction {
     Friction { contact, row, follows_slip: false }
 }
 
-pub(super) static LAYOUT: Layout = Layout {
+pub(crate) static LAYOUT: Layout = Layout {
     name: "Given",
     declaration: "",
     summary: "",
@@ -84,17 +90,17 @@ pub(super) static LAYOUT: Layout = Layout {
 
 /// What there is at one time.
 #[derive(Clone, Default)]
-pub(super) struct Shown {
+pub(crate) struct Shown {
     /// Reactions, then friction forces.
-    pub(super) reactions: [f64; ROWS],
-    pub(super) gaps: [f64; CONTACTS],
+    pub(crate) reactions: [f64; ROWS],
+    pub(crate) gaps: [f64; CONTACTS],
     /// v and μₛ.
-    pub(super) slips: [[f64; 2]; FRICTIONS],
-    pub(super) feet: [f64; 2],
+    pub(crate) slips: [[f64; 2]; FRICTIONS],
+    pub(crate) feet: [f64; 2],
     /// g̈.
-    pub(super) curvatures: [f64; CONTACTS],
+    pub(crate) curvatures: [f64; CONTACTS],
     /// The coordinate z and its rate.
-    pub(super) z: [f64; 2],
+    pub(crate) z: [f64; 2],
 }
 
 /// The coordinate s is the time.
@@ -203,31 +209,38 @@ impl Phase for Given {
 }
 
 /// Error bounds, and natural reactions and slips, each another number.
-pub(super) const BOUNDS: Bounds = Bounds { relative: 1e-6, length: 2.0 };
-pub(super) const FORCES: [f64; CONTACTS] = [1.0, 3.0, 5.0, 7.0, 9.0, 11.0, 13.0, 4.0];
-pub(super) const SLIPS: [f64; FRICTIONS] = [0.5, 0.25, 8.0];
+pub(crate) const BOUNDS: Bounds = Bounds { relative: 1e-6, length: 2.0 };
+pub(crate) const FORCES: [f64; CONTACTS] = [1.0, 3.0, 5.0, 7.0, 9.0, 11.0, 13.0, 4.0];
+pub(crate) const SLIPS: [f64; FRICTIONS] = [0.5, 0.25, 8.0];
 
 /// Where nothing is said of the contacts.
-pub(super) fn roles(closed: ContactSet) -> ContactStatus<'static> {
+pub(crate) fn roles(closed: ContactSet) -> ContactStatus<'static> {
     ContactStatus { closed, forces: &FORCES, slips: &SLIPS, ..ContactStatus::default() }
 }
 
-pub(super) fn set(contacts: &[usize]) -> ContactSet {
+pub(crate) fn set(contacts: &[usize]) -> ContactSet {
     contacts.iter().fold(ContactSet::EMPTY, |set, &contact| set.with(contact))
 }
 
+impl EventDetector<'_> {
+    /// A guard that it watches.
+    pub(in super::super) fn find(&self, guard: Guard) -> &Watch<'_> {
+        self.list.iter().find(|watch| watch.guard.guard() == guard).expect("it is watched")
+    }
+}
+
 /// A phase with what is given, from time 0.
-pub(super) struct Scene {
-    pub(super) context: RunContext,
-    pub(super) phase: Arc<dyn Phase>,
+pub(crate) struct Scene {
+    pub(crate) context: RunContext,
+    pub(crate) phase: Arc<dyn Phase>,
     asked: Arc<AtomicUsize>,
 }
 
 /// The first event with its guards, and the touches before.
-pub(super) type Told = (Option<(f64, Vec<Guard>)>, Vec<(f64, Guard)>);
+pub(crate) type Told = (Option<(f64, Vec<Guard>)>, Vec<(f64, Guard)>);
 
 impl Scene {
-    pub(super) fn of(
+    pub(crate) fn of(
         (set, form): (ContactSet, Form),
         at: impl Fn(f64) -> Shown + Send + Sync + 'static,
     ) -> Self {
@@ -241,29 +254,52 @@ impl Scene {
     }
 
     /// Of guards that are evaluated one by one, with some contacts closed.
-    pub(super) fn closed(set: ContactSet, at: impl Fn(f64) -> Shown + Send + Sync + 'static) -> Self {
+    pub(crate) fn closed(set: ContactSet, at: impl Fn(f64) -> Shown + Send + Sync + 'static) -> Self {
         Self::of((set, Form::Closed), at)
     }
 
-    pub(super) fn dense(&self, [from, to]: [f64; 2]) -> DenseOutput {
+    pub(crate) fn dense(&self, [from, to]: [f64; 2]) -> DenseOutput {
         DenseOutput::series([from, to], &[to], [from, to - from].into_iter())
     }
 
-    pub(super) fn view<'a>(&'a self, dense: &'a DenseOutput) -> StepView<'a> {
+    pub(crate) fn view<'a>(&'a self, dense: &'a DenseOutput) -> StepView<'a> {
         StepView::new(&self.phase, &self.context, dense)
     }
 
+    /// What is told of a step from 0 to 1 by its samples alone.
+    pub(crate) fn look<T>(&self, tell: impl FnOnce(&SampledStep<'_>) -> T) -> T {
+        self.look_with(None, tell)
+    }
+
+    /// The same with series of the guards.
+    pub(crate) fn look_with<T>(
+        &self,
+        guards: Option<Guards<'_>>,
+        tell: impl FnOnce(&SampledStep<'_>) -> T,
+    ) -> T {
+        let dense = self.dense([0.0, 1.0]);
+        let view = self.view(&dense).with_series(guards);
+        let scales = Scales {
+            bounds: BOUNDS,
+            layout: &LAYOUT,
+            forces: &FORCES,
+            slips: &SLIPS,
+            roundings: Numbers::new(),
+        };
+        tell(&SampledStep { view: &view, samples: &RefCell::new(Samples::of(&LAYOUT)), scales: &scales })
+    }
+
     /// How often reactions were evaluated since this was asked.
-    pub(super) fn asked(&self) -> usize {
+    pub(crate) fn asked(&self) -> usize {
         self.asked.swap(0, Ordering::Relaxed)
     }
 
-    pub(super) fn condition(&self, text: &str) -> Condition {
+    pub(crate) fn condition(&self, text: &str) -> Condition {
         Condition::parse(&LAYOUT, text).expect("a condition")
     }
 
     /// What is watched, as the phase begins.
-    pub(super) fn begun<'a>(
+    pub(crate) fn begun<'a>(
         &self,
         roles: ContactStatus<'a>,
         conditions: (&'a [Condition], bool),
@@ -277,12 +313,12 @@ impl Scene {
     }
 
     /// What is found in steps that end at some times, as times.
-    pub(super) fn follow(&self, detector: &mut EventDetector<'_>, ends: &[f64]) -> Result<Told, GuardError> {
+    pub(crate) fn follow(&self, detector: &mut EventDetector<'_>, ends: &[f64]) -> Result<Told, GuardError> {
         self.follow_by(|view| view, detector, ends)
     }
 
     /// The same, in steps that are seen otherwise.
-    pub(super) fn follow_by(
+    pub(crate) fn follow_by(
         &self,
         seen: impl for<'v> Fn(StepView<'v>) -> StepView<'v>,
         detector: &mut EventDetector<'_>,
@@ -303,7 +339,7 @@ impl Scene {
     }
 
     /// The time of the first event of the only guard, in the steps that end at some times.
-    pub(super) fn first(&self, roles: ContactStatus<'_>, ends: &[f64]) -> Option<f64> {
+    pub(crate) fn first(&self, roles: ContactStatus<'_>, ends: &[f64]) -> Option<f64> {
         let mut detector = self.begun(roles, (&[], false));
         let (first, _) = self.follow(&mut detector, ends).expect("followed");
         first.map(|(t, guards)| {
@@ -313,18 +349,25 @@ impl Scene {
     }
 }
 
+/// A series that ends.
+pub(crate) fn padded(c: &[f64]) -> [f64; ORDERS] {
+    let mut terms = [0.0; ORDERS];
+    terms[..c.len()].copy_from_slice(c);
+    terms
+}
+
 /// z is a function of time, and nothing touches.
-pub(super) fn of(z: impl Fn(f64) -> f64 + Send + Sync + 'static) -> Scene {
+pub(crate) fn of(z: impl Fn(f64) -> f64 + Send + Sync + 'static) -> Scene {
     Scene::closed(ContactSet::EMPTY, move |t| Shown { z: [z(t), f64::NAN], ..Shown::default() })
 }
 
 /// Nothing is there but what is waited for.
-pub(super) fn waits() -> ContactStatus<'static> {
+pub(crate) fn waits() -> ContactStatus<'static> {
     ContactStatus { removed: (0..CONTACTS).collect(), ..roles(ContactSet::EMPTY) }
 }
 
 /// When a condition becomes true in steps that end at some times.
-pub(super) fn met(scene: &Scene, text: &str, is_state: bool, steps: &[f64]) -> Option<f64> {
+pub(crate) fn met(scene: &Scene, text: &str, is_state: bool, steps: &[f64]) -> Option<f64> {
     let conditions = [scene.condition(text)];
     let mut detector: EventDetector<'_> = scene.begun(waits(), (&conditions, is_state));
     let (first, _) = scene.follow(&mut detector, steps).expect("followed");

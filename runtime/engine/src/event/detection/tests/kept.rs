@@ -1,5 +1,6 @@
 //! Reactions, friction forces and slips that begin at zero, and have been decided to go on as they are.
 
+use super::super::guard_source::Suppression;
 use super::super::{ContactStatus, Guard};
 use super::given::*;
 use crate::contact::friction::Grip;
@@ -108,22 +109,27 @@ fn what_is_kept() {
         let depends = closed.with(DRIVE);
         let detector = scene.begun(ContactStatus { kept, ..roles(depends) }, (&conditions, false));
         for watch in &detector.list {
-            let expected = match watch.guard {
-                Guard::Reaction(contact) | Guard::Side(contact, _) => kept.contains(contact),
-                Guard::Limit(rub) | Guard::Slip(rub) => kept.contains(rub.contact),
-                _ => false,
+            let name = watch.guard.guard();
+            let (is_kept, suppression) = match name {
+                Guard::Reaction(contact) | Guard::Side(contact, _) => {
+                    (kept.contains(contact), Suppression::ToBound)
+                }
+                Guard::Slip(rub) => (kept.contains(rub.contact), Suppression::ToBound),
+                Guard::Limit(rub) => (kept.contains(rub.contact), Suppression::ToZero),
+                _ => (false, Suppression::None),
             };
-            assert_eq!(watch.kept, expected, "{:?}", watch.guard);
+            let expected = if is_kept { suppression } else { Suppression::None };
+            assert_eq!(watch.guard.suppression(), expected, "{name:?}");
         }
     }
     let depends = Scene::of((ContactSet::EMPTY, Form::Closed), |_| Shown::default());
     let detector = depends.begun(roles(set(&[PLAIN])), (&[], false));
-    let parting = detector.list.iter().find(|watch| watch.guard == Guard::Parting(PLAIN));
-    assert!(parting.is_some_and(|watch| watch.kept));
-    for (kept, expected) in [(set(&[PLAIN]), false), (set(&[PLAIN, RUBBING]), true)] {
+    assert_eq!(detector.find(Guard::Parting(PLAIN)).guard.suppression(), Suppression::ToBound);
+    for (kept, expected) in
+        [(set(&[PLAIN]), Suppression::None), (set(&[PLAIN, RUBBING]), Suppression::ToZero)]
+    {
         let grip = Grip { sticking: set(&[RUBBING]), normals: ContactSet::EMPTY };
-        let roles = ContactStatus { kept, grip, ..roles(closed) };
-        let keeps = super::super::watch::Watch::of(Guard::Grip, 0, &roles, &[]).kept;
-        assert_eq!(keeps, expected);
+        let detector = scene.begun(ContactStatus { kept, grip, ..roles(closed) }, (&[], false));
+        assert_eq!(detector.find(Guard::Grip).guard.suppression(), expected);
     }
 }

@@ -1,7 +1,7 @@
 //! Which guards a phase has, and how large what counts as zero is.
 
-use super::super::step::Kinds;
-use super::super::watch::guards;
+use super::super::guards::list_guards;
+use super::super::sample::Quantities;
 use super::super::{ContactStatus, EventDetector, Guard, LOW, Rub};
 use super::given::*;
 use crate::contact::friction::Grip;
@@ -19,7 +19,7 @@ fn all(slip: Slip) -> ContactSet {
 
 fn listed(set: ContactSet, roles: &ContactStatus<'_>) -> Vec<Guard> {
     let mut listed = Vec::new();
-    guards(&LAYOUT, &set, roles, &mut |guard| listed.push(guard));
+    list_guards(&LAYOUT, &set, roles, (&[], &[]), &mut |guard| listed.push(guard.guard()));
     listed
 }
 
@@ -101,22 +101,23 @@ fn contacts_that_share_a_load_have_one_margin() {
 
 #[test]
 fn each_guard_is_evaluated_from_what_it_follows_from() {
-    let (none, slip) = (Kinds::default(), rub(RUBBING, 0, Slip::Forward, Side::Positive));
-    let (reactions, slips) = (Kinds { reactions: true, ..none }, Kinds { slips: true, ..none });
-    for (guard, kinds) in [
-        (Guard::Reaction(PLAIN), reactions),
-        (Guard::Side(GUIDE, Side::Negative), reactions),
-        (Guard::Gap(PLAIN), Kinds { gaps: true, ..none }),
-        (Guard::Parting(PLAIN), Kinds { gaps: true, ..none }),
-        (FEET[0], Kinds { feet: true, ..none }),
-        (Guard::Limit(slip), Kinds { reactions: true, ..slips }),
-        (Guard::Grip, Kinds { grip: true, ..reactions }),
-        (Guard::Slip(slip), slips),
-        (Guard::Condition(0), none),
-    ] {
-        assert_eq!(Kinds::of([guard]), kinds, "{guard:?}");
-        assert_eq!(kinds.any(), guard != Guard::Condition(0), "{guard:?}");
-        assert_eq!(Kinds::of([guard, Guard::Condition(1)]), kinds);
+    let (stick, grip) = (all(Slip::Stick), Grip { sticking: set(&[GUIDE]), normals: ContactSet::EMPTY });
+    let scene = Scene::closed(ContactSet::EMPTY, |_| Shown::default());
+    let conditions = [scene.condition("z < 4")];
+    for (bearing, closed) in [(stick, stick), (ContactSet::EMPTY, all(Slip::Forward))] {
+        let status = ContactStatus { grip, ..roles(closed) };
+        list_guards(&LAYOUT, &bearing, &status, (&conditions, &[(0, false)]), &mut |guard| {
+            let expected = match guard.guard() {
+                Guard::Reaction(_) | Guard::Side(..) => Quantities::REACTIONS,
+                Guard::Gap(_) | Guard::Parting(_) => Quantities::GAPS,
+                Guard::Foot { .. } => Quantities::FEET,
+                Guard::Limit(_) => Quantities::REACTIONS.and(Quantities::SLIPS),
+                Guard::Grip => Quantities::REACTIONS.and(Quantities::GRIP),
+                Guard::Slip(_) => Quantities::SLIPS,
+                Guard::Condition(_) => Quantities::NONE,
+            };
+            assert_eq!(guard.asked(), expected, "{:?}", guard.guard());
+        });
     }
 }
 
@@ -135,7 +136,7 @@ fn what_counts_as_zero() {
         let dense = scene.dense([0.0, 1.0]);
         let view = scene.view(&dense);
         for watch in &detector.list {
-            let expected = match watch.guard {
+            let expected = match watch.guard.guard() {
                 Guard::Reaction(contact) | Guard::Side(contact, _) => FORCES[contact],
                 Guard::Limit(rub) => FORCES[rub.contact],
                 Guard::Slip(rub) => SLIPS[rub.friction],
@@ -146,8 +147,9 @@ fn what_counts_as_zero() {
                 Guard::Gap(THREAD) => LOW,
                 Guard::Gap(_) | Guard::Parting(_) | Guard::Foot { .. } => BOUNDS.length,
             };
-            let found = detector.bound(watch, &view, &[0.0, 0.5]);
-            assert!((found / (expected * BOUNDS.relative) - 1.0).abs() < 1e-12, "{:?} {found}", watch.guard);
+            let (found, name) =
+                (watch.guard.bound(&detector.sampled(&view), &[0.0, 0.5]), watch.guard.guard());
+            assert!((found / (expected * BOUNDS.relative) - 1.0).abs() < 1e-12, "{name:?} {found}");
         }
     }
 }
@@ -166,9 +168,10 @@ fn what_is_as_large_as_its_bound_is_zero() {
             shown
         });
         let detector = scene.begun(roles(closed), (&[], false));
-        let thread = detector.list.iter().find(|watch| watch.guard == Guard::Reaction(THREAD)).unwrap();
-        assert_eq!(thread.at_root, is_zero, "{value:e}");
+        let thread = detector.find(Guard::Reaction(THREAD));
+        assert_eq!(thread.tracking.at_root, is_zero, "{value:e}");
         let dense = scene.dense([0.0, 1.0]);
-        assert_eq!(detector.is_zero(thread, &scene.view(&dense), 0.5), is_zero, "{value:e}");
+        let view = scene.view(&dense);
+        assert_eq!(thread.guard.is_zero(&detector.sampled(&view), 0.5), is_zero, "{value:e}");
     }
 }

@@ -4,7 +4,7 @@ mod affine;
 mod arrivals;
 mod corners;
 mod flights;
-mod given;
+pub(super) mod given;
 mod kept;
 mod listed;
 mod polynomials;

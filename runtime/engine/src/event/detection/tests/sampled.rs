@@ -1,6 +1,6 @@
 //! Values of guards, and how often what they follow from is evaluated.
 
-use super::super::step::Values;
+use super::super::sample::Scratch;
 use super::super::{EventDetector, Guard, Rub, StepView};
 use super::given::*;
 use crate::model::{ContactSet, Form, Side, Slip};
@@ -53,20 +53,14 @@ fn guards_have_their_values_in_every_step() {
         for step in [[0.0, 0.5], [0.5, 1.0], [0.25, 2.0], [2.0, 2.5]] {
             let dense = scene.dense(step);
             let view: StepView<'_> = scene.view(&dense);
-            detector.sample(&view);
+            detector.begin_step(&view);
             for theta in NODES.iter().chain(&[0.1, 0.77]).chain(&NODES[3..5]) {
                 let t = step[0] + (step[1] - step[0]) * theta;
                 for watch in &detector.list {
-                    let found = detector.value(&view, watch, *theta);
-                    let apart = (found - expected(watch.guard, t)).abs();
-                    assert!(apart < 1e-12 * found.abs(), "{:?} {step:?} {theta}", watch.guard);
+                    let found = watch.guard.value(&detector.sampled(&view), *theta);
+                    let apart = (found - expected(watch.guard.guard(), t)).abs();
+                    assert!(apart < 1e-12 * found.abs(), "{:?} {step:?} {theta}", watch.guard.guard());
                 }
-            }
-            for watch in &detector.list {
-                // They grow all the time.
-                let largest = expected(watch.guard, step[1]).abs();
-                let size = detector.known.size(watch);
-                assert!((size - largest).abs() < 1e-12 * largest, "{:?} {size}", watch.guard);
             }
         }
     }
@@ -80,21 +74,21 @@ fn each_place_is_evaluated_once() {
     for (form, between) in [(Form::Closed, 3), (Form::Projected, 1)] {
         let scene = Scene::of((closed, form), different);
         let mut detector = scene.begun(roles(closed), (&[], false));
-        let reactions = |guard: Guard| matches!(guard, Guard::Reaction(PLAIN | CORNER | THREAD)) as usize;
         scene.asked();
         for (step, nodes) in [([0.0, 0.5], 10), ([0.5, 0.75], 9), ([0.75, 1.0], 9), ([0.5, 1.0], 10)] {
             let dense = scene.dense(step);
             let view = scene.view(&dense);
-            detector.sample(&view);
+            detector.begin_step(&view);
             assert_eq!(scene.asked(), nodes, "{step:?}");
-            let guards: Vec<_> = detector.list.iter().filter(|watch| reactions(watch.guard) == 1).collect();
-            assert_eq!(guards.len(), 3);
+            let guards =
+                [PLAIN, CORNER, THREAD].map(|contact| &detector.find(Guard::Reaction(contact)).guard);
+            let step_view = detector.sampled(&view);
             for theta in NODES {
-                guards.iter().for_each(|watch| _ = detector.value(&view, watch, theta));
+                guards.iter().for_each(|guard| _ = guard.value(&step_view, theta));
             }
             assert_eq!(scene.asked(), 0, "{step:?}");
             for theta in [0.1, 0.2] {
-                guards.iter().for_each(|watch| _ = detector.value(&view, watch, theta));
+                guards.iter().for_each(|guard| _ = guard.value(&step_view, theta));
                 assert_eq!(scene.asked(), between, "{step:?} {theta}");
             }
         }
@@ -110,13 +104,14 @@ fn places_are_kept_as_long_as_there_is_room() {
     let mut detector = scene.begun(roles(closed), (&[], false));
     let dense = scene.dense([0.0, 1.0]);
     let view = scene.view(&dense);
-    detector.sample(&view);
+    detector.begin_step(&view);
     scene.asked();
-    let of = |guard: Guard| detector.list.iter().find(|watch| watch.guard == guard).expect("it is watched");
-    let (watch, gap) = (of(Guard::Reaction(CORNER)), of(Guard::Gap(THREAD)));
+    let [corner, gap] =
+        [Guard::Reaction(CORNER), Guard::Gap(THREAD)].map(|guard| &detector.find(guard).guard);
+    let step = detector.sampled(&view);
     let place = |k: usize| (k as f64 + 0.5) / (2 * ROOM) as f64;
     let value = |k: usize| {
-        let found = detector.value(&view, watch, place(k));
+        let found = corner.value(&step, place(k));
         let expected = different(place(k)).reactions[CORNER];
         assert!((found - expected).abs() < 1e-12 * expected, "{k}");
     };
@@ -128,7 +123,7 @@ fn places_are_kept_as_long_as_there_is_room() {
     assert_eq!(scene.asked(), 1);
     (0..ROOM - 1).for_each(value);
     assert_eq!(scene.asked(), ROOM - 1);
-    let found = detector.value(&view, gap, 0.123);
+    let found = gap.value(&step, 0.123);
     assert!((found - different(0.123).gaps[THREAD]).abs() < 1e-12 * found && scene.asked() == 0);
 }
 
@@ -139,10 +134,10 @@ fn what_only_one_guard_follows_from_is_not_kept() {
     let mut detector = scene.begun(roles(set(&[PLAIN])), (&[], false));
     let dense = scene.dense([0.0, 1.0]);
     let view = scene.view(&dense);
-    detector.sample(&view);
+    detector.begin_step(&view);
     scene.asked();
-    let watch = detector.list.iter().find(|watch| watch.guard == Guard::Reaction(PLAIN)).unwrap();
-    (0..2).for_each(|_| _ = detector.value(&view, watch, 0.1));
+    let guard = &detector.find(Guard::Reaction(PLAIN)).guard;
+    (0..2).for_each(|_| _ = guard.value(&detector.sampled(&view), 0.1));
     assert_eq!(scene.asked(), 2);
 }
 
@@ -165,8 +160,8 @@ fn the_power_of_friction_is_told_where_nothing_else_works() {
         let mut told = Vec::new();
         for step in [[0.0, 0.5], [0.5, 0.75]] {
             let dense = scene.dense(step);
-            detector.sample(&scene.view(&dense).with_closed(with));
-            told.push((step, detector.friction_powers().copied()));
+            detector.begin_step(&scene.view(&dense).with_closed(with));
+            told.push((step, detector.friction_powers()));
         }
         told
     };
@@ -184,6 +179,6 @@ fn the_power_of_friction_is_told_where_nothing_else_works() {
     let mut scene = Scene::closed(ContactSet::EMPTY, |_| Shown::default());
     scene.context.model = smooth;
     let still = scene.dense([0.0, 1.0]);
-    let mut values = Values::of(scene.context.layout());
-    assert!(scene.view(&still).slips_at_rest(&mut values).is_none());
+    let mut scratch = Scratch::of(scene.context.layout());
+    assert!(scene.view(&still).slips_at_rest(&mut scratch).is_none());
 }

@@ -6,12 +6,6 @@ use crate::integrate::Guards;
 use crate::model::ContactSet;
 use crate::series::ORDERS;
 
-fn padded(c: &[f64]) -> [f64; ORDERS] {
-    let mut terms = [0.0; ORDERS];
-    terms[..c.len()].copy_from_slice(c);
-    terms
-}
-
 /// The first event of one guard by its series, Σ cₖ tᵏ over the step from 0 to 1.
 fn first(guard: Guard, c: &[f64], status: ContactStatus<'_>, is_fitted: bool) -> Option<f64> {
     let terms = padded(c);

@@ -45,29 +45,6 @@ fn a_pole_is_well_passed() {
     }
 }
 
-/// Where there is no patience left it is said that it is not decided, and half of it is left for the next step, but some for each.
-#[test]
-fn what_takes_too_long_is_undecided() {
-    let scene = of(|t| t);
-    // Bounds of the two waves add up: nothing is proved of pieces that hold a turn.
-    let conditions = [scene.condition("sin(1e7*z) - sin(1e7*z)/2 = 0.6")];
-    let mut detector = scene.begun(waits(), (&conditions, false));
-    let (dense, few) = (scene.dense([0.0, 1.0]), [256, 257, 258, 259, 260, 511, 512]);
-    for (patience, left) in
-        [(10_000, 5_000), (1_000, 500), (514, 257)].into_iter().chain(few.map(|few| (few, 256)))
-    {
-        detector.list[0].patience.set(patience);
-        let found = detector.examine(&scene.view(&dense), false).expect("followed");
-        assert!(found.first.is_none() && detector.undecided().is_some(), "{patience}");
-        assert_eq!(detector.list[0].patience.get(), left, "{patience}");
-    }
-    let decided = [scene.condition("z = 2")];
-    let mut detector = scene.begun(waits(), (&decided, false));
-    let patience = detector.list[0].patience.get();
-    detector.examine(&scene.view(&dense), false).expect("followed");
-    assert_eq!((detector.undecided(), detector.list[0].patience.get()), (None, patience));
-}
-
 /// A quantity compared with itself is rounding from end to end.
 #[test]
 fn what_is_equal_throughout_is_undecided() {
@@ -90,7 +67,7 @@ fn what_rounding_makes_of_a_difference_is_zero() {
         for text in ["z - 1 = 0", "z - 1 > 0", "0 < z - 1"] {
             let conditions = [scene.condition(text)];
             let detector = scene.begun(waits(), (&conditions, false));
-            assert_eq!(detector.list[0].at_root, is_zero, "{text} {apart}");
+            assert_eq!(detector.list[0].tracking.at_root, is_zero, "{text} {apart}");
         }
     }
 }

@@ -1,13 +1,19 @@
 //! The first time in a step that a condition becomes true.
 
-use super::advance::Advance;
-use super::guard_source::{EXACT, GuardSource};
-use super::pieces::{Bounded, Followed, Pieces, SHORTEST};
-use super::step::Leaves;
-use super::{EventDetector, StepView, Watch};
-use crate::expression::{Condition, Relation, Sides, Variable};
-use crate::numerics::root_isolation::{Accuracy, Crossing, GuardError, NODES, Root, Smooth, Start};
+mod pieces;
+
 use core::cell::Cell;
+
+use self::pieces::{Bounded, Followed, Pieces, SHORTEST};
+use super::watched::{Findings, Tracking, Watched};
+use crate::event::detection::Guard;
+use crate::event::detection::advance::Advance;
+use crate::event::detection::guard_source::{EXACT, GuardSource};
+use crate::event::detection::sampled_step::SampledStep;
+use crate::event::detection::step::Leaves;
+use crate::expression::{Condition, Relation, Sides};
+use crate::numerics::root_isolation::{Accuracy, Crossing, GuardError, NODES, Root, Smooth, Start};
+use smallvec::SmallVec;
 
 /// Halvings of a piece: to the spacing of doubles.
 const HALVINGS: usize = 53;
@@ -21,8 +27,14 @@ const LOOKS: u32 = 64;
 const FLAT: f64 = 1e-3;
 const POLE: f64 = 8.0;
 
-/// And at least so many.
+/// A condition is evaluated so often in a step at most, or bounded over a piece of it. Beyond, it is undecided whether it is met
+/// there, and less is tried in the steps that follow, but at least so much.
+const PATIENCE: u32 = 100_000;
 const LEAST_PATIENCE: u32 = 256;
+
+/// An equation is met at an event that precedes its root by this part of the step: both may be about the same quantity, which the
+/// event then keeps at zero, located by different means.
+const TOGETHER: f64 = 1e-12;
 
 /// What a condition reads is fitted to this part of it at least, and to its error bound where that is less.
 const FINEST: f64 = 1e-10;
@@ -34,72 +46,201 @@ const SOON: f64 = 1e-3;
 /// Roundoff of a touch, in differences of the sides over the step.
 const TOUCHED: f64 = 16.0 * f64::EPSILON;
 
-impl EventDetector<'_> {
-    /// When a condition becomes true.
-    pub(super) fn condition(
-        &self,
-        watch: &Watch,
-        k: usize,
-        step: &StepView<'_>,
-    ) -> Result<Option<f64>, GuardError> {
-        let condition = &self.conditions[k];
-        let of_series = |sides: &Sides| self.bounds.relative * sides.size();
-        let sides = watch.is_entire.then(|| step.sides(condition)).flatten();
+/// A condition that ends the run or starts something planned.
+pub(crate) struct ConditionGuard<'a> {
+    /// Its place among the conditions of the run.
+    place: usize,
+    condition: &'a Condition,
+    /// Whether it arms or disarms: what holds or not on either side of a pole is then there or not.
+    is_state: bool,
+    /// Whether series of its sides show by their size how well they converge.
+    is_entire: bool,
+    /// Whether the difference of its sides is above zero at the end of the last step.
+    sign: Option<bool>,
+    /// Whether a comparison has ended the last step at zero: it is on the side that it came from.
+    stays: bool,
+    /// The difference at the end of the step, if its series is known there to be beyond its bound.
+    end: Option<f64>,
+    /// What counted as zero in the step.
+    zero: f64,
+    /// How often it is evaluated in a step at most.
+    patience: u32,
+}
+
+impl<'a> ConditionGuard<'a> {
+    pub(super) fn new(place: usize, condition: &'a Condition, is_state: bool) -> Self {
+        Self {
+            place,
+            condition,
+            is_state,
+            is_entire: condition.is_entire(),
+            sign: None,
+            stays: false,
+            end: None,
+            zero: 0.0,
+            patience: PATIENCE,
+        }
+    }
+
+    /// When it becomes true.
+    fn find_met(&mut self, search: &Search<'_>, tracking: Tracking) -> Result<Option<f64>, GuardError> {
+        let Search { condition, step, .. } = *search;
+        let of_series = |sides: &Sides| step.scales.bounds.relative * sides.size();
+        let sides = self.is_entire.then(|| step.view.sides(condition)).flatten();
         let exact = sides.filter(|sides| sides.tail() <= EXACT * of_series(sides));
         let is_told = |sides: &&Sides| sides.end().abs() > of_series(sides);
-        watch.end.set(exact.as_ref().filter(is_told).map(Sides::end));
-        let start = match watch.sign {
-            _ if watch.at_root => Start::Root,
+        self.end = exact.as_ref().filter(is_told).map(Sides::end);
+        let start = match self.sign {
+            _ if tracking.at_root => Start::Root,
             Some(positive) if condition.relation() == Relation::Equal => Start::Continues { positive },
-            sign if was_false(condition, sign) && watch.stays => Start::Root,
+            sign if was_false(condition, sign) && self.stays => Start::Root,
             _ => Start::Free,
         };
-        if start == Start::Free && watch.is_state && watch.sign.is_none() && self.holds_from_zero(step, k) {
+        if start == Start::Free && self.is_state && self.sign.is_none() && search.holds_from_zero() {
             return Ok(Some(0.0));
         }
-        let counts = |root: Root| self.counts(k, step, root);
         if let Some(sides) = exact {
-            watch.zero.set(of_series(&sides));
-            return of_difference(condition, sides.difference(), (start, of_series(&sides)), &counts);
+            self.zero = of_series(&sides);
+            let counts = |root: Root| search.counts(root);
+            return of_difference(condition, sides.difference(), (start, self.zero), &counts);
         }
-        let (spent, most) = (Cell::new(0), watch.patience.get());
-        let found = self.by_values((watch, k), step, start, &|| {
-            spent.set(spent.get() + 1);
-            spent.get() <= most
-        });
-        if spent.get() <= most {
+        self.zero = self.bound(step, &[0.0, 0.5, 1.0]);
+        let found = search.find_by_values(start, self.zero);
+        if search.spent.get() <= search.most {
             return found;
         }
         let theta = match found {
             Err(GuardError::NotFinite { theta } | GuardError::Unresolved { theta }) => theta,
             Ok(_) => 0.0,
         };
-        watch.patience.set((most / 2).max(LEAST_PATIENCE));
-        self.undecided.set(self.undecided.get().or(Some(theta)));
+        self.patience = (search.most / 2).max(LEAST_PATIENCE);
+        search.note_undecided(theta);
         Ok(None)
+    }
+}
+
+impl Watched for ConditionGuard<'_> {
+    fn guard(&self) -> Guard {
+        Guard::Condition(self.place)
+    }
+
+    fn value(&self, step: &SampledStep<'_>, theta: f64) -> f64 {
+        step.difference(theta, self.condition).0
+    }
+
+    /// The larger side, as most of the given times have it: beside a pole it is of any size.
+    fn size(&self, step: &SampledStep<'_>, at: &[f64]) -> f64 {
+        let least = find_rounding(self.condition, step, at) / step.scales.bounds.relative;
+        let sizes = at.iter().map(|&theta| step.difference(theta, self.condition).1);
+        middle(sizes.collect()).map_or(least, |size| size.max(least))
+    }
+
+    fn begin(&mut self, start: &SampledStep<'_>) -> bool {
+        let (value, size) = start.difference(0.0, self.condition);
+        value.abs() <= start.scales.bounds.relative * size
+            || value.abs() <= find_rounding(self.condition, start, &[0.0])
+    }
+
+    fn find_event(
+        &mut self,
+        tracking: Tracking,
+        step: &SampledStep<'_>,
+        findings: &mut Findings,
+    ) -> Result<Option<f64>, GuardError> {
+        let search = Search {
+            condition: self.condition,
+            step,
+            is_state: self.is_state,
+            is_noisy: tracking.is_noisy,
+            most: self.patience,
+            spent: Cell::new(0),
+            undecided: Cell::new(findings.undecided),
+        };
+        let found = self.find_met(&search, tracking);
+        findings.undecided = search.undecided.get();
+        found
+    }
+
+    fn may_arrive(&self, _: &SampledStep<'_>) -> bool {
+        false
+    }
+
+    fn precedence(&self) -> f64 {
+        if self.condition.relation() == Relation::Equal { TOGETHER } else { 0.0 }
+    }
+
+    fn leave_step(&mut self, step: &SampledStep<'_>) {
+        let value = self.end.take().unwrap_or_else(|| self.value(step, 1.0));
+        self.stays = self.condition.relation() != Relation::Equal
+            && (value.abs() <= self.zero || self.is_zero(step, 1.0));
+        let came_from = || self.sign.unwrap_or_else(|| self.value(step, 0.0) > 0.0);
+        self.sign = Some(if self.stays { came_from() } else { value > 0.0 });
+    }
+}
+
+/// The least rounding of a condition at the given times: it grows beyond all bounds towards poles.
+fn find_rounding(condition: &Condition, step: &SampledStep<'_>, at: &[f64]) -> f64 {
+    let rounding = |&theta: &f64| step.evaluate(|view, scratch| view.rounding(theta, condition, scratch));
+    at.iter().map(rounding).reduce(f64::min).unwrap_or(0.0)
+}
+
+/// The one in the middle, the greater of two.
+fn middle(mut sizes: SmallVec<[f64; 4]>) -> Option<f64> {
+    sizes.sort_unstable_by(f64::total_cmp);
+    sizes.get(sizes.len() / 2).copied()
+}
+
+/// A search for the first time in a step that a condition becomes true.
+struct Search<'s> {
+    condition: &'s Condition,
+    step: &'s SampledStep<'s>,
+    is_state: bool,
+    is_noisy: bool,
+    /// How often it may be evaluated, and has been.
+    most: u32,
+    spent: Cell<u32>,
+    /// Where it may hide a root.
+    undecided: Cell<Option<f64>>,
+}
+
+impl Search<'_> {
+    fn note_undecided(&self, theta: f64) {
+        self.undecided.set(self.undecided.get().or(Some(theta)));
+    }
+
+    /// Whether it may be evaluated once more.
+    fn may_spend(&self) -> bool {
+        self.spent.set(self.spent.get() + 1);
+        self.spent.get() <= self.most
+    }
+
+    fn difference(&self, theta: f64) -> f64 {
+        self.step.difference(theta, self.condition).0
+    }
+
+    /// The difference, no number if it may not be evaluated once more.
+    fn value(&self, theta: f64) -> f64 {
+        if self.may_spend() { self.difference(theta) } else { f64::NAN }
     }
 
     /// Whether an equality is met at a root: where the sides only come near each other, they are equal but for rounding. Within the
     /// error bound it is undecided.
-    fn counts(&self, k: usize, step: &StepView<'_>, root: Root) -> bool {
-        let difference =
-            |theta: f64| step.difference(theta, &self.conditions[k], &mut self.values.borrow_mut()).0;
-        let size = || [0.0, 0.5, 1.0].map(|theta| difference(theta).abs()).into_iter().fold(0.0, f64::max);
-        let rounding = || self.rounding(k, step, &[root.theta]).max(TOUCHED * size());
+    fn counts(&self, root: Root) -> bool {
+        let size =
+            || [0.0, 0.5, 1.0].map(|theta| self.difference(theta).abs()).into_iter().fold(0.0, f64::max);
+        let rounding = || find_rounding(self.condition, self.step, &[root.theta]).max(TOUCHED * size());
         let is_met = root.value == 0.0 || root.value.abs() <= rounding();
         if !is_met {
-            self.undecided.set(self.undecided.get().or(Some(root.theta)));
+            self.note_undecided(root.theta);
         }
         is_met
     }
 
-    /// Whether a condition holds from the start of a phase on, which begins with its sides equal but for rounding: an event at the same
-    /// place, a slip that is reversed, may have hidden that it became true.
-    fn holds_from_zero(&self, step: &StepView<'_>, k: usize) -> bool {
-        let condition = &self.conditions[k];
-        let at = |theta: f64| step.difference(theta, condition, &mut self.values.borrow_mut()).0;
-        let [first, soon, last] = [0.0, SOON, 1.0].map(at);
-        let holds = |difference: f64| match condition.relation() {
+    /// Whether the condition holds from the start of a phase on, which begins with its sides equal but for rounding: an event at the
+    /// same place, a slip that is reversed, may have hidden that it became true.
+    fn holds_from_zero(&self) -> bool {
+        let [first, soon, last] = [0.0, SOON, 1.0].map(|theta| self.difference(theta));
+        let holds = |difference: f64| match self.condition.relation() {
             Relation::Equal => false,
             Relation::Less => difference < 0.0,
             Relation::Greater => difference > 0.0,
@@ -107,51 +248,42 @@ impl EventDetector<'_> {
         holds(first) && holds(soon) && first.abs() <= ROUNDED * last.abs()
     }
 
-    /// The same where nothing has series; `spend` tells whether it may be evaluated once more, and it has no value if not.
-    fn by_values(
-        &self,
-        (watch, k): (&Watch, usize),
-        step: &StepView<'_>,
-        start: Start,
-        spend: &dyn Fn() -> bool,
-    ) -> Result<Option<f64>, GuardError> {
-        let condition = &self.conditions[k];
-        let bound = self.bound(watch, step, &[0.0, 0.5, 1.0]);
-        watch.zero.set(bound);
-        let value = |theta: f64| match spend() {
-            true => step.difference(theta, condition, &mut self.values.borrow_mut()).0,
-            false => f64::NAN,
+    /// Where nothing has series.
+    fn find_by_values(&self, start: Start, bound: f64) -> Result<Option<f64>, GuardError> {
+        let is_rounding = || {
+            let rounding = find_rounding(self.condition, self.step, &[0.0, 0.5, 1.0]);
+            NODES.iter().all(|theta| self.value(*theta).abs() <= rounding)
         };
-        let is_rounding = |k: usize| {
-            let rounding = self.rounding(k, step, &[0.0, 0.5, 1.0]);
-            NODES.iter().all(|theta| value(*theta).abs() <= rounding)
-        };
-        if start == Start::Root && is_rounding(k) {
-            self.undecided.set(self.undecided.get().or(Some(0.0)));
+        if start == Start::Root && is_rounding() {
+            self.note_undecided(0.0);
             return Ok(None);
         }
-        let leaves = if watch.is_noisy { None } else { self.leaves(&condition.reads(), step)? };
-        let Some(leaves) = leaves else {
-            let accuracy = Accuracy { delta: bound, is_noisy: watch.is_noisy };
-            return of_values(condition, &value, (start, accuracy), &|root| self.counts(k, step, root));
-        };
-        self.of_pieces((k, watch.is_state), (step, &leaves), (&value, spend), (start, bound))
+        let leaves = if self.is_noisy { None } else { self.leaves()? };
+        match leaves {
+            Some(leaves) => self.find_by_pieces(&leaves, start, bound),
+            None => self.find_by_values_alone(start, Accuracy { delta: bound, is_noisy: self.is_noisy }),
+        }
     }
 
-    /// What a condition reads: polynomials of the step where it has them, others fitted more closely than to their error, so
+    fn find_by_values_alone(&self, start: Start, accuracy: Accuracy) -> Result<Option<f64>, GuardError> {
+        let (value, counts) = (|theta: f64| self.value(theta), |root: Root| self.counts(root));
+        of_values(self.condition, &value, (start, accuracy), &counts)
+    }
+
+    /// What the condition reads: polynomials of the step where it has them, others fitted more closely than to their error, so
     /// that arguments of steep functions are told apart; none if something has no polynomial that fits it.
-    fn leaves(&self, reads: &[Variable], step: &StepView<'_>) -> Result<Option<Leaves>, GuardError> {
-        let mut leaves = Vec::with_capacity(reads.len());
-        for &variable in reads {
-            if let Some(exact) = step.polynomial(variable) {
+    fn leaves(&self) -> Result<Option<Leaves>, GuardError> {
+        let mut leaves = Leaves::new();
+        for variable in self.condition.reads() {
+            if let Some(exact) = self.step.view.polynomial(variable) {
                 leaves.push((variable, exact?));
                 continue;
             }
-            let mut value = |theta: f64| step.read(theta, variable, &mut self.values.borrow_mut());
+            let mut value =
+                |theta: f64| self.step.evaluate(|view, scratch| view.read(theta, variable, scratch));
             let size = [0.0, 0.5, 1.0].map(|theta| value(theta).abs()).into_iter().fold(0.0, f64::max);
-            let Some(fit) = Smooth::fit(&mut value, self.bounds.relative.min(FINEST) * size)? else {
-                return Ok(None);
-            };
+            let finest = self.step.scales.bounds.relative.min(FINEST);
+            let Some(fit) = Smooth::fit(&mut value, finest * size)? else { return Ok(None) };
             leaves.push((variable, fit));
         }
         Ok(Some(leaves))
@@ -159,31 +291,27 @@ impl EventDetector<'_> {
 
     /// By bounds over pieces of the step; only what they leave open is looked into. Of one that arms or disarms a passage through a
     /// pole counts.
-    fn of_pieces(
+    fn find_by_pieces(
         &self,
-        (k, is_state): (usize, bool),
-        (step, leaves): (&StepView<'_>, &Leaves),
-        (value, spend): (&dyn Fn(f64) -> f64, &dyn Fn() -> bool),
-        (start, bound): (Start, f64),
+        leaves: &Leaves,
+        mut start: Start,
+        bound: f64,
     ) -> Result<Option<f64>, GuardError> {
-        let condition = &self.conditions[k];
+        let condition = self.condition;
         let enclosure = |piece: [f64; 2]| {
-            if !spend() {
-                return None;
-            }
-            step.enclosure(condition, leaves, piece)
+            self.may_spend().then(|| self.step.view.enclosure(condition, leaves, piece)).flatten()
         };
         let known = leaves.iter().map(|(_, smooth)| smooth.resolution()).fold(1.0, f64::min);
         let shortest = known.max(SHORTEST);
-        let (mut start, mut side) = (start, None);
+        let mut side = None;
         let mut look = |[from, to]: [f64; 2], known: Bounded| {
             let is_monotone = known == Bounded::Monotone;
-            let first = value(from);
+            let first = self.value(from);
             let begins = if from == 0.0 { start } else { after(condition, start, (side, first), bound) };
             if first.abs() > bound {
                 side = Some(first > 0.0);
             }
-            let within = |s: f64| value(from + (to - from) * s);
+            let within = |s: f64| self.value(from + (to - from) * s);
             let at = |s: f64| from + (to - from) * s;
             let continues = begins != Start::Continues { positive: within(0.0) <= 0.0 };
             if is_monotone
@@ -197,7 +325,7 @@ impl EventDetector<'_> {
             // What is not resolved in so short a piece is a pole or a jump.
             let jumps = !is_monotone && to - from <= shortest;
             let accuracy = Accuracy { delta: bound, is_noisy: jumps || is_monotone };
-            let counts = |root: Root| self.counts(k, step, root.map_theta(at));
+            let counts = |root: Root| self.counts(root.map_theta(at));
             let found = match of_values(condition, &within, (begins, accuracy), &counts) {
                 Err(_) if jumps && [0.0, 1.0].map(within).iter().all(|end| end.is_finite()) => None,
                 found => found.map_err(|error| error.at(at))?,
@@ -205,21 +333,20 @@ impl EventDetector<'_> {
             let found = found.filter(|s| !jumps || is_near(&within, *s, bound));
             let found = found.or_else(|| changed(condition, &within, bound));
             // Well behind the pole: its time is known to some roundings.
-            let passes = jumps && is_state && found.is_none() && passed(&within, bound) == Some(true);
+            let passes = jumps && self.is_state && found.is_none() && passed(&within, bound) == Some(true);
             if passes && is_wanted(condition, &within) {
                 return Ok(Some((to + shortest).min(1.0)));
             }
             if jumps && found.is_none() && may_hide(&within, known) {
-                self.undecided.set(self.undecided.get().or(Some(from)));
+                self.note_undecided(from);
             }
             start = begins;
             Ok(found.map(at))
         };
-        match (Pieces { enclosure: &enclosure, value, bound, shortest }).follow(&mut look)? {
+        let value = |theta: f64| self.value(theta);
+        match (Pieces { enclosure: &enclosure, value: &value, bound, shortest }).follow(&mut look)? {
             Followed::Event(event) => Ok(event),
-            Followed::Unbounded => {
-                of_values(condition, value, (start, bound.into()), &|root| self.counts(k, step, root))
-            }
+            Followed::Unbounded => self.find_by_values_alone(start, bound.into()),
         }
     }
 }

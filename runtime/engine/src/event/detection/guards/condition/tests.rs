@@ -1,6 +1,7 @@
 //! What decides of a condition over a piece, from its values.
 
 use super::*;
+use crate::event::detection::tests::given::of;
 use crate::model::Layout;
 use crate::system::Model;
 
@@ -174,5 +175,56 @@ fn the_first_place_where_it_becomes_true() {
         let value = |theta: f64| sign * theta;
         assert_eq!(of_values(holds, &value, (Start::Root, 1e-12.into()), &|_| true), Ok(Some(0.0)));
         assert_eq!(of_values(holds, &value, (Start::Free, 1e-12.into()), &|_| true), Ok(None));
+    }
+}
+
+/// Where there is no patience left it is said that it is not decided, and half of it is left for the next step, but some for each.
+#[test]
+fn what_takes_too_long_is_undecided() {
+    let scene = of(|t| t);
+    // Bounds of the two waves add up: nothing is proved of pieces that hold a turn.
+    let endless = scene.condition("sin(1e7*z) - sin(1e7*z)/2 = 0.6");
+    let few = [256, 257, 258, 259, 260, 511, 512];
+    for (patience, left) in
+        [(10_000, 5_000), (1_000, 500), (514, 257)].into_iter().chain(few.map(|few| (few, 256)))
+    {
+        let mut guard = ConditionGuard { patience, ..ConditionGuard::new(0, &endless, false) };
+        let mut findings = Findings::default();
+        let found = scene.look(|step| guard.find_event(Tracking::default(), step, &mut findings));
+        assert!(found == Ok(None) && findings.undecided.is_some(), "{patience}");
+        assert_eq!(guard.patience, left, "{patience}");
+    }
+    let decided = scene.condition("z = 2");
+    let (mut guard, mut findings) = (ConditionGuard::new(0, &decided, false), Findings::default());
+    assert_eq!(scene.look(|step| guard.find_event(Tracking::default(), step, &mut findings)), Ok(None));
+    assert_eq!((findings.undecided, guard.patience), (None, PATIENCE));
+}
+
+/// The difference at the end of a step has a sign, but a comparison that ends it at zero stays on its side.
+#[test]
+fn a_comparison_at_zero_stays_on_its_side() {
+    for (text, stays) in [("z > 0", true), ("z < 0", true), ("z = 0", false)] {
+        for (sign, side) in [(1.0, false), (-1.0, true)] {
+            let scene = of(move |t| sign * (t - 1.0));
+            let condition = scene.condition(text);
+            let mut guard = ConditionGuard::new(0, &condition, false);
+            scene.look(|step| guard.leave_step(step));
+            assert_eq!((guard.stays, guard.sign), (stays, Some(stays && side)), "{text} {sign}");
+            let scene = of(move |t| sign * (t - 0.5));
+            scene.look(|step| guard.leave_step(step));
+            assert_eq!((guard.stays, guard.sign), (false, Some(sign > 0.0)), "{text} {sign}");
+        }
+    }
+}
+
+/// Equations are met at events just before their roots; nothing arrives at the end of a run.
+#[test]
+fn an_equation_is_met_at_an_event_just_before() {
+    let scene = of(|t| 1.0 - t);
+    for (text, precedence) in [("z = 0", TOGETHER), ("z < 0", 0.0), ("z > 0", 0.0)] {
+        let condition = scene.condition(text);
+        let guard = ConditionGuard::new(0, &condition, false);
+        assert_eq!(guard.precedence(), precedence);
+        assert!(!scene.look(|step| guard.may_arrive(step)));
     }
 }

@@ -1,0 +1,30 @@
+//! Contacts as the run treats them.
+
+use crate::contact::friction::Grip;
+use crate::model::ContactSet;
+
+/// Contacts as the run treats them.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct ContactStatus<'a> {
+    /// Closed contacts: those that bear, and those that depend on them.
+    pub(crate) closed: ContactSet,
+    pub(crate) held: ContactSet,
+    pub(crate) removed: ContactSet,
+    /// Open contacts whose foot is not under the bar.
+    pub(crate) off: ContactSet,
+    /// Open contacts below their bars, which they have come to from beyond the ends.
+    pub(crate) passed: ContactSet,
+    /// Closed contacts whose reaction or slip velocity is zero, or whose friction force is at its limit, and that have just been
+    /// decided to go on as they are.
+    pub(crate) kept: ContactSet,
+    /// Closed contacts with friction that share their load.
+    pub(crate) grip: Grip,
+    /// Heights that bouncing contacts are to reach.
+    pub(crate) heights: &'a [(usize, f64)],
+    /// Gaps that are zero at the start, each with the order of its first nonzero derivative.
+    pub(crate) orders: &'a [(usize, usize)],
+    /// The size of each reaction.
+    pub(crate) forces: &'a [f64],
+    /// The natural slip velocity of each contact with friction.
+    pub(crate) slips: &'a [f64],
+}

@@ -1,0 +1,63 @@
+use super::*;
+use crate::event::detection::tests::given::*;
+use crate::model::ContactSet;
+
+/// The gap of a corner, and how far its foot is from the nearer end of its bar.
+fn corner(gap: fn(f64) -> f64, foot: fn(f64) -> f64) -> Scene {
+    Scene::closed(ContactSet::EMPTY, move |t| {
+        let mut shown = Shown { feet: [foot(t), 1.0], ..Shown::default() };
+        shown.gaps[CORNER] = gap(t);
+        shown
+    })
+}
+
+fn guard(status: &ContactStatus<'_>) -> GapGuard {
+    GapGuard::new(CORNER, &LAYOUT, status)
+}
+
+/// Below its bar from 0.25 on, beyond its end up to 0.5: nothing closes, and it has passed at the end.
+#[test]
+fn a_gap_remembers_where_it_has_passed_its_bar() {
+    let scene = corner(|t| 0.25 - t, |t| t - 0.5);
+    let mut guard = guard(&roles(ContactSet::EMPTY));
+    scene.look(|step| {
+        let found = guard.find_event(Tracking::default(), step, &mut Findings::default());
+        assert_eq!(found, Ok(None));
+        let passes = guard.passes.expect("it passes");
+        assert!((passes - 0.25).abs() < 1e-12, "{passes}");
+        guard.end_step(Tracking::default(), step, 1.0);
+        assert!(guard.has_passed() && guard.passes.is_none());
+        // In a step that proves it above it has come back.
+        guard.end_step(Tracking { is_clear: true, ..Tracking::default() }, step, 1.0);
+        assert!(!guard.has_passed());
+        // Seen below beside the end of its bar.
+        guard.end_step(Tracking::default(), step, 0.375);
+        assert!(guard.has_passed());
+    });
+    // Under its bar it may be zero at the end of a run.
+    assert!(scene.look(|step| guard.may_arrive(step)));
+    assert!(!corner(|t| 0.25 - t, |_| -0.5).look(|step| guard.may_arrive(step)));
+}
+
+/// What is told of a gap as a phase begins holds up to the first step's end; a low flight is followed from there.
+#[test]
+fn a_flight_is_followed_while_it_is_low() {
+    for (k, is_low) in [(1e-9, true), (1.0, false)] {
+        let scene = Scene::closed(ContactSet::EMPTY, move |t| {
+            let mut shown = Shown::default();
+            shown.gaps[CORNER] = k * t.powi(3);
+            shown.curvatures[CORNER] = 6.0 * k * t;
+            shown
+        });
+        for (order, begins) in [(3, true), (2, false)] {
+            let orders = [(CORNER, order)];
+            let mut guard = guard(&ContactStatus { orders: &orders, ..roles(ContactSet::EMPTY) });
+            assert_eq!((guard.order, guard.flight.is_some()), (Some(order), begins));
+            scene.look(|step| {
+                assert!(guard.begin(step));
+                guard.leave_step(step);
+            });
+            assert_eq!((guard.order, guard.flight.is_some()), (None, begins && is_low), "{k} {order}");
+        }
+    }
+}

@@ -1,0 +1,19 @@
+//! What is watched over the steps of a phase: each kind of guard with its values, its series, its
+//! bound and its memory.
+
+mod condition;
+mod contact_gap;
+mod drive;
+mod foot;
+mod gap;
+mod grip;
+mod limit;
+mod list;
+mod low_flight;
+mod parting;
+mod reaction;
+mod slip;
+mod watched;
+
+pub(super) use list::{Kind, list_guards};
+pub(super) use watched::{Findings, Tracking};
