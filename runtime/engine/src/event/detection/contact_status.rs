@@ -28,3 +28,10 @@ pub(crate) struct ContactStatus<'a> {
     /// The natural slip velocity of each contact with friction.
     pub(crate) slips: &'a [f64],
 }
+
+impl ContactStatus<'_> {
+    /// The height that a contact is to reach, infinite where nothing is known of it.
+    pub(super) fn height(&self, contact: usize) -> f64 {
+        self.heights.iter().find(|(known, _)| *known == contact).map_or(f64::INFINITY, |(_, height)| *height)
+    }
+}

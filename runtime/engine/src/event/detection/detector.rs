@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use super::contact_status::ContactStatus;
 use super::friction_work::compute_friction_power;
 use super::guard_source;
-use super::guards::{Findings, Kind, Tracking, list_guards};
+use super::guards::{Findings, Watch, list_guards};
 use super::sample::Quantities;
 use super::sampled_step::{SampledStep, Scales};
 use super::samples::Samples;
@@ -16,46 +16,6 @@ use crate::expression::Condition;
 use crate::model::{ContactSet, Layout};
 use crate::numerics::root_isolation::{GuardError, NODES};
 use smallvec::SmallVec;
-
-/// Where a guard that began a step at zero is looked at: a flight may be over in a single step.
-const WITHIN: [f64; 4] = [1.0, 0.75, 0.5, 0.25];
-/// The fraction of a run's last step over which a guard must fall to count as zero at its end.
-const LAST: f64 = 1.0 / 64.0;
-
-/// A guard with what is known of it.
-pub(super) struct Watch<'a> {
-    pub(super) guard: Kind<'a>,
-    pub(super) tracking: Tracking,
-}
-
-impl Watch<'_> {
-    /// The first event in a step.
-    fn find_event(
-        &mut self,
-        step: &SampledStep<'_>,
-        findings: &mut Findings,
-    ) -> Result<Option<f64>, GuardError> {
-        if self.tracking.is_clear { Ok(None) } else { self.guard.find_event(self.tracking, step, findings) }
-    }
-
-    /// The same in a step that cannot be made shorter, as far as its samples show it.
-    fn find_event_in_noise(&mut self, step: &SampledStep<'_>, findings: &mut Findings) -> Option<f64> {
-        let tracking = Tracking { is_noisy: true, ..self.tracking };
-        self.guard.find_event(tracking, step, findings).unwrap_or(None)
-    }
-
-    /// Whether it has fallen into its bound at the end of the step, and not with a turning point there: it falls by as much
-    /// as before.
-    fn arrives(&self, step: &SampledStep<'_>) -> bool {
-        let Self { guard, tracking } = self;
-        if tracking.is_clear || tracking.at_root || !guard.may_arrive(step) {
-            return false;
-        }
-        let [before, near, end] = [1.0 - 2.0 * LAST, 1.0 - LAST, 1.0].map(|theta| guard.value(step, theta));
-        let bound = guard.bound(step, &[]);
-        end.abs() <= bound && near - end > bound && near - end > 0.75 * (before - near)
-    }
-}
 
 /// All guards of a phase.
 pub(crate) struct EventDetector<'a> {
@@ -79,13 +39,9 @@ impl<'a> EventDetector<'a> {
         conditions: (&'a [Condition], &[(usize, bool)]),
         bounds: Bounds,
     ) -> Self {
-        let mut list = Vec::with_capacity(layout.contacts.len() + conditions.1.len());
-        list_guards(layout, &set, &status, conditions, &mut |guard| {
-            list.push(Watch { guard, tracking: Tracking::default() });
-        });
         let ContactStatus { forces, slips, .. } = status;
         Self {
-            list,
+            list: list_guards(layout, &set, &status, conditions),
             scales: Scales { bounds, layout, forces, slips, roundings: Numbers::new() },
             samples: RefCell::new(Samples::of(layout)),
             at_rest: None,
@@ -96,7 +52,7 @@ impl<'a> EventDetector<'a> {
 
     /// From now on the guard that was not resolved is taken for noise where it turns too often to be followed.
     pub(crate) fn expect_noise(&mut self) {
-        let noisy = |watch: &&mut Watch<'_>| self.unresolved == Some(watch.guard.guard());
+        let noisy = |watch: &&mut Watch<'_>| self.unresolved == Some(watch.tracking.guard);
         self.list.iter_mut().filter(noisy).for_each(|watch| watch.tracking.is_noisy = true);
     }
 
@@ -133,18 +89,18 @@ impl<'a> EventDetector<'a> {
     /// Whether a reaction or gap that touches zero may as well have crossed it: at the touch it differs from zero by more than
     /// rounding, yet by less than its bound.
     pub(crate) fn is_undecided(&self, guard: Guard, reactions: &[f64], gaps: &[f64]) -> bool {
-        let watch = self.list.iter().find(|watch| watch.guard.guard() == guard);
-        watch.is_some_and(|watch| watch.guard.may_have_crossed(&self.scales, reactions, gaps))
+        let watch = self.list.iter().find(|watch| watch.tracking.guard == guard);
+        watch.is_some_and(|watch| watch.kind.may_have_crossed(&self.scales, reactions, gaps))
     }
 
     /// Contacts whose gaps close at a place of a step at which they are seen to be below zero, and
     /// have not been seen to be above since the phase began.
     pub(crate) fn unseen_landings(&self, view: &StepView<'_>, theta: f64, guards: &[Guard]) -> ContactSet {
         let step = &self.sampled(view);
-        let landing = |Watch { guard, tracking }: &Watch<'_>| {
-            let contact = guard.guard().gap().filter(|_| tracking.at_root)?;
-            let is_below = || guard.value(step, theta) < -0.5 * guard.bound(step, &[]);
-            (guards.contains(&guard.guard()) && is_below()).then_some(contact)
+        let landing = |watch: &Watch<'_>| {
+            let contact = watch.tracking.guard.gap().filter(|_| watch.tracking.at_root)?;
+            let is_below = || watch.value(step, theta) < -0.5 * watch.bound(step, &[]);
+            (guards.contains(&watch.tracking.guard) && is_below()).then_some(contact)
         };
         self.list.iter().filter_map(landing).collect()
     }
@@ -163,7 +119,7 @@ impl<'a> EventDetector<'a> {
         let least = self.least_bound();
         let Self { list, scales, samples, at_rest, .. } = self;
         let known = samples.get_mut();
-        let asked = list.iter().fold(Quantities::NONE, |asked, watch| asked.and(watch.guard.asked()));
+        let asked = list.iter().fold(Quantities::NONE, |asked, watch| asked.and(watch.tracking.asked));
         if !asked.have(Quantities::GRIP) {
             *at_rest = start.slips_at_rest(&mut known.scratch);
         }
@@ -174,26 +130,26 @@ impl<'a> EventDetector<'a> {
             scales.roundings = start.context.roundings(&known.scratch.state, least);
         }
         let step = &SampledStep { view: start, samples, scales };
-        list.iter_mut().for_each(|watch| watch.tracking.at_root = watch.guard.begin(step));
+        list.iter_mut().for_each(|watch| watch.begin(step));
     }
 
     /// The height of the lowest flight that the phase begins with; zero if a guard is zero there of which nothing is known.
     pub(crate) fn lowest_flight(&self) -> f64 {
-        let zero = self.list.iter().filter(|watch| watch.tracking.at_root).map(|watch| watch.guard.height());
+        let zero = self.list.iter().filter(|watch| watch.tracking.at_root).map(|watch| watch.tracking.height);
         zero.map(|height| if height.is_finite() { height } else { 0.0 }).reduce(f64::min).unwrap_or(0.0)
     }
 
     /// The least bound of a gap, in its own unit.
     fn least_bound(&self) -> f64 {
         let Bounds { relative, length } = self.scales.bounds;
-        let lowest = self.list.iter().map(|watch| watch.guard.height()).fold(f64::INFINITY, f64::min);
+        let lowest = self.list.iter().map(|watch| watch.tracking.height).fold(f64::INFINITY, f64::min);
         relative.min(LOW * lowest / length)
     }
 
     /// Corners below their bars, which they have come to from beyond the ends.
     pub(crate) fn passed(&self) -> ContactSet {
-        let passed = self.list.iter().filter(|watch| watch.guard.has_passed());
-        passed.filter_map(|watch| watch.guard.guard().contact()).collect()
+        let passed = self.list.iter().filter(|watch| watch.kind.has_passed());
+        passed.filter_map(|watch| watch.tracking.guard.contact()).collect()
     }
 
     /// Everything in (0, 1] up to the first event. On the last step a guard that has fallen to zero within rounding at its end
@@ -210,7 +166,7 @@ impl<'a> EventDetector<'a> {
             let event = match watch.find_event(step, &mut findings) {
                 Ok(event) => event,
                 Err(error) => {
-                    *unresolved = Some(watch.guard.guard());
+                    *unresolved = Some(watch.tracking.guard);
                     if !view.is_bridge() {
                         return Err(error);
                     }
@@ -219,7 +175,7 @@ impl<'a> EventDetector<'a> {
                 }
             };
             let arrival = || (is_last && watch.arrives(step)).then_some(1.0);
-            decisive.extend(event.or_else(arrival).map(|theta| (theta, watch.guard.guard())));
+            decisive.extend(event.or_else(arrival).map(|theta| (theta, watch.tracking.guard)));
         }
         *undecided = findings.undecided;
         let mut touches = findings.touches;
@@ -228,14 +184,9 @@ impl<'a> EventDetector<'a> {
         touches.sort_by(|a, b| a.0.total_cmp(&b.0));
         let first = first.map(|first| (first, find_together(list, step, first, &decisive)));
         let end = first.as_ref().map_or(1.0, |(theta, _)| theta.min(1.0));
-        for Watch { guard, tracking } in list {
-            guard.end_step(*tracking, step, end);
-            // No step follows an event, but what seems one across a singular position may be none.
-            if first.is_none() || view.is_bridge() {
-                guard.leave_step(step);
-                tracking.at_root = tracking.at_root && WITHIN.iter().all(|theta| guard.is_zero(step, *theta));
-            }
-        }
+        // No step follows an event, but what seems one across a singular position may be none.
+        let is_followed = first.is_none() || view.is_bridge();
+        list.iter_mut().for_each(|watch| watch.end_step(step, end, is_followed));
         Ok(StepEvents { touches, first })
     }
 
@@ -248,15 +199,8 @@ impl<'a> EventDetector<'a> {
             scales.roundings = roundings;
         }
         let step = &SampledStep { view, samples, scales };
-        for Watch { guard, tracking } in &mut *list {
-            guard.begin_step(view);
-            [tracking.has_series, tracking.is_clear] = guard.series(view).map_or([false; 2], |series| {
-                let bound = guard.bound(step, &[]);
-                [guard_source::is_exact(series, bound), guard_source::is_clear(series, bound)]
-            });
-        }
-        let sampled = list.iter().filter(|watch| watch.tracking.is_sampled());
-        samples.get_mut().begin_step(view, sampled.map(|watch| watch.guard.asked()));
+        list.iter_mut().for_each(|watch| watch.begin_step(step));
+        samples.get_mut().begin_step(view, list.iter().filter_map(Watch::sampled));
     }
 }
 
@@ -267,11 +211,11 @@ fn find_together(
     theta: f64,
     decisive: &[(f64, Guard)],
 ) -> Vec<Guard> {
-    let is_together = |Watch { guard, tracking }: &&Watch<'_>| {
-        let (name, last) = (guard.guard(), theta + guard.precedence());
-        let is_met = decisive.iter().any(|(at, other)| *other == name && (theta..=last).contains(at));
-        let is_zero = || !guard.is_above(*tracking, step, theta) && guard.is_zero(step, theta);
-        is_met || !tracking.at_root && is_zero()
+    let is_together = |watch: &&Watch<'_>| {
+        let last = theta + watch.kind.precedence();
+        let is_own = |other: &Guard| *other == watch.tracking.guard;
+        let is_met = decisive.iter().any(|(at, other)| is_own(other) && (theta..=last).contains(at));
+        is_met || !watch.tracking.at_root && !watch.is_above(step, theta) && watch.is_zero(step, theta)
     };
-    list.iter().filter(is_together).map(|watch| watch.guard.guard()).collect()
+    list.iter().filter(is_together).map(|watch| watch.tracking.guard).collect()
 }

@@ -20,7 +20,7 @@ pub(super) fn is_clear(series: &[f64], bound: f64) -> bool {
 
 /// What has been decided of a guard that begins a phase at zero: that it does not cross it there.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Suppression {
+pub(crate) enum Suppression {
     /// Nothing: it counts as soon as it falls.
     None,
     /// It counts where it has fallen by its bound.
@@ -30,7 +30,7 @@ pub(super) enum Suppression {
 }
 
 /// A guard as a function of θ.
-pub(super) enum GuardSource<'a> {
+pub(crate) enum GuardSource<'a> {
     /// Σ cₖ θᵏ.
     Series(&'a [f64]),
     /// Values, the largest of which are so large; whether they are taken for noise where no fit resolves them.

@@ -31,7 +31,7 @@ impl Quantities {
 
 /// Values of functions of a phase at one place; those not asked for are of another one.
 #[derive(Default)]
-pub(super) struct Sample {
+pub(crate) struct Sample {
     /// Reactions of all contacts, then friction forces.
     pub(super) reactions: Numbers,
     pub(super) gaps: Numbers,

@@ -16,7 +16,7 @@ const CERTAIN: f64 = 1.0 / 64.0;
 const SEEN: f64 = 1e-8;
 
 /// Sizes of the guards of a phase.
-pub(super) struct Scales<'a> {
+pub(crate) struct Scales<'a> {
     pub(super) bounds: Bounds,
     pub(super) layout: &'static Layout,
     /// The size of each reaction.
@@ -52,7 +52,7 @@ impl Scales<'_> {
 
 /// A step as guards see it.
 #[derive(Clone, Copy)]
-pub(super) struct SampledStep<'s> {
+pub(crate) struct SampledStep<'s> {
     pub(super) view: &'s StepView<'s>,
     pub(super) samples: &'s RefCell<Samples>,
     pub(super) scales: &'s Scales<'s>,

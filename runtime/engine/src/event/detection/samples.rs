@@ -14,7 +14,7 @@ use crate::numerics::root_isolation::NODES;
 const MOST: usize = 4096;
 
 /// The samples of a phase.
-pub(super) struct Samples {
+pub(crate) struct Samples {
     layout: &'static Layout,
     /// What is evaluated at the nodes, and its samples at the first of them.
     at_nodes: Quantities,

@@ -52,12 +52,12 @@ impl Driver<'_> {
             .map(|k| (k, matches!(now.awaited.role(k), Role::Switch { .. })))
             .collect();
         let located = (&conditions[..], &located[..]);
-        let mut detector = EventDetector::new(now.layout(), now.bearing(), contacts, located, bounds);
+        let detector = EventDetector::new(now.layout(), now.bearing(), contacts, located, bounds);
         let run = PhaseRun {
             context,
             phase: now.phase.clone(),
             closed: now.closed(),
-            detector: &mut detector,
+            detector,
             signals: Signals::new(now.layout(), &rules.signals, &context.model.parameters),
             tolerance: *tolerance,
             t: now.t,

@@ -103,7 +103,7 @@ pub(crate) struct PhaseRun<'a> {
     pub(crate) phase: Arc<dyn Phase>,
     /// The closed contacts: those of the phase, and those that depend on them.
     pub(crate) closed: ContactSet,
-    pub(crate) detector: &'a mut EventDetector<'a>,
+    pub(crate) detector: EventDetector<'a>,
     /// What loads and drives follow.
     pub(crate) signals: Signals<'a>,
     pub(crate) tolerance: f64,

@@ -5,10 +5,11 @@ mod pieces;
 use core::cell::Cell;
 
 use self::pieces::{Bounded, Followed, Pieces, SHORTEST};
-use super::watched::{Findings, Tracking, Watched};
+use super::watch::{Findings, Kind, Tracking, Watch};
 use crate::event::detection::Guard;
 use crate::event::detection::advance::Advance;
 use crate::event::detection::guard_source::{EXACT, GuardSource};
+use crate::event::detection::sample::Quantities;
 use crate::event::detection::sampled_step::SampledStep;
 use crate::event::detection::step::Leaves;
 use crate::expression::{Condition, Relation, Sides};
@@ -47,9 +48,7 @@ const SOON: f64 = 1e-3;
 const TOUCHED: f64 = 16.0 * f64::EPSILON;
 
 /// A condition that ends the run or starts something planned.
-pub(crate) struct ConditionGuard<'a> {
-    /// Its place among the conditions of the run.
-    place: usize,
+pub(super) struct ConditionGuard<'a> {
     condition: &'a Condition,
     /// Whether it arms or disarms: what holds or not on either side of a pole is then there or not.
     is_state: bool,
@@ -68,9 +67,13 @@ pub(crate) struct ConditionGuard<'a> {
 }
 
 impl<'a> ConditionGuard<'a> {
-    pub(super) fn new(place: usize, condition: &'a Condition, is_state: bool) -> Self {
+    /// Of the condition with a place among those of the run.
+    pub(super) fn watch(place: usize, condition: &'a Condition, is_state: bool) -> Watch<'a> {
+        Watch::new(Guard::Condition(place), Quantities::NONE, Self::new(condition, is_state))
+    }
+
+    fn new(condition: &'a Condition, is_state: bool) -> Self {
         Self {
-            place,
             condition,
             is_state,
             is_entire: condition.is_entire(),
@@ -83,7 +86,7 @@ impl<'a> ConditionGuard<'a> {
     }
 
     /// When it becomes true.
-    fn find_met(&mut self, search: &Search<'_>, tracking: Tracking) -> Result<Option<f64>, GuardError> {
+    fn find_met(&mut self, search: &Search<'_>, tracking: &Tracking) -> Result<Option<f64>, GuardError> {
         let Search { condition, step, .. } = *search;
         let of_series = |sides: &Sides| step.scales.bounds.relative * sides.size();
         let sides = self.is_entire.then(|| step.view.sides(condition)).flatten();
@@ -104,7 +107,7 @@ impl<'a> ConditionGuard<'a> {
             let counts = |root: Root| search.counts(root);
             return of_difference(condition, sides.difference(), (start, self.zero), &counts);
         }
-        self.zero = self.bound(step, &[0.0, 0.5, 1.0]);
+        self.zero = tracking.bound(self, step, &[0.0, 0.5, 1.0]);
         let found = search.find_by_values(start, self.zero);
         if search.spent.get() <= search.most {
             return found;
@@ -119,11 +122,7 @@ impl<'a> ConditionGuard<'a> {
     }
 }
 
-impl Watched for ConditionGuard<'_> {
-    fn guard(&self) -> Guard {
-        Guard::Condition(self.place)
-    }
-
+impl Kind for ConditionGuard<'_> {
     fn value(&self, step: &SampledStep<'_>, theta: f64) -> f64 {
         step.difference(theta, self.condition).0
     }
@@ -135,7 +134,7 @@ impl Watched for ConditionGuard<'_> {
         middle(sizes.collect()).map_or(least, |size| size.max(least))
     }
 
-    fn begin(&mut self, start: &SampledStep<'_>) -> bool {
+    fn begin(&mut self, _: &Tracking, start: &SampledStep<'_>) -> bool {
         let (value, size) = start.difference(0.0, self.condition);
         value.abs() <= start.scales.bounds.relative * size
             || value.abs() <= find_rounding(self.condition, start, &[0.0])
@@ -143,7 +142,7 @@ impl Watched for ConditionGuard<'_> {
 
     fn find_event(
         &mut self,
-        tracking: Tracking,
+        tracking: &Tracking,
         step: &SampledStep<'_>,
         findings: &mut Findings,
     ) -> Result<Option<f64>, GuardError> {
@@ -169,10 +168,10 @@ impl Watched for ConditionGuard<'_> {
         if self.condition.relation() == Relation::Equal { TOGETHER } else { 0.0 }
     }
 
-    fn leave_step(&mut self, step: &SampledStep<'_>) {
+    fn leave_step(&mut self, tracking: &Tracking, step: &SampledStep<'_>) {
         let value = self.end.take().unwrap_or_else(|| self.value(step, 1.0));
         self.stays = self.condition.relation() != Relation::Equal
-            && (value.abs() <= self.zero || self.is_zero(step, 1.0));
+            && (value.abs() <= self.zero || tracking.is_zero(self, step, 1.0));
         let came_from = || self.sign.unwrap_or_else(|| self.value(step, 0.0) > 0.0);
         self.sign = Some(if self.stays { came_from() } else { value > 0.0 });
     }
@@ -358,14 +357,9 @@ fn of_values(
     (start, accuracy): (Start, Accuracy),
     counts: &dyn Fn(Root) -> bool,
 ) -> Result<Option<f64>, GuardError> {
-    let Accuracy { delta, is_noisy } = accuracy;
-    let negated = |theta: f64| -value(theta);
-    let source = |value| GuardSource::Values { value, size: 0.0, is_noisy };
-    match condition.relation() {
-        Relation::Equal => vanishes(&source(value), start, delta, counts),
-        Relation::Less => falls(&source(value), start, delta),
-        Relation::Greater => falls(&source(&negated), start, delta),
-    }
+    let (Accuracy { delta, is_noisy }, negated) = (accuracy, |theta: f64| -value(theta));
+    let value = if condition.relation() == Relation::Greater { &negated } else { value };
+    find_first(condition, &GuardSource::Values { value, size: 0.0, is_noisy }, (start, delta), counts)
 }
 
 /// Whether a condition that compares was false up to a step, before its sides came so near that they may be equal.
@@ -453,13 +447,25 @@ fn of_difference(
     (start, bound): (Start, f64),
     counts: &dyn Fn(Root) -> bool,
 ) -> Result<Option<f64>, GuardError> {
+    let negated: Vec<f64>;
+    let mut series = difference;
+    if condition.relation() == Relation::Greater {
+        negated = difference.iter().map(|c| -c).collect();
+        series = &negated;
+    }
+    find_first(condition, &GuardSource::Series(series), (start, bound), counts)
+}
+
+/// The first time that a condition is met by a difference, negated where it is to rise.
+fn find_first(
+    condition: &Condition,
+    difference: &GuardSource<'_>,
+    (start, bound): (Start, f64),
+    counts: &dyn Fn(Root) -> bool,
+) -> Result<Option<f64>, GuardError> {
     match condition.relation() {
-        Relation::Equal => vanishes(&GuardSource::Series(difference), start, bound, counts),
-        Relation::Less => falls(&GuardSource::Series(difference), start, bound),
-        Relation::Greater => {
-            let negated: Vec<f64> = difference.iter().map(|c| -c).collect();
-            falls(&GuardSource::Series(&negated), start, bound)
-        }
+        Relation::Equal => vanishes(difference, start, bound, counts),
+        _ => falls(difference, start, bound),
     }
 }
 

@@ -1,75 +1,55 @@
 //! The gap of what a drive moves.
 
-use super::contact_gap::Gap;
-use super::watched::{Findings, Tracking, Watched, trace};
+use super::watch::{Findings, Kind, Tracking, Watch};
 use crate::event::detection::Guard;
 use crate::event::detection::contact_status::ContactStatus;
 use crate::event::detection::sample::Quantities;
-use crate::event::detection::sampled_step::{SampledStep, Scales};
+use crate::event::detection::sampled_step::SampledStep;
 use crate::event::detection::step::StepView;
 use crate::numerics::root_isolation::{GuardError, Start};
 
 /// g, which may come to zero from either side.
-pub(crate) struct DriveGuard {
-    gap: Gap,
+pub(super) struct DriveGuard {
+    contact: usize,
     /// Whether it is above zero at the end of the last step.
     sign: Option<bool>,
 }
 
 impl DriveGuard {
-    pub(super) fn new(contact: usize, status: &ContactStatus<'_>) -> Self {
-        Self { gap: Gap::new(contact, status), sign: None }
+    pub(super) fn watch<'a>(contact: usize, status: &ContactStatus<'_>) -> Watch<'a> {
+        let mut watch = Watch::new(Guard::Gap(contact), Quantities::GAPS, Self { contact, sign: None });
+        watch.tracking.height = status.height(contact);
+        watch
     }
 }
 
-impl Watched for DriveGuard {
-    fn guard(&self) -> Guard {
-        Guard::Gap(self.gap.contact)
-    }
-
+impl Kind for DriveGuard {
     fn value(&self, step: &SampledStep<'_>, theta: f64) -> f64 {
-        self.gap.value(step, theta)
+        step.value(theta, Quantities::GAPS, |sample| sample.gaps[self.contact])
     }
 
     fn size(&self, step: &SampledStep<'_>, _: &[f64]) -> f64 {
-        step.scales.size_of_gap(self.gap.contact)
+        step.scales.size_of_gap(self.contact)
     }
 
-    fn asked(&self) -> Quantities {
-        Quantities::GAPS
-    }
-
-    fn height(&self) -> f64 {
-        self.gap.height
-    }
-
-    fn series<'s>(&'s self, view: &'s StepView<'_>) -> Option<&'s [f64]> {
-        self.gap.series(view)
-    }
-
-    fn begin(&mut self, start: &SampledStep<'_>) -> bool {
-        self.gap.begin(start);
-        self.is_zero(start, 0.0)
+    fn series<'s>(&self, view: &'s StepView<'_>) -> Option<&'s [f64]> {
+        view.guards.map(|guards| guards.gap(self.contact))
     }
 
     fn find_event(
         &mut self,
-        tracking: Tracking,
+        tracking: &Tracking,
         step: &SampledStep<'_>,
         _: &mut Findings,
     ) -> Result<Option<f64>, GuardError> {
         let value = |theta: f64| self.value(step, theta);
-        let (source, bound) = trace(self, tracking, step, &value);
+        let (source, bound) = tracking.trace(self, step, &value);
         let known = self.sign.filter(|_| !tracking.at_root).map(|positive| Start::Continues { positive });
         source.first_root(0.0, known.unwrap_or(tracking.start()), (0.0, bound))
     }
 
-    fn leave_step(&mut self, step: &SampledStep<'_>) {
+    fn leave_step(&mut self, _: &Tracking, step: &SampledStep<'_>) {
         self.sign = Some(self.value(step, 1.0) > 0.0);
-    }
-
-    fn may_have_crossed(&self, scales: &Scales<'_>, _: &[f64], gaps: &[f64]) -> bool {
-        self.gap.may_have_crossed(scales, gaps)
     }
 }
 
@@ -88,13 +68,14 @@ mod tests {
                 shown.gaps[DRIVE] = sign * (0.5 - t);
                 shown
             });
-            let mut guard = DriveGuard::new(DRIVE, &roles(ContactSet::EMPTY));
+            let tracking = DriveGuard::watch(DRIVE, &roles(ContactSet::EMPTY)).tracking;
+            let mut guard = DriveGuard { contact: DRIVE, sign: None };
             let find = |guard: &mut DriveGuard| {
-                scene.look(|step| guard.find_event(Tracking::default(), step, &mut Findings::default()))
+                scene.look(|step| guard.find_event(&tracking, step, &mut Findings::default()))
             };
             let at = find(&mut guard);
             assert!(at.is_ok_and(|at| at.is_some_and(|at| (at - 0.5).abs() < 1e-12)), "{at:?}");
-            scene.look(|step| guard.leave_step(step));
+            scene.look(|step| guard.leave_step(&tracking, step));
             assert_eq!(guard.sign, Some(sign < 0.0));
         }
     }

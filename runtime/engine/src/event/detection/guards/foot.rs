@@ -1,36 +1,33 @@
 //! The foot of a closed corner.
 
-use super::watched::Watched;
+use super::watch::{Kind, Watch};
 use crate::event::detection::Guard;
 use crate::event::detection::sample::Quantities;
 use crate::event::detection::sampled_step::SampledStep;
 use crate::event::detection::step::StepView;
 
 /// How far the foot is from one end of its bar.
-pub(crate) struct FootGuard {
-    pub(super) contact: usize,
+pub(super) struct FootGuard {
     /// The entry of the model's feet.
-    pub(super) entry: usize,
+    entry: usize,
 }
 
-impl Watched for FootGuard {
-    fn guard(&self) -> Guard {
-        Guard::Foot { contact: self.contact, entry: self.entry }
+impl FootGuard {
+    pub(super) fn watch<'a>(contact: usize, entry: usize) -> Watch<'a> {
+        Watch::new(Guard::Foot { contact, entry }, Quantities::FEET, Self { entry })
     }
+}
 
+impl Kind for FootGuard {
     fn value(&self, step: &SampledStep<'_>, theta: f64) -> f64 {
-        step.value(theta, self.asked(), |sample| sample.feet[self.entry])
+        step.value(theta, Quantities::FEET, |sample| sample.feet[self.entry])
     }
 
     fn size(&self, step: &SampledStep<'_>, _: &[f64]) -> f64 {
         step.scales.bounds.length
     }
 
-    fn asked(&self) -> Quantities {
-        Quantities::FEET
-    }
-
-    fn series<'s>(&'s self, view: &'s StepView<'_>) -> Option<&'s [f64]> {
+    fn series<'s>(&self, view: &'s StepView<'_>) -> Option<&'s [f64]> {
         view.guards.map(|guards| guards.foot(self.entry / 2, self.entry % 2))
     }
 }
@@ -38,7 +35,7 @@ impl Watched for FootGuard {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::event::detection::guards::{Findings, Tracking};
+    use crate::event::detection::guards::Findings;
     use crate::event::detection::tests::given::*;
     use crate::integrate::Guards;
     use crate::series::ORDERS;
@@ -51,12 +48,12 @@ mod tests {
         let rest = [[0.0; ORDERS]; CONTACTS + FRICTIONS];
         let feet = [0.75, 0.25].map(|first| padded(&[first, -1.0]));
         for (entry, expected) in [(0, 0.75), (1, 0.25)] {
-            let mut guard = FootGuard { contact: CORNER, entry };
+            let mut watch = FootGuard::watch(CORNER, entry);
             scene.look_with(Some(Guards::new(2, &rest, &rest, &feet)), |step| {
-                assert_eq!(guard.series(step.view), Some(&[expected, -1.0][..]));
+                assert_eq!(watch.kind.series(step.view), Some(&[expected, -1.0][..]));
                 for has_series in [false, true] {
-                    let tracking = Tracking { has_series, ..Tracking::default() };
-                    let at = guard.find_event(tracking, step, &mut Findings::default());
+                    watch.tracking.has_series = has_series;
+                    let at = watch.find_event(step, &mut Findings::default());
                     assert!(at.is_ok_and(|at| at.is_some_and(|at| (at - expected).abs() < 1e-12)), "{at:?}");
                 }
             });

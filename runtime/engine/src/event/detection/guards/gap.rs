@@ -1,8 +1,7 @@
 //! The gap of an open contact, with the foot of its corner if it has one.
 
-use super::contact_gap::Gap;
 use super::low_flight::LowFlight;
-use super::watched::{Findings, Tracking, Watched, trace};
+use super::watch::{Findings, Kind, Tracking, Watch};
 use crate::event::detection::Guard;
 use crate::event::detection::advance::Advance;
 use crate::event::detection::contact_status::ContactStatus;
@@ -10,15 +9,14 @@ use crate::event::detection::guard_source::Suppression;
 use crate::event::detection::sample::Quantities;
 use crate::event::detection::sampled_step::{SampledStep, Scales};
 use crate::event::detection::step::StepView;
-use crate::model::Layout;
 use crate::numerics::root_isolation::{GuardError, Start};
 
 /// Rounding of a gap, relative to the natural length, or to its terms where they are larger.
 const ROUNDED: f64 = 16.0 * f64::EPSILON;
 
 /// g of a contact that closes by falling.
-pub(crate) struct GapGuard {
-    gap: Gap,
+pub(super) struct GapGuard {
+    contact: usize,
     /// The foot of its corner.
     foot: Option<usize>,
     /// A corner beyond the end of its bar, which does not close before it has come back.
@@ -34,11 +32,11 @@ pub(crate) struct GapGuard {
 }
 
 impl GapGuard {
-    pub(super) fn new(contact: usize, layout: &Layout, status: &ContactStatus<'_>) -> Self {
+    fn new(contact: usize, foot: Option<usize>, status: &ContactStatus<'_>) -> Self {
         let order = status.orders.iter().find(|(known, _)| *known == contact).map(|(_, order)| *order);
         Self {
-            gap: Gap::new(contact, status),
-            foot: layout.contacts[contact].foot,
+            contact,
+            foot,
             is_off: status.off.contains(contact),
             has_passed: status.passed.contains(contact),
             passes: None,
@@ -47,22 +45,28 @@ impl GapGuard {
         }
     }
 
+    pub(super) fn watch<'a>(contact: usize, foot: Option<usize>, status: &ContactStatus<'_>) -> Watch<'a> {
+        let mut watch = Watch::new(Guard::Gap(contact), Quantities::GAPS, Self::new(contact, foot, status));
+        watch.tracking.height = status.height(contact);
+        watch
+    }
+
     /// The first time that it closes with the foot of its corner, if it has one, under the bar. One that is negative beyond
     /// the end of the bar is watched again once it has come back, as is one that starts there at zero and does not come under
     /// the bar as it falls.
     fn find_closure(
         &self,
-        tracking: Tracking,
+        tracking: &Tracking,
         step: &SampledStep<'_>,
         findings: &mut Findings,
         passes: &mut Option<f64>,
     ) -> Result<Option<f64>, GuardError> {
         let value = |theta: f64| self.value(step, theta);
-        let (source, bound) = trace(self, tracking, step, &value);
+        let (source, bound) = tracking.trace(self, step, &value);
         // Where a gap that never rose above its bound falls below it: the contact has closed somewhere before, and
         // to say so at the start would stop the time.
         let rounding = || {
-            let terms = step.evaluate(|view, scratch| view.terms(self.gap.contact, scratch));
+            let terms = step.evaluate(|view, scratch| view.terms(self.contact, scratch));
             (ROUNDED * terms.max(step.scales.bounds.length)).min(0.5 * bound)
         };
         let sink = || source.first_root(0.0, Start::Free, (bound, rounding()));
@@ -80,14 +84,15 @@ impl GapGuard {
             }
             let start = if from > 0.0 { Start::Free } else { tracking.start() };
             let known = self.order.filter(|_| start == Start::Root).map_or(start, Start::Order);
-            let touch = &mut |theta| findings.touches.push((theta, self.guard()));
+            let touch = &mut |theta| findings.touches.push((theta, tracking.guard));
             let mut fall = source.find_fall(bound, (from, known), Suppression::None, touch)?;
-            let is_low = self.gap.height.is_finite();
+            let is_low = tracking.height.is_finite();
             if fall.is_none() && is_low && value(1.0) < 0.0 && value(1.0) < -rounding() {
                 // The end of a low flight is known much better than to its bound.
                 fall = source.first_root(from, start, (0.0, rounding()))?;
             }
-            let landing = |flight: &LowFlight| flight.find_landing(&self.gap, step, fall.unwrap_or(1.0));
+            let landing =
+                |flight: &LowFlight| flight.find_landing(self.contact, step, (&value, fall.unwrap_or(1.0)));
             let lands = self.flight.as_ref().map_or(Ok(None), landing)?;
             let is_unseen = tracking.at_root && !is_off && fall == Some(0.0);
             match if lands.is_none() && is_unseen { sink()? } else { lands.or(fall) } {
@@ -103,37 +108,20 @@ impl GapGuard {
     }
 }
 
-impl Watched for GapGuard {
-    fn guard(&self) -> Guard {
-        Guard::Gap(self.gap.contact)
-    }
-
+impl Kind for GapGuard {
     fn value(&self, step: &SampledStep<'_>, theta: f64) -> f64 {
-        self.gap.value(step, theta)
+        step.value(theta, Quantities::GAPS, |sample| sample.gaps[self.contact])
     }
 
     fn size(&self, step: &SampledStep<'_>, _: &[f64]) -> f64 {
-        step.scales.size_of_gap(self.gap.contact)
+        step.scales.size_of_gap(self.contact)
     }
 
-    fn asked(&self) -> Quantities {
-        Quantities::GAPS
+    fn series<'s>(&self, view: &'s StepView<'_>) -> Option<&'s [f64]> {
+        view.guards.map(|guards| guards.gap(self.contact))
     }
 
-    fn height(&self) -> f64 {
-        self.gap.height
-    }
-
-    fn series<'s>(&'s self, view: &'s StepView<'_>) -> Option<&'s [f64]> {
-        self.gap.series(view)
-    }
-
-    fn begin(&mut self, start: &SampledStep<'_>) -> bool {
-        self.gap.begin(start);
-        self.is_zero(start, 0.0)
-    }
-
-    fn begin_step(&mut self, view: &StepView<'_>) {
+    fn begin_step(&mut self, view: &StepView<'_>, _: &mut Vec<f64>) {
         if view.is_fitted() {
             self.order = None;
         }
@@ -141,7 +129,7 @@ impl Watched for GapGuard {
 
     fn find_event(
         &mut self,
-        tracking: Tracking,
+        tracking: &Tracking,
         step: &SampledStep<'_>,
         findings: &mut Findings,
     ) -> Result<Option<f64>, GuardError> {
@@ -155,20 +143,20 @@ impl Watched for GapGuard {
         step.is_under_bar(self.foot, 1.0)
     }
 
-    fn end_step(&mut self, tracking: Tracking, step: &SampledStep<'_>, end: f64) {
+    fn end_step(&mut self, tracking: &Tracking, step: &SampledStep<'_>, end: f64) {
         let passes = self.passes.take();
-        self.has_passed = self.foot.is_some() && !self.is_above(tracking, step, end) && {
+        self.has_passed = self.foot.is_some() && !tracking.is_above(self, step, end) && {
             let value = self.value(step, end);
-            let deep = value < -self.bound(step, &[]);
+            let deep = value < -tracking.bound(self, step, &[]);
             let came = self.has_passed || self.is_off && deep || passes.is_some_and(|theta| theta <= end);
             value < 0.0 && (came || step.margin(self.foot, end) <= step.scales.end())
         };
     }
 
-    fn leave_step(&mut self, step: &SampledStep<'_>) {
+    fn leave_step(&mut self, _: &Tracking, step: &SampledStep<'_>) {
         self.order = None;
         let is_low = |_: &LowFlight| step.scales.is_low(self.value(step, 1.0));
-        self.flight = self.flight.filter(is_low).map(|flight| flight.follow(self.gap.contact, step));
+        self.flight = self.flight.filter(is_low).map(|flight| flight.follow(self.contact, step));
     }
 
     fn has_passed(&self) -> bool {
@@ -176,7 +164,7 @@ impl Watched for GapGuard {
     }
 
     fn may_have_crossed(&self, scales: &Scales<'_>, _: &[f64], gaps: &[f64]) -> bool {
-        self.gap.may_have_crossed(scales, gaps)
+        scales.may_cross(gaps[self.contact], scales.size_of_gap(self.contact))
     }
 }
 

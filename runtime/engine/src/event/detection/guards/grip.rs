@@ -1,36 +1,30 @@
 //! The margin of contacts that share their load.
 
-use super::watched::Watched;
+use super::watch::{Kind, Watch};
 use crate::event::detection::Guard;
 use crate::event::detection::guard_source::Suppression;
 use crate::event::detection::sample::Quantities;
 use crate::event::detection::sampled_step::SampledStep;
 
 /// How far they are from slipping together.
-pub(crate) struct GripGuard {
-    /// It is zero at the start of the phase, and they have been decided to stick.
-    pub(super) kept: bool,
+pub(super) struct GripGuard;
+
+impl GripGuard {
+    const ASKED: Quantities = Quantities::REACTIONS.and(Quantities::GRIP);
+
+    /// `kept` if it is zero at the start of the phase, and they have been decided to stick.
+    pub(super) fn watch<'a>(kept: bool) -> Watch<'a> {
+        Watch::new(Guard::Grip, Self::ASKED, Self).suppressed(kept, Suppression::ToZero)
+    }
 }
 
-impl Watched for GripGuard {
-    fn guard(&self) -> Guard {
-        Guard::Grip
-    }
-
+impl Kind for GripGuard {
     fn value(&self, step: &SampledStep<'_>, theta: f64) -> f64 {
-        step.value(theta, self.asked(), |sample| sample.grip)
+        step.value(theta, Self::ASKED, |sample| sample.grip)
     }
 
     fn size(&self, step: &SampledStep<'_>, _: &[f64]) -> f64 {
         step.scales.forces.iter().copied().fold(0.0, f64::max)
-    }
-
-    fn asked(&self) -> Quantities {
-        Quantities::REACTIONS.and(Quantities::GRIP)
-    }
-
-    fn suppression(&self) -> Suppression {
-        if self.kept { Suppression::ToZero } else { Suppression::None }
     }
 }
 
@@ -45,6 +39,6 @@ mod tests {
     fn a_grip_has_the_size_of_its_reactions() {
         let scene = Scene::closed(ContactSet::EMPTY, |_| Shown::default());
         let largest = FORCES.into_iter().fold(0.0, f64::max);
-        assert_eq!(scene.look(|step| GripGuard { kept: false }.size(step, &[])), largest);
+        assert_eq!(scene.look(|step| GripGuard.size(step, &[])), largest);
     }
 }

@@ -10,7 +10,6 @@
 //!
 //! by Gauss's points. Where g̈ stays above zero there is no landing to look for.
 
-use super::contact_gap::Gap;
 use crate::event::detection::sampled_step::SampledStep;
 use crate::numerics::legendre::{POINTS, W, X};
 use crate::numerics::root_isolation::{self, Accuracy, Crossing, GuardError, Start};
@@ -35,22 +34,22 @@ impl LowFlight {
         (order == ORDER).then_some(Self { gap: 0.0, rate: 0.0 })
     }
 
-    /// Where the contact lands, if it stays low. Its gap by itself is seen to close at `end`, at the
+    /// Where the contact lands, if it stays low. Its `gap` by itself is seen to close at `end`, at the
     /// start where it is not seen to open.
     pub(super) fn find_landing(
         &self,
-        gap: &Gap,
+        contact: usize,
         step: &SampledStep<'_>,
-        end: f64,
+        (gap, end): (&dyn Fn(f64) -> f64, f64),
     ) -> Result<Option<f64>, GuardError> {
-        if self.keeps_rising(gap.contact, step) {
+        if self.keeps_rising(contact, step) {
             return Ok(None);
         }
         let (h, natural) = step.view.scales();
         // The gap per θ² h² from the lift-off on, the gap itself later.
         let fresh = self.gap == 0.0;
         let value = |theta: f64| {
-            let [_, mean] = means(gap.contact, step, theta);
+            let [_, mean] = means(contact, step, theta);
             if fresh { mean } else { self.gap + theta * h * (self.rate + theta * h * mean) }
         };
         let (start, bound) = match fresh {
@@ -62,7 +61,7 @@ impl LowFlight {
             return Ok(None);
         };
         let is_first = end == 0.0 || end >= HIGHEST * theta;
-        Ok((is_first && step.scales.is_low(gap.value(step, HIGHEST * theta))).then_some(theta))
+        Ok((is_first && step.scales.is_low(gap(HIGHEST * theta))).then_some(theta))
     }
 
     /// Whether g̈ > 0 is proved of all of a step that begins with g ≥ 0 and ġ ≥ 0.

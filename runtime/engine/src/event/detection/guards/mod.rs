@@ -2,7 +2,6 @@
 //! bound and its memory.
 
 mod condition;
-mod contact_gap;
 mod drive;
 mod foot;
 mod gap;
@@ -13,7 +12,7 @@ mod low_flight;
 mod parting;
 mod reaction;
 mod slip;
-mod watched;
+mod watch;
 
-pub(super) use list::{Kind, list_guards};
-pub(super) use watched::{Findings, Tracking};
+pub(super) use list::list_guards;
+pub(super) use watch::{Findings, Watch};

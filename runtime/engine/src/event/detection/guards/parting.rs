@@ -1,43 +1,38 @@
 //! The gap of a closed contact that depends on those that bear.
 
-use super::watched::Watched;
+use super::watch::{Kind, Watch};
 use crate::event::detection::Guard;
 use crate::event::detection::guard_source::Suppression;
 use crate::event::detection::sample::Quantities;
 use crate::event::detection::sampled_step::SampledStep;
 
 /// −g: below zero the contact depended on the others only where the phase began.
-pub(crate) struct PartingGuard {
-    pub(super) contact: usize,
+pub(super) struct PartingGuard {
+    contact: usize,
 }
 
-impl Watched for PartingGuard {
-    fn guard(&self) -> Guard {
-        Guard::Parting(self.contact)
+impl PartingGuard {
+    /// It parts as soon as that is seen.
+    pub(super) fn watch<'a>(contact: usize) -> Watch<'a> {
+        let watch = Watch::new(Guard::Parting(contact), Quantities::GAPS, Self { contact });
+        watch.suppressed(true, Suppression::ToBound)
     }
+}
 
+impl Kind for PartingGuard {
     fn value(&self, step: &SampledStep<'_>, theta: f64) -> f64 {
-        step.value(theta, self.asked(), |sample| -sample.gaps[self.contact])
+        step.value(theta, Quantities::GAPS, |sample| -sample.gaps[self.contact])
     }
 
     fn size(&self, step: &SampledStep<'_>, _: &[f64]) -> f64 {
         step.scales.size_of_gap(self.contact)
-    }
-
-    fn asked(&self) -> Quantities {
-        Quantities::GAPS
-    }
-
-    /// It parts as soon as that is seen.
-    fn suppression(&self) -> Suppression {
-        Suppression::ToBound
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::event::detection::guards::{Findings, Tracking};
+    use crate::event::detection::guards::Findings;
     use crate::event::detection::tests::given::*;
     use crate::model::ContactSet;
 
@@ -49,11 +44,11 @@ mod tests {
             shown.gaps[PLAIN] = 32.0 * BOUNDS.relative * t * t;
             shown
         });
-        let mut guard = PartingGuard { contact: PLAIN };
+        let mut watch = PartingGuard::watch(PLAIN);
         scene.look(|step| {
-            assert_eq!(guard.value(step, 0.5), -8.0 * BOUNDS.relative);
-            let tracking = Tracking { at_root: guard.begin(step), ..Tracking::default() };
-            let at = guard.find_event(tracking, step, &mut Findings::default());
+            assert_eq!(watch.value(step, 0.5), -8.0 * BOUNDS.relative);
+            watch.begin(step);
+            let at = watch.find_event(step, &mut Findings::default());
             // The bound is that of a length of two.
             assert!(at.is_ok_and(|at| at.is_some_and(|at| (at - 0.25).abs() < 1e-9)), "{at:?}");
         });

@@ -151,7 +151,7 @@ fn a_touch_is_undecided_where_it_is_not_at_zero() {
         }
     }
     for guard in [Guard::Parting(PLAIN), Guard::Grip, Guard::Foot { contact: CORNER, entry: 1 }] {
-        assert_eq!(detector.find(guard).guard.guard(), guard);
+        assert_eq!(detector.find(guard).tracking.guard, guard);
         assert!(!detector.is_undecided(guard, &[f64::INFINITY; CONTACTS], &[f64::INFINITY; CONTACTS]));
     }
 }

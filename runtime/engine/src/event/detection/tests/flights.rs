@@ -101,7 +101,7 @@ fn a_flight_that_begins_deep_has_its_ground_there() {
         let heights = [(PLAIN, 1e-9)];
         let detector = scene.begun(ContactStatus { heights: &heights, ..alone(PLAIN) }, (&[], false));
         let watch = &detector.list[0];
-        assert_eq!(watch.guard.height(), 2.0 * depth / LOW);
+        assert_eq!(watch.tracking.height, 2.0 * depth / LOW);
         assert!(watch.tracking.at_root);
     }
 }

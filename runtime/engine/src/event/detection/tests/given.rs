@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use liftoff_fixtures::Particle;
 
-use super::super::detector::Watch;
+use super::super::guards::Watch;
 use super::super::sampled_step::{SampledStep, Scales};
 use super::super::samples::Samples;
 use super::super::{Bounds, ContactStatus, EventDetector, Guard, StepView};
@@ -224,8 +224,8 @@ pub(crate) fn set(contacts: &[usize]) -> ContactSet {
 
 impl EventDetector<'_> {
     /// A guard that it watches.
-    pub(in super::super) fn find(&self, guard: Guard) -> &Watch<'_> {
-        self.list.iter().find(|watch| watch.guard.guard() == guard).expect("it is watched")
+    pub(crate) fn find(&self, guard: Guard) -> &Watch<'_> {
+        self.list.iter().find(|watch| watch.tracking.guard == guard).expect("it is watched")
     }
 }
 

@@ -109,7 +109,7 @@ fn what_is_kept() {
         let depends = closed.with(DRIVE);
         let detector = scene.begun(ContactStatus { kept, ..roles(depends) }, (&conditions, false));
         for watch in &detector.list {
-            let name = watch.guard.guard();
+            let name = watch.tracking.guard;
             let (is_kept, suppression) = match name {
                 Guard::Reaction(contact) | Guard::Side(contact, _) => {
                     (kept.contains(contact), Suppression::ToBound)
@@ -119,17 +119,17 @@ fn what_is_kept() {
                 _ => (false, Suppression::None),
             };
             let expected = if is_kept { suppression } else { Suppression::None };
-            assert_eq!(watch.guard.suppression(), expected, "{name:?}");
+            assert_eq!(watch.tracking.suppression, expected, "{name:?}");
         }
     }
     let depends = Scene::of((ContactSet::EMPTY, Form::Closed), |_| Shown::default());
     let detector = depends.begun(roles(set(&[PLAIN])), (&[], false));
-    assert_eq!(detector.find(Guard::Parting(PLAIN)).guard.suppression(), Suppression::ToBound);
+    assert_eq!(detector.find(Guard::Parting(PLAIN)).tracking.suppression, Suppression::ToBound);
     for (kept, expected) in
         [(set(&[PLAIN]), Suppression::None), (set(&[PLAIN, RUBBING]), Suppression::ToZero)]
     {
         let grip = Grip { sticking: set(&[RUBBING]), normals: ContactSet::EMPTY };
         let detector = scene.begun(ContactStatus { kept, grip, ..roles(closed) }, (&[], false));
-        assert_eq!(detector.find(Guard::Grip).guard.suppression(), expected);
+        assert_eq!(detector.find(Guard::Grip).tracking.suppression, expected);
     }
 }

@@ -18,9 +18,7 @@ fn all(slip: Slip) -> ContactSet {
 }
 
 fn listed(set: ContactSet, roles: &ContactStatus<'_>) -> Vec<Guard> {
-    let mut listed = Vec::new();
-    list_guards(&LAYOUT, &set, roles, (&[], &[]), &mut |guard| listed.push(guard.guard()));
-    listed
+    list_guards(&LAYOUT, &set, roles, (&[], &[])).iter().map(|watch| watch.tracking.guard).collect()
 }
 
 const FEET: [Guard; 2] =
@@ -106,8 +104,8 @@ fn each_guard_is_evaluated_from_what_it_follows_from() {
     let conditions = [scene.condition("z < 4")];
     for (bearing, closed) in [(stick, stick), (ContactSet::EMPTY, all(Slip::Forward))] {
         let status = ContactStatus { grip, ..roles(closed) };
-        list_guards(&LAYOUT, &bearing, &status, (&conditions, &[(0, false)]), &mut |guard| {
-            let expected = match guard.guard() {
+        for watch in list_guards(&LAYOUT, &bearing, &status, (&conditions, &[(0, false)])) {
+            let expected = match watch.tracking.guard {
                 Guard::Reaction(_) | Guard::Side(..) => Quantities::REACTIONS,
                 Guard::Gap(_) | Guard::Parting(_) => Quantities::GAPS,
                 Guard::Foot { .. } => Quantities::FEET,
@@ -116,8 +114,8 @@ fn each_guard_is_evaluated_from_what_it_follows_from() {
                 Guard::Slip(_) => Quantities::SLIPS,
                 Guard::Condition(_) => Quantities::NONE,
             };
-            assert_eq!(guard.asked(), expected, "{:?}", guard.guard());
-        });
+            assert_eq!(watch.tracking.asked, expected, "{:?}", watch.tracking.guard);
+        }
     }
 }
 
@@ -136,7 +134,7 @@ fn what_counts_as_zero() {
         let dense = scene.dense([0.0, 1.0]);
         let view = scene.view(&dense);
         for watch in &detector.list {
-            let expected = match watch.guard.guard() {
+            let expected = match watch.tracking.guard {
                 Guard::Reaction(contact) | Guard::Side(contact, _) => FORCES[contact],
                 Guard::Limit(rub) => FORCES[rub.contact],
                 Guard::Slip(rub) => SLIPS[rub.friction],
@@ -147,8 +145,7 @@ fn what_counts_as_zero() {
                 Guard::Gap(THREAD) => LOW,
                 Guard::Gap(_) | Guard::Parting(_) | Guard::Foot { .. } => BOUNDS.length,
             };
-            let (found, name) =
-                (watch.guard.bound(&detector.sampled(&view), &[0.0, 0.5]), watch.guard.guard());
+            let (found, name) = (watch.bound(&detector.sampled(&view), &[0.0, 0.5]), watch.tracking.guard);
             assert!((found / (expected * BOUNDS.relative) - 1.0).abs() < 1e-12, "{name:?} {found}");
         }
     }
@@ -172,6 +169,6 @@ fn what_is_as_large_as_its_bound_is_zero() {
         assert_eq!(thread.tracking.at_root, is_zero, "{value:e}");
         let dense = scene.dense([0.0, 1.0]);
         let view = scene.view(&dense);
-        assert_eq!(thread.guard.is_zero(&detector.sampled(&view), 0.5), is_zero, "{value:e}");
+        assert_eq!(thread.is_zero(&detector.sampled(&view), 0.5), is_zero, "{value:e}");
     }
 }

@@ -57,9 +57,9 @@ fn guards_have_their_values_in_every_step() {
             for theta in NODES.iter().chain(&[0.1, 0.77]).chain(&NODES[3..5]) {
                 let t = step[0] + (step[1] - step[0]) * theta;
                 for watch in &detector.list {
-                    let found = watch.guard.value(&detector.sampled(&view), *theta);
-                    let apart = (found - expected(watch.guard.guard(), t)).abs();
-                    assert!(apart < 1e-12 * found.abs(), "{:?} {step:?} {theta}", watch.guard.guard());
+                    let found = watch.value(&detector.sampled(&view), *theta);
+                    let apart = (found - expected(watch.tracking.guard, t)).abs();
+                    assert!(apart < 1e-12 * found.abs(), "{:?} {step:?} {theta}", watch.tracking.guard);
                 }
             }
         }
@@ -80,8 +80,7 @@ fn each_place_is_evaluated_once() {
             let view = scene.view(&dense);
             detector.begin_step(&view);
             assert_eq!(scene.asked(), nodes, "{step:?}");
-            let guards =
-                [PLAIN, CORNER, THREAD].map(|contact| &detector.find(Guard::Reaction(contact)).guard);
+            let guards = [PLAIN, CORNER, THREAD].map(|contact| detector.find(Guard::Reaction(contact)));
             let step_view = detector.sampled(&view);
             for theta in NODES {
                 guards.iter().for_each(|guard| _ = guard.value(&step_view, theta));
@@ -106,8 +105,7 @@ fn places_are_kept_as_long_as_there_is_room() {
     let view = scene.view(&dense);
     detector.begin_step(&view);
     scene.asked();
-    let [corner, gap] =
-        [Guard::Reaction(CORNER), Guard::Gap(THREAD)].map(|guard| &detector.find(guard).guard);
+    let [corner, gap] = [Guard::Reaction(CORNER), Guard::Gap(THREAD)].map(|guard| detector.find(guard));
     let step = detector.sampled(&view);
     let place = |k: usize| (k as f64 + 0.5) / (2 * ROOM) as f64;
     let value = |k: usize| {
@@ -136,7 +134,7 @@ fn what_only_one_guard_follows_from_is_not_kept() {
     let view = scene.view(&dense);
     detector.begin_step(&view);
     scene.asked();
-    let guard = &detector.find(Guard::Reaction(PLAIN)).guard;
+    let guard = detector.find(Guard::Reaction(PLAIN));
     (0..2).for_each(|_| _ = guard.value(&detector.sampled(&view), 0.1));
     assert_eq!(scene.asked(), 2);
 }

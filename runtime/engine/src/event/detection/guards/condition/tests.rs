@@ -188,15 +188,16 @@ fn what_takes_too_long_is_undecided() {
     for (patience, left) in
         [(10_000, 5_000), (1_000, 500), (514, 257)].into_iter().chain(few.map(|few| (few, 256)))
     {
-        let mut guard = ConditionGuard { patience, ..ConditionGuard::new(0, &endless, false) };
-        let mut findings = Findings::default();
-        let found = scene.look(|step| guard.find_event(Tracking::default(), step, &mut findings));
+        let (watch, mut findings) = (ConditionGuard::watch(0, &endless, false), Findings::default());
+        let mut guard = ConditionGuard { patience, ..ConditionGuard::new(&endless, false) };
+        let found = scene.look(|step| guard.find_event(&watch.tracking, step, &mut findings));
         assert!(found == Ok(None) && findings.undecided.is_some(), "{patience}");
         assert_eq!(guard.patience, left, "{patience}");
     }
     let decided = scene.condition("z = 2");
-    let (mut guard, mut findings) = (ConditionGuard::new(0, &decided, false), Findings::default());
-    assert_eq!(scene.look(|step| guard.find_event(Tracking::default(), step, &mut findings)), Ok(None));
+    let (watch, mut findings) = (ConditionGuard::watch(0, &decided, false), Findings::default());
+    let mut guard = ConditionGuard::new(&decided, false);
+    assert_eq!(scene.look(|step| guard.find_event(&watch.tracking, step, &mut findings)), Ok(None));
     assert_eq!((findings.undecided, guard.patience), (None, PATIENCE));
 }
 
@@ -207,11 +208,12 @@ fn a_comparison_at_zero_stays_on_its_side() {
         for (sign, side) in [(1.0, false), (-1.0, true)] {
             let scene = of(move |t| sign * (t - 1.0));
             let condition = scene.condition(text);
-            let mut guard = ConditionGuard::new(0, &condition, false);
-            scene.look(|step| guard.leave_step(step));
+            let tracking = ConditionGuard::watch(0, &condition, false).tracking;
+            let mut guard = ConditionGuard::new(&condition, false);
+            scene.look(|step| guard.leave_step(&tracking, step));
             assert_eq!((guard.stays, guard.sign), (stays, Some(stays && side)), "{text} {sign}");
             let scene = of(move |t| sign * (t - 0.5));
-            scene.look(|step| guard.leave_step(step));
+            scene.look(|step| guard.leave_step(&tracking, step));
             assert_eq!((guard.stays, guard.sign), (false, Some(sign > 0.0)), "{text} {sign}");
         }
     }
@@ -223,7 +225,7 @@ fn an_equation_is_met_at_an_event_just_before() {
     let scene = of(|t| 1.0 - t);
     for (text, precedence) in [("z = 0", TOGETHER), ("z < 0", 0.0), ("z > 0", 0.0)] {
         let condition = scene.condition(text);
-        let guard = ConditionGuard::new(0, &condition, false);
+        let guard = ConditionGuard::new(&condition, false);
         assert_eq!(guard.precedence(), precedence);
         assert!(!scene.look(|step| guard.may_arrive(step)));
     }

@@ -11,27 +11,30 @@ fn corner(gap: fn(f64) -> f64, foot: fn(f64) -> f64) -> Scene {
     })
 }
 
-fn guard(status: &ContactStatus<'_>) -> GapGuard {
-    GapGuard::new(CORNER, &LAYOUT, status)
+/// The guard of the corner, and what is known of it beside.
+fn guard(status: &ContactStatus<'_>) -> (GapGuard, Tracking) {
+    (GapGuard::new(CORNER, Some(0), status), GapGuard::watch(CORNER, Some(0), status).tracking)
 }
 
 /// Below its bar from 0.25 on, beyond its end up to 0.5: nothing closes, and it has passed at the end.
 #[test]
 fn a_gap_remembers_where_it_has_passed_its_bar() {
     let scene = corner(|t| 0.25 - t, |t| t - 0.5);
-    let mut guard = guard(&roles(ContactSet::EMPTY));
+    let (mut guard, mut tracking) = guard(&roles(ContactSet::EMPTY));
     scene.look(|step| {
-        let found = guard.find_event(Tracking::default(), step, &mut Findings::default());
+        let found = guard.find_event(&tracking, step, &mut Findings::default());
         assert_eq!(found, Ok(None));
         let passes = guard.passes.expect("it passes");
         assert!((passes - 0.25).abs() < 1e-12, "{passes}");
-        guard.end_step(Tracking::default(), step, 1.0);
+        guard.end_step(&tracking, step, 1.0);
         assert!(guard.has_passed() && guard.passes.is_none());
         // In a step that proves it above it has come back.
-        guard.end_step(Tracking { is_clear: true, ..Tracking::default() }, step, 1.0);
+        tracking.is_clear = true;
+        guard.end_step(&tracking, step, 1.0);
+        tracking.is_clear = false;
         assert!(!guard.has_passed());
         // Seen below beside the end of its bar.
-        guard.end_step(Tracking::default(), step, 0.375);
+        guard.end_step(&tracking, step, 0.375);
         assert!(guard.has_passed());
     });
     // Under its bar it may be zero at the end of a run.
@@ -51,11 +54,11 @@ fn a_flight_is_followed_while_it_is_low() {
         });
         for (order, begins) in [(3, true), (2, false)] {
             let orders = [(CORNER, order)];
-            let mut guard = guard(&ContactStatus { orders: &orders, ..roles(ContactSet::EMPTY) });
+            let (mut guard, tracking) = guard(&ContactStatus { orders: &orders, ..roles(ContactSet::EMPTY) });
             assert_eq!((guard.order, guard.flight.is_some()), (Some(order), begins));
             scene.look(|step| {
-                assert!(guard.begin(step));
-                guard.leave_step(step);
+                assert!(guard.begin(&tracking, step));
+                guard.leave_step(&tracking, step);
             });
             assert_eq!((guard.order, guard.flight.is_some()), (None, begins && is_low), "{k} {order}");
         }

@@ -1,5 +1,5 @@
 use super::*;
-use crate::event::detection::guards::{Findings, Tracking};
+use crate::event::detection::guards::{Findings, Watch};
 use crate::event::detection::tests::given::*;
 use crate::integrate::Guards;
 use crate::model::{ContactSet, Side, Slip};
@@ -7,8 +7,8 @@ use crate::series::ORDERS;
 
 const MU: f64 = 0.25;
 
-fn rub(slip: Slip, side: Side) -> LimitGuard {
-    LimitGuard::new(Rub { contact: GUIDE, friction: 1, slip, side }, CONTACTS + 1, false)
+fn watch(slip: Slip, side: Side) -> Watch<'static> {
+    LimitGuard::watch(Rub { contact: GUIDE, friction: 1, slip, side }, CONTACTS + 1, false)
 }
 
 /// N = ±(4 − t) and R = σ (t − 0.5): 0.25 (4 − t) ± (t − 0.5).
@@ -27,19 +27,20 @@ fn a_limit_is_that_of_its_side_and_sense() {
         reactions[CONTACTS + 1] = padded(&[-0.5, 1.0]);
         let series = Guards::new(2, &reactions, &rest, &[[0.0; ORDERS]; 2]);
         for (slip, sigma) in [(Slip::Forward, 1.0), (Slip::Backward, -1.0)] {
-            let mut guard = rub(slip, side);
+            let mut watch = watch(slip, side);
             let expected = [4.0 * MU - 0.5 * sigma, sigma - MU];
             scene.look_with(Some(series), |step| {
-                assert!(!guard.begin(step) && guard.coefficient == MU);
-                guard.begin_step(step.view);
-                assert_eq!(guard.series(step.view), Some(&expected[..]));
-                assert_eq!(guard.value(step, 0.5), expected[0] + 0.5 * expected[1]);
+                watch.begin(step);
+                assert!(!watch.tracking.at_root);
+                watch.begin_step(step);
+                assert_eq!(watch.tracking.series(&*watch.kind, step.view), Some(&expected[..]));
+                assert_eq!(watch.value(step, 0.5), expected[0] + 0.5 * expected[1]);
             });
             // What is closed because others are has no series.
             let other = Scene::closed(ContactSet::EMPTY, |_| Shown::default());
             other.look_with(Some(series), |step| {
-                guard.begin_step(step.view);
-                assert_eq!(guard.series(step.view), None);
+                watch.begin_step(step);
+                assert_eq!(watch.tracking.series(&*watch.kind, step.view), None);
             });
         }
     }
@@ -56,8 +57,8 @@ fn a_limit_is_reached_in_one_sense() {
         shown
     });
     let find = |slip| {
-        let mut guard = rub(slip, Side::Positive);
-        scene.look(|step| guard.find_event(Tracking::default(), step, &mut Findings::default()))
+        let mut watch = watch(slip, Side::Positive);
+        scene.look(|step| watch.find_event(step, &mut Findings::default()))
     };
     let backward = find(Slip::Backward);
     assert!(backward.is_ok_and(|at| at.is_some_and(|at| (at - 2.0 / 3.0).abs() < 1e-12)), "{backward:?}");
