@@ -43,7 +43,7 @@ impl<'a> EventDetector<'a> {
         Self {
             list: list_guards(layout, &set, &status, conditions),
             scales: Scales { bounds, layout, forces, slips, roundings: Numbers::new() },
-            samples: RefCell::new(Samples::of(layout)),
+            samples: RefCell::new(Samples::new(layout)),
             at_rest: None,
             unresolved: None,
             undecided: None,
@@ -120,13 +120,13 @@ impl<'a> EventDetector<'a> {
         let Self { list, scales, samples, at_rest, .. } = self;
         let known = samples.get_mut();
         let asked = list.iter().fold(Quantities::NONE, |asked, watch| asked.and(watch.tracking.asked));
-        if !asked.have(Quantities::GRIP) {
+        if !asked.contains(Quantities::GRIP) {
             *at_rest = start.slips_at_rest(&mut known.scratch);
         }
         if asked != Quantities::NONE {
             known.begin(start, asked);
         }
-        if asked.have(Quantities::GAPS) {
+        if asked.contains(Quantities::GAPS) {
             scales.roundings = start.context.roundings(&known.scratch.state, least);
         }
         let step = &SampledStep { view: start, samples, scales };
@@ -148,7 +148,7 @@ impl<'a> EventDetector<'a> {
 
     /// Corners below their bars, which they have come to from beyond the ends.
     pub(crate) fn passed(&self) -> ContactSet {
-        let passed = self.list.iter().filter(|watch| watch.kind.has_passed());
+        let passed = self.list.iter().filter(|watch| watch.kind.is_below_bar_past_end());
         passed.filter_map(|watch| watch.tracking.guard.contact()).collect()
     }
 

@@ -24,7 +24,7 @@ impl Quantities {
     }
 
     /// Whether all of another are among them.
-    pub(super) const fn have(self, other: Self) -> bool {
+    pub(super) const fn contains(self, other: Self) -> bool {
         self.0 & other.0 == other.0
     }
 }
@@ -41,7 +41,7 @@ pub(crate) struct Sample {
 }
 
 impl Sample {
-    pub(super) fn of(layout: &Layout) -> Self {
+    pub(super) fn new(layout: &Layout) -> Self {
         let still = SlipState { velocity: 0.0, kinetic: 0.0, limit: 0.0 };
         Self {
             reactions: smallvec![0.0; layout.reactions()],
@@ -64,7 +64,7 @@ pub(crate) struct Scratch {
 }
 
 impl Scratch {
-    pub(super) fn of(layout: &Layout) -> Self {
+    pub(super) fn new(layout: &Layout) -> Self {
         Self { state: smallvec![0.0; layout.entries()], ..Self::default() }
     }
 }
@@ -77,7 +77,9 @@ mod tests {
     fn quantities_are_a_set() {
         let all = [1, 2, 4, 8, 16].map(Quantities);
         let some = Quantities::GAPS.and(Quantities::GRIP);
-        assert!(all.iter().all(|one| some.have(*one) == [Quantities::GAPS, Quantities::GRIP].contains(one)));
-        assert!(some.have(some) && some.have(Quantities::NONE) && !Quantities::GAPS.have(some));
+        assert!(
+            all.iter().all(|one| some.contains(*one) == [Quantities::GAPS, Quantities::GRIP].contains(one))
+        );
+        assert!(some.contains(some) && some.contains(Quantities::NONE) && !Quantities::GAPS.contains(some));
     }
 }

@@ -61,7 +61,7 @@ pub(crate) struct SampledStep<'s> {
 impl SampledStep<'_> {
     /// A value at θ, of a sample of what it follows from.
     pub(super) fn value(&self, theta: f64, asked: Quantities, of: impl FnOnce(&Sample) -> f64) -> f64 {
-        of(self.samples.borrow_mut().at(self.view, theta, asked))
+        of(self.samples.borrow_mut().evaluate(self.view, theta, asked))
     }
 
     /// What the step itself evaluates.

@@ -33,7 +33,7 @@ pub(crate) struct Samples {
 }
 
 impl Samples {
-    pub(super) fn of(layout: &'static Layout) -> Self {
+    pub(super) fn new(layout: &'static Layout) -> Self {
         Self {
             layout,
             at_nodes: Quantities::NONE,
@@ -43,15 +43,15 @@ impl Samples {
             end: Numbers::new(),
             between_nodes: Quantities::NONE,
             between: HashMap::new(),
-            single: Sample::of(layout),
-            scratch: Scratch::of(layout),
+            single: Sample::new(layout),
+            scratch: Scratch::new(layout),
         }
     }
 
     /// Evaluates what a phase begins with.
     pub(super) fn begin(&mut self, start: &StepView<'_>, asked: Quantities) {
         self.at_nodes = asked;
-        self.nodes.resize_with(1, || Sample::of(self.layout));
+        self.nodes.resize_with(1, || Sample::new(self.layout));
         start.sample(0.0, asked, &mut self.nodes[0], &mut self.scratch);
     }
 
@@ -75,7 +75,7 @@ impl Samples {
                 self.between_nodes = sharing.fold(first.and(second), Quantities::and);
             }
         }
-        self.nodes.resize_with(NODES.len(), || Sample::of(self.layout));
+        self.nodes.resize_with(NODES.len(), || Sample::new(self.layout));
         step.reduced(0.0, &mut self.start);
         let continues = before == self.at_nodes && !self.start.is_empty() && self.start == self.end;
         if continues {
@@ -90,18 +90,18 @@ impl Samples {
 
     /// At the nodes of the step, if that is evaluated there.
     pub(super) fn at_nodes(&self, asked: Quantities) -> Option<&[Sample; NODES.len()]> {
-        self.nodes.as_slice().try_into().ok().filter(|_| self.at_nodes.have(asked))
+        self.nodes.as_slice().try_into().ok().filter(|_| self.at_nodes.contains(asked))
     }
 
     /// At a place of the step.
-    pub(super) fn at(&mut self, step: &StepView<'_>, theta: f64, asked: Quantities) -> &Sample {
-        if self.at_nodes.have(asked)
+    pub(super) fn evaluate(&mut self, step: &StepView<'_>, theta: f64, asked: Quantities) -> &Sample {
+        if self.at_nodes.contains(asked)
             && let Some(node) = self.find_node(theta)
         {
             return &self.nodes[node];
         }
         let Self { layout, between_nodes, between, single, scratch, .. } = self;
-        if !(is_shared(asked) && between_nodes.have(asked)) {
+        if !(is_shared(asked) && between_nodes.contains(asked)) {
             step.sample(theta, asked, single, scratch);
             return single;
         }
@@ -109,7 +109,7 @@ impl Samples {
             between.clear();
         }
         between.entry(theta.to_bits()).or_insert_with(|| {
-            let mut sample = Sample::of(layout);
+            let mut sample = Sample::new(layout);
             step.sample(theta, *between_nodes, &mut sample, scratch);
             sample
         })
@@ -128,5 +128,5 @@ impl Samples {
 
 /// Whether it is kept between the nodes: the margin of a grip keeps its own last value.
 fn is_shared(asked: Quantities) -> bool {
-    asked.have(Quantities::REACTIONS) && !asked.have(Quantities::GRIP)
+    asked.contains(Quantities::REACTIONS) && !asked.contains(Quantities::GRIP)
 }

@@ -115,7 +115,7 @@ impl<'a> Signals<'a> {
             largest: largest.collect(),
             is_lost: vec![false; list.len()],
             unseen: 0,
-            scratch: Scratch::of(layout),
+            scratch: Scratch::new(layout),
         }
     }
 

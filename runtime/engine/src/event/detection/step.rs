@@ -81,22 +81,22 @@ impl<'a> StepView<'a> {
     pub(super) fn sample(&self, theta: f64, asked: Quantities, sample: &mut Sample, scratch: &mut Scratch) {
         let Scratch { reduced, state, last_grip, .. } = scratch;
         self.reduced(theta, reduced);
-        if asked.have(Quantities::REACTIONS) {
+        if asked.contains(Quantities::REACTIONS) {
             self.phase.reactions(reduced, &mut sample.reactions);
         }
         if asked != Quantities::REACTIONS {
             self.phase.embed(reduced, state);
         }
-        if asked.have(Quantities::GAPS) {
+        if asked.contains(Quantities::GAPS) {
             self.phase.system().gaps(state, &mut sample.gaps);
         }
-        if asked.have(Quantities::FEET) {
+        if asked.contains(Quantities::FEET) {
             self.phase.system().feet(state, &mut sample.feet);
         }
-        if asked.have(Quantities::SLIPS) {
+        if asked.contains(Quantities::SLIPS) {
             self.phase.system().slips(state, &mut sample.slips);
         }
-        if asked.have(Quantities::GRIP) {
+        if asked.contains(Quantities::GRIP) {
             sample.grip = last_grip.value(self.context.system(), state, &self.closed, &sample.reactions);
         }
     }

@@ -20,9 +20,9 @@ pub(super) struct GapGuard {
     /// The foot of its corner.
     foot: Option<usize>,
     /// A corner beyond the end of its bar, which does not close before it has come back.
-    is_off: bool,
+    beyond_bar_end: bool,
     /// A corner below its bar, which it has come to from beyond the end: it closes only after it has come back.
-    has_passed: bool,
+    below_bar_past_end: bool,
     /// Where in the step it has gone below beyond the end.
     passes: Option<f64>,
     /// If it is zero at the start of the phase, the order of its first nonzero derivative.
@@ -37,8 +37,8 @@ impl GapGuard {
         Self {
             contact,
             foot,
-            is_off: status.off.contains(contact),
-            has_passed: status.passed.contains(contact),
+            beyond_bar_end: status.off.contains(contact),
+            below_bar_past_end: status.passed.contains(contact),
             passes: None,
             order,
             flight: order.and_then(LowFlight::begin),
@@ -49,62 +49,6 @@ impl GapGuard {
         let mut watch = Watch::new(Guard::Gap(contact), Quantities::GAPS, Self::new(contact, foot, status));
         watch.tracking.height = status.height(contact);
         watch
-    }
-
-    /// The first time that it closes with the foot of its corner, if it has one, under the bar. One that is negative beyond
-    /// the end of the bar is watched again once it has come back, as is one that starts there at zero and does not come under
-    /// the bar as it falls.
-    fn find_closure(
-        &self,
-        tracking: &Tracking,
-        step: &SampledStep<'_>,
-        findings: &mut Findings,
-        passes: &mut Option<f64>,
-    ) -> Result<Option<f64>, GuardError> {
-        let value = |theta: f64| self.value(step, theta);
-        let (source, bound) = tracking.trace(self, step, &value);
-        // Where a gap that never rose above its bound falls below it: the contact has closed somewhere before, and
-        // to say so at the start would stop the time.
-        let rounding = || {
-            let terms = step.evaluate(|view, scratch| view.terms(self.contact, scratch));
-            (ROUNDED * terms.max(step.scales.bounds.length)).min(0.5 * bound)
-        };
-        let sink = || source.first_root(0.0, Start::Free, (bound, rounding()));
-        let is_off = tracking.at_root
-            && self.is_off
-            && !sink()?.is_some_and(|theta| step.margin(self.foot, theta) > step.scales.end());
-        let is_below = (self.has_passed || self.is_off) && !tracking.at_root && source.first() < -bound;
-        let (mut from, mut below, mut advance) = (0.0, is_off || is_below, Advance::BEGUN);
-        while from < 1.0 {
-            if below {
-                match source.first_root(from, Start::Root, (0.0, bound))? {
-                    Some(theta) => from = theta,
-                    None => return Ok(None),
-                }
-            }
-            let start = if from > 0.0 { Start::Free } else { tracking.start() };
-            let known = self.order.filter(|_| start == Start::Root).map_or(start, Start::Order);
-            let touch = &mut |theta| findings.touches.push((theta, tracking.guard));
-            let mut fall = source.find_fall(bound, (from, known), Suppression::None, touch)?;
-            let is_low = tracking.height.is_finite();
-            if fall.is_none() && is_low && value(1.0) < 0.0 && value(1.0) < -rounding() {
-                // The end of a low flight is known much better than to its bound.
-                fall = source.first_root(from, start, (0.0, rounding()))?;
-            }
-            let landing =
-                |flight: &LowFlight| flight.find_landing(self.contact, step, (&value, fall.unwrap_or(1.0)));
-            let lands = self.flight.as_ref().map_or(Ok(None), landing)?;
-            let is_unseen = tracking.at_root && !is_off && fall == Some(0.0);
-            match if lands.is_none() && is_unseen { sink()? } else { lands.or(fall) } {
-                Some(theta) if step.is_under_bar(self.foot, theta) => return Ok(Some(theta)),
-                Some(theta) if theta < 1.0 => {
-                    (from, below) = (advance.behind(theta, from), true);
-                    *passes = passes.or(Some(theta));
-                }
-                _ => return Ok(None),
-            }
-        }
-        Ok(None)
     }
 }
 
@@ -127,16 +71,62 @@ impl Kind for GapGuard {
         }
     }
 
+    /// The first time that it closes with the foot of its corner, if it has one, under the bar. One that is negative beyond
+    /// the end of the bar is watched again once it has come back, as is one that starts there at zero and does not come under
+    /// the bar as it falls.
     fn find_event(
         &mut self,
         tracking: &Tracking,
         step: &SampledStep<'_>,
         findings: &mut Findings,
     ) -> Result<Option<f64>, GuardError> {
-        let mut passes = None;
-        let found = self.find_closure(tracking, step, findings, &mut passes);
-        self.passes = passes;
-        found
+        self.passes = None;
+        let contact = self.contact;
+        let value = |theta: f64| step.value(theta, Quantities::GAPS, |sample| sample.gaps[contact]);
+        let (source, bound) = tracking.trace(self, step, &value);
+        // Where a gap that never rose above its bound falls below it: the contact has closed somewhere before, and
+        // to say so at the start would stop the time.
+        let rounding = || {
+            let terms = step.evaluate(|view, scratch| view.terms(contact, scratch));
+            (ROUNDED * terms.max(step.scales.bounds.length)).min(0.5 * bound)
+        };
+        let sink = || source.first_root(0.0, Start::Free, (bound, rounding()));
+        let is_off = tracking.at_root
+            && self.beyond_bar_end
+            && !sink()?.is_some_and(|theta| step.margin(self.foot, theta) > step.scales.end());
+        let is_below =
+            (self.below_bar_past_end || self.beyond_bar_end) && !tracking.at_root && source.first() < -bound;
+        let (mut from, mut below, mut advance) = (0.0, is_off || is_below, Advance::BEGUN);
+        while from < 1.0 {
+            if below {
+                match source.first_root(from, Start::Root, (0.0, bound))? {
+                    Some(theta) => from = theta,
+                    None => return Ok(None),
+                }
+            }
+            let start = if from > 0.0 { Start::Free } else { tracking.start() };
+            let known = self.order.filter(|_| start == Start::Root).map_or(start, Start::Order);
+            let touch = &mut |theta| findings.touches.push((theta, tracking.guard));
+            let mut fall = source.find_fall(bound, (from, known), Suppression::None, touch)?;
+            let is_low = tracking.height.is_finite();
+            if fall.is_none() && is_low && value(1.0) < 0.0 && value(1.0) < -rounding() {
+                // The end of a low flight is known much better than to its bound.
+                fall = source.first_root(from, start, (0.0, rounding()))?;
+            }
+            let landing =
+                |flight: &LowFlight| flight.find_landing(contact, step, (&value, fall.unwrap_or(1.0)));
+            let lands = self.flight.as_ref().map_or(Ok(None), landing)?;
+            let is_unseen = tracking.at_root && !is_off && fall == Some(0.0);
+            match if lands.is_none() && is_unseen { sink()? } else { lands.or(fall) } {
+                Some(theta) if step.is_under_bar(self.foot, theta) => return Ok(Some(theta)),
+                Some(theta) if theta < 1.0 => {
+                    (from, below) = (advance.behind(theta, from), true);
+                    self.passes = self.passes.or(Some(theta));
+                }
+                _ => return Ok(None),
+            }
+        }
+        Ok(None)
     }
 
     fn may_arrive(&self, step: &SampledStep<'_>) -> bool {
@@ -145,10 +135,12 @@ impl Kind for GapGuard {
 
     fn end_step(&mut self, tracking: &Tracking, step: &SampledStep<'_>, end: f64) {
         let passes = self.passes.take();
-        self.has_passed = self.foot.is_some() && !tracking.is_above(self, step, end) && {
+        self.below_bar_past_end = self.foot.is_some() && !tracking.is_above(self, step, end) && {
             let value = self.value(step, end);
             let deep = value < -tracking.bound(self, step, &[]);
-            let came = self.has_passed || self.is_off && deep || passes.is_some_and(|theta| theta <= end);
+            let came = self.below_bar_past_end
+                || self.beyond_bar_end && deep
+                || passes.is_some_and(|theta| theta <= end);
             value < 0.0 && (came || step.margin(self.foot, end) <= step.scales.end())
         };
     }
@@ -159,8 +151,8 @@ impl Kind for GapGuard {
         self.flight = self.flight.filter(is_low).map(|flight| flight.follow(self.contact, step));
     }
 
-    fn has_passed(&self) -> bool {
-        self.has_passed
+    fn is_below_bar_past_end(&self) -> bool {
+        self.below_bar_past_end
     }
 
     fn may_have_crossed(&self, scales: &Scales<'_>, _: &[f64], gaps: &[f64]) -> bool {

@@ -72,7 +72,7 @@ pub(crate) trait Kind {
     fn leave_step(&mut self, _: &Tracking, _: &SampledStep<'_>) {}
 
     /// Whether it is a corner below its bar, which it has come to from beyond the end.
-    fn has_passed(&self) -> bool {
+    fn is_below_bar_past_end(&self) -> bool {
         false
     }
 
@@ -136,7 +136,7 @@ impl Tracking {
     /// It over the step, and the bound below which it counts as zero.
     pub(super) fn trace<'s>(
         &'s self,
-        kind: &'s (impl Kind + ?Sized),
+        kind: &(impl Kind + ?Sized),
         step: &'s SampledStep<'_>,
         value: &'s dyn Fn(f64) -> f64,
     ) -> (GuardSource<'s>, f64) {

@@ -286,7 +286,7 @@ impl Scene {
             slips: &SLIPS,
             roundings: Numbers::new(),
         };
-        tell(&SampledStep { view: &view, samples: &RefCell::new(Samples::of(&LAYOUT)), scales: &scales })
+        tell(&SampledStep { view: &view, samples: &RefCell::new(Samples::new(&LAYOUT)), scales: &scales })
     }
 
     /// How often reactions were evaluated since this was asked.

@@ -177,6 +177,6 @@ fn the_power_of_friction_is_told_where_nothing_else_works() {
     let mut scene = Scene::closed(ContactSet::EMPTY, |_| Shown::default());
     scene.context.model = smooth;
     let still = scene.dense([0.0, 1.0]);
-    let mut scratch = Scratch::of(scene.context.layout());
+    let mut scratch = Scratch::new(scene.context.layout());
     assert!(scene.view(&still).slips_at_rest(&mut scratch).is_none());
 }

@@ -27,15 +27,15 @@ fn a_gap_remembers_where_it_has_passed_its_bar() {
         let passes = guard.passes.expect("it passes");
         assert!((passes - 0.25).abs() < 1e-12, "{passes}");
         guard.end_step(&tracking, step, 1.0);
-        assert!(guard.has_passed() && guard.passes.is_none());
+        assert!(guard.is_below_bar_past_end() && guard.passes.is_none());
         // In a step that proves it above it has come back.
         tracking.is_clear = true;
         guard.end_step(&tracking, step, 1.0);
         tracking.is_clear = false;
-        assert!(!guard.has_passed());
+        assert!(!guard.is_below_bar_past_end());
         // Seen below beside the end of its bar.
         guard.end_step(&tracking, step, 0.375);
-        assert!(guard.has_passed());
+        assert!(guard.is_below_bar_past_end());
     });
     // Under its bar it may be zero at the end of a run.
     assert!(scene.look(|step| guard.may_arrive(step)));
