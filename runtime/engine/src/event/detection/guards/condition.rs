@@ -134,10 +134,10 @@ impl Kind for ConditionGuard<'_> {
         middle(sizes.collect()).map_or(least, |size| size.max(least))
     }
 
-    fn begin(&mut self, _: &Tracking, start: &SampledStep<'_>) -> bool {
+    fn begin(&mut self, start: &SampledStep<'_>) -> Option<bool> {
         let (value, size) = start.difference(0.0, self.condition);
-        value.abs() <= start.scales.bounds.relative * size
-            || value.abs() <= find_rounding(self.condition, start, &[0.0])
+        let is_equal = value.abs() <= start.scales.bounds.relative * size;
+        Some(is_equal || value.abs() <= find_rounding(self.condition, start, &[0.0]))
     }
 
     fn find_event(
@@ -145,7 +145,7 @@ impl Kind for ConditionGuard<'_> {
         tracking: &Tracking,
         step: &SampledStep<'_>,
         findings: &mut Findings,
-    ) -> Result<Option<f64>, GuardError> {
+    ) -> Option<Result<Option<f64>, GuardError>> {
         let search = Search {
             condition: self.condition,
             step,
@@ -157,7 +157,7 @@ impl Kind for ConditionGuard<'_> {
         };
         let found = self.find_met(&search, tracking);
         findings.undecided = search.undecided.get();
-        found
+        Some(found)
     }
 
     fn may_arrive(&self, _: &SampledStep<'_>) -> bool {

@@ -41,11 +41,11 @@ impl Kind for DriveGuard {
         tracking: &Tracking,
         step: &SampledStep<'_>,
         _: &mut Findings,
-    ) -> Result<Option<f64>, GuardError> {
+    ) -> Option<Result<Option<f64>, GuardError>> {
         let value = |theta: f64| self.value(step, theta);
         let (source, bound) = tracking.trace(self, step, &value);
         let known = self.sign.filter(|_| !tracking.at_root).map(|positive| Start::Continues { positive });
-        source.first_root(0.0, known.unwrap_or(tracking.start()), (0.0, bound))
+        Some(source.first_root(0.0, known.unwrap_or(tracking.start()), (0.0, bound)))
     }
 
     fn leave_step(&mut self, _: &Tracking, step: &SampledStep<'_>) {
@@ -71,7 +71,9 @@ mod tests {
             let tracking = DriveGuard::watch(DRIVE, &roles(ContactSet::EMPTY)).tracking;
             let mut guard = DriveGuard { contact: DRIVE, sign: None };
             let find = |guard: &mut DriveGuard| {
-                scene.look(|step| guard.find_event(&tracking, step, &mut Findings::default()))
+                scene.look(|step| {
+                    guard.find_event(&tracking, step, &mut Findings::default()).expect("its own")
+                })
             };
             let at = find(&mut guard);
             assert!(at.is_ok_and(|at| at.is_some_and(|at| (at - 0.5).abs() < 1e-12)), "{at:?}");

@@ -50,31 +50,11 @@ impl GapGuard {
         watch.tracking.height = status.height(contact);
         watch
     }
-}
-
-impl Kind for GapGuard {
-    fn value(&self, step: &SampledStep<'_>, theta: f64) -> f64 {
-        step.value(theta, Quantities::GAPS, |sample| sample.gaps[self.contact])
-    }
-
-    fn size(&self, step: &SampledStep<'_>, _: &[f64]) -> f64 {
-        step.scales.size_of_gap(self.contact)
-    }
-
-    fn series<'s>(&self, view: &'s StepView<'_>) -> Option<&'s [f64]> {
-        view.guards.map(|guards| guards.gap(self.contact))
-    }
-
-    fn begin_step(&mut self, view: &StepView<'_>, _: &mut Vec<f64>) {
-        if view.is_fitted() {
-            self.order = None;
-        }
-    }
 
     /// The first time that it closes with the foot of its corner, if it has one, under the bar. One that is negative beyond
     /// the end of the bar is watched again once it has come back, as is one that starts there at zero and does not come under
     /// the bar as it falls.
-    fn find_event(
+    fn find_closure(
         &mut self,
         tracking: &Tracking,
         step: &SampledStep<'_>,
@@ -127,6 +107,35 @@ impl Kind for GapGuard {
             }
         }
         Ok(None)
+    }
+}
+
+impl Kind for GapGuard {
+    fn value(&self, step: &SampledStep<'_>, theta: f64) -> f64 {
+        step.value(theta, Quantities::GAPS, |sample| sample.gaps[self.contact])
+    }
+
+    fn size(&self, step: &SampledStep<'_>, _: &[f64]) -> f64 {
+        step.scales.size_of_gap(self.contact)
+    }
+
+    fn series<'s>(&self, view: &'s StepView<'_>) -> Option<&'s [f64]> {
+        view.guards.map(|guards| guards.gap(self.contact))
+    }
+
+    fn begin_step(&mut self, view: &StepView<'_>, _: &mut Vec<f64>) {
+        if view.is_fitted() {
+            self.order = None;
+        }
+    }
+
+    fn find_event(
+        &mut self,
+        tracking: &Tracking,
+        step: &SampledStep<'_>,
+        findings: &mut Findings,
+    ) -> Option<Result<Option<f64>, GuardError>> {
+        Some(self.find_closure(tracking, step, findings))
     }
 
     fn may_arrive(&self, step: &SampledStep<'_>) -> bool {

@@ -1,6 +1,6 @@
 //! The friction force of a contact that sticks.
 
-use super::watch::{Kind, Tracking, Watch};
+use super::watch::{Kind, Watch};
 use crate::event::detection::guard_source::Suppression;
 use crate::event::detection::sample::Quantities;
 use crate::event::detection::sampled_step::SampledStep;
@@ -39,9 +39,9 @@ impl Kind for LimitGuard {
         step.scales.forces[self.rub.contact]
     }
 
-    fn begin(&mut self, tracking: &Tracking, start: &SampledStep<'_>) -> bool {
+    fn begin(&mut self, start: &SampledStep<'_>) -> Option<bool> {
         self.coefficient = start.value(0.0, Self::ASKED, |sample| sample.slips[self.rub.friction].limit);
-        tracking.is_zero(self, start, 0.0)
+        None
     }
 
     fn begin_step(&mut self, view: &StepView<'_>, series: &mut Vec<f64>) {

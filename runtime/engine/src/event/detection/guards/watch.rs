@@ -34,25 +34,23 @@ pub(crate) trait Kind {
         None
     }
 
-    /// Whether it is zero at the start of the phase, given a dense output at rest there.
-    fn begin(&mut self, tracking: &Tracking, start: &SampledStep<'_>) -> bool {
-        tracking.is_zero(self, start, 0.0)
+    /// Takes note of a dense output at rest at the start of the phase; tells whether it is zero there,
+    /// where another bound than its usual one tells it.
+    fn begin(&mut self, _: &SampledStep<'_>) -> Option<bool> {
+        None
     }
 
     /// Takes note of a step before it is looked at; writes a series that follows from others that the method has.
     fn begin_step(&mut self, _: &StepView<'_>, _series: &mut Vec<f64>) {}
 
-    /// Its first event in (0, 1].
+    /// Its first event in (0, 1], where that is another than its first fall.
     fn find_event(
         &mut self,
-        tracking: &Tracking,
-        step: &SampledStep<'_>,
-        findings: &mut Findings,
-    ) -> Result<Option<f64>, GuardError> {
-        let value = |theta: f64| self.value(step, theta);
-        let (source, bound) = tracking.trace(self, step, &value);
-        let touch = &mut |theta| findings.touches.push((theta, tracking.guard));
-        source.find_fall(bound, (0.0, tracking.start()), tracking.suppression, touch)
+        _: &Tracking,
+        _: &SampledStep<'_>,
+        _: &mut Findings,
+    ) -> Option<Result<Option<f64>, GuardError>> {
+        None
     }
 
     /// Whether it may count as zero at the end of the last step, where it has fallen into its bound.
@@ -108,35 +106,44 @@ impl Tracking {
         if self.at_root { Start::Root } else { Start::Free }
     }
 
-    pub(super) fn series<'s>(
-        &'s self,
-        kind: &(impl Kind + ?Sized),
-        view: &'s StepView<'_>,
-    ) -> Option<&'s [f64]> {
+    pub(super) fn series<'s>(&'s self, kind: &dyn Kind, view: &'s StepView<'_>) -> Option<&'s [f64]> {
         if self.series.is_empty() { kind.series(view) } else { Some(&self.series) }
     }
 
     /// What counts as zero.
-    pub(super) fn bound(&self, kind: &(impl Kind + ?Sized), step: &SampledStep<'_>, at: &[f64]) -> f64 {
+    pub(super) fn bound(&self, kind: &dyn Kind, step: &SampledStep<'_>, at: &[f64]) -> f64 {
         (step.scales.bounds.relative * kind.size(step, at)).min(self.height * LOW)
     }
 
     /// Whether it is within its bound.
-    pub(super) fn is_zero(&self, kind: &(impl Kind + ?Sized), step: &SampledStep<'_>, theta: f64) -> bool {
+    pub(super) fn is_zero(&self, kind: &dyn Kind, step: &SampledStep<'_>, theta: f64) -> bool {
         kind.value(step, theta).abs() <= self.bound(kind, step, &[theta])
     }
 
     /// Whether its series tells that it is above its bound, however much of that its error takes.
-    pub(super) fn is_above(&self, kind: &(impl Kind + ?Sized), step: &SampledStep<'_>, theta: f64) -> bool {
+    pub(super) fn is_above(&self, kind: &dyn Kind, step: &SampledStep<'_>, theta: f64) -> bool {
         let series = || self.series(kind, step.view).filter(|_| self.has_series);
         let at = |c: &[f64]| c.iter().rev().fold(0.0, |sum, c| sum * theta + c);
         self.is_clear || series().is_some_and(|c| at(c) > (1.0 + EXACT) * self.bound(kind, step, &[]))
     }
 
+    /// Its first fall through zero.
+    fn find_fall(
+        &self,
+        kind: &dyn Kind,
+        step: &SampledStep<'_>,
+        findings: &mut Findings,
+    ) -> Result<Option<f64>, GuardError> {
+        let value = |theta: f64| kind.value(step, theta);
+        let (source, bound) = self.trace(kind, step, &value);
+        let touch = &mut |theta| findings.touches.push((theta, self.guard));
+        source.find_fall(bound, (0.0, self.start()), self.suppression, touch)
+    }
+
     /// It over the step, and the bound below which it counts as zero.
     pub(super) fn trace<'s>(
         &'s self,
-        kind: &(impl Kind + ?Sized),
+        kind: &dyn Kind,
         step: &'s SampledStep<'_>,
         value: &'s dyn Fn(f64) -> f64,
     ) -> (GuardSource<'s>, f64) {
@@ -187,7 +194,8 @@ impl<'a> Watch<'a> {
             // A flight that begins so deep has its ground there.
             tracking.height = tracking.height.max(2.0 * (-kind.value(start, 0.0)).max(0.0) / LOW);
         }
-        tracking.at_root = kind.begin(tracking, start);
+        let told = kind.begin(start);
+        self.tracking.at_root = told.unwrap_or_else(|| self.is_zero(start, 0.0));
     }
 
     /// What its series proves of it in a step.
@@ -230,7 +238,12 @@ impl<'a> Watch<'a> {
         step: &SampledStep<'_>,
         findings: &mut Findings,
     ) -> Result<Option<f64>, GuardError> {
-        if self.tracking.is_clear { Ok(None) } else { self.kind.find_event(&self.tracking, step, findings) }
+        let Self { kind, tracking } = self;
+        if tracking.is_clear {
+            return Ok(None);
+        }
+        let own = kind.find_event(tracking, step, findings);
+        own.unwrap_or_else(|| tracking.find_fall(&**kind, step, findings))
     }
 
     /// The same in a step that cannot be made shorter, as far as its samples show it.
