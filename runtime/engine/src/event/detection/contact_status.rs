@@ -14,8 +14,8 @@ pub(crate) struct ContactStatus<'a> {
     pub(crate) off: ContactSet,
     /// Open contacts below their bars, which they have come to from beyond the ends.
     pub(crate) passed: ContactSet,
-    /// Closed contacts whose reaction or slip velocity is zero, or whose friction force is at its limit, and that have just been
-    /// decided to go on as they are.
+    /// Closed contacts whose reaction or slip velocity is zero, or whose friction force is at its
+    /// limit, and that have just been decided to go on as they are.
     pub(crate) kept: ContactSet,
     /// Closed contacts with friction that share their load.
     pub(crate) grip: Grip,

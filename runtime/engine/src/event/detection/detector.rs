@@ -31,7 +31,8 @@ pub(crate) struct EventDetector<'a> {
 }
 
 impl<'a> EventDetector<'a> {
-    /// Of a phase in which the contacts of a set bear; with each condition that is located whether it arms or disarms.
+    /// Of a phase in which the contacts of a set bear; with each condition that is located whether
+    /// it arms or disarms.
     pub(crate) fn new(
         layout: &'static Layout,
         set: ContactSet,
@@ -50,20 +51,23 @@ impl<'a> EventDetector<'a> {
         }
     }
 
-    /// From now on the guard that was not resolved is taken for noise where it turns too often to be followed.
+    /// From now on the guard that was not resolved is taken for noise where it turns too often to
+    /// be followed.
     pub(crate) fn expect_noise(&mut self) {
         let noisy = |watch: &&mut Watch<'_>| self.unresolved == Some(watch.tracking.guard);
         self.list.iter_mut().filter(noisy).for_each(|watch| watch.tracking.is_noisy = true);
     }
 
-    /// The power of friction at the nodes of the last step, where all of it is known from the guards.
+    /// The power of friction at the nodes of the last step, where all of it is known from the
+    /// guards.
     pub(crate) fn friction_powers(&self) -> Option<[f64; NODES.len()]> {
         let (at_rest, samples) = (self.at_rest.as_deref()?, self.samples.borrow());
         let nodes = samples.at_nodes(Quantities::REACTIONS.and(Quantities::SLIPS))?;
         Some(nodes.each_ref().map(|node| compute_friction_power(self.scales.layout, node, at_rest)))
     }
 
-    /// The work of friction over a step up to `end`, where the method has the series of all that it takes.
+    /// The work of friction over a step up to `end`, where the method has the series of all that it
+    /// takes.
     pub(crate) fn friction_work(&self, step: &StepView<'_>, end: f64) -> Option<f64> {
         let Scales { bounds: Bounds { relative, .. }, layout, forces, slips, .. } = self.scales;
         step.friction_work(end, self.at_rest.as_deref()?, &|contact, [force, slip], at_rest| {
@@ -86,8 +90,8 @@ impl<'a> EventDetector<'a> {
         self.undecided
     }
 
-    /// Whether a reaction or gap that touches zero may as well have crossed it: at the touch it differs from zero by more than
-    /// rounding, yet by less than its bound.
+    /// Whether a reaction or gap that touches zero may as well have crossed it: at the touch it
+    /// differs from zero by more than rounding, yet by less than its bound.
     pub(crate) fn is_undecided(&self, guard: Guard, reactions: &[f64], gaps: &[f64]) -> bool {
         let watch = self.list.iter().find(|watch| watch.tracking.guard == guard);
         watch.is_some_and(|watch| watch.kind.may_have_crossed(&self.scales, reactions, gaps))
@@ -114,7 +118,8 @@ impl<'a> EventDetector<'a> {
         self.list.is_empty()
     }
 
-    /// Marks the guards that are zero at the start of the phase as known roots; `start` is a dense output at rest there.
+    /// Marks the guards that are zero at the start of the phase as known roots; `start` is a dense
+    /// output at rest there.
     pub(crate) fn begin(&mut self, start: &StepView<'_>) {
         let least = self.least_bound();
         let Self { list, scales, samples, at_rest, .. } = self;
@@ -133,7 +138,8 @@ impl<'a> EventDetector<'a> {
         list.iter_mut().for_each(|watch| watch.begin(step));
     }
 
-    /// The height of the lowest flight that the phase begins with; zero if a guard is zero there of which nothing is known.
+    /// The height of the lowest flight that the phase begins with; zero if a guard is zero there of
+    /// which nothing is known.
     pub(crate) fn lowest_flight(&self) -> f64 {
         let zero = self.list.iter().filter(|watch| watch.tracking.at_root).map(|watch| watch.tracking.height);
         zero.map(|height| if height.is_finite() { height } else { 0.0 }).reduce(f64::min).unwrap_or(0.0)
@@ -152,8 +158,8 @@ impl<'a> EventDetector<'a> {
         passed.filter_map(|watch| watch.tracking.guard.contact()).collect()
     }
 
-    /// Everything in (0, 1] up to the first event. On the last step a guard that has fallen to zero within rounding at its end
-    /// counts as well: no later step would find it.
+    /// Everything in (0, 1] up to the first event. On the last step a guard that has fallen to zero
+    /// within rounding at its end counts as well: no later step would find it.
     pub(crate) fn examine(&mut self, view: &StepView<'_>, is_last: bool) -> Result<StepEvents, GuardError> {
         self.begin_step(view);
         let Self { list, scales, samples, unresolved, undecided, .. } = self;
@@ -190,8 +196,8 @@ impl<'a> EventDetector<'a> {
         Ok(StepEvents { touches, first })
     }
 
-    /// Proves of guards by their series that nothing happens to them in a step, as far as they tell, and evaluates the others at its
-    /// nodes.
+    /// Proves of guards by their series that nothing happens to them in a step, as far as they
+    /// tell, and evaluates the others at its nodes.
     pub(super) fn begin_step(&mut self, view: &StepView<'_>) {
         let least = self.least_bound();
         let Self { list, scales, samples, .. } = self;

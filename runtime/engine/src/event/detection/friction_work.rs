@@ -6,12 +6,14 @@ use crate::context::{Numbers, RunContext, slips};
 use crate::model::Layout;
 use crate::numerics::root_isolation::{TERMS, without_zeros};
 
-/// Whether the series of a contact's friction force and slip velocity are exact enough, given its slip velocity without rates.
+/// Whether the series of a contact's friction force and slip velocity are exact enough, given its
+/// slip velocity without rates.
 type Judge<'a> = dyn Fn(usize, [&[f64]; 2], f64) -> bool + 'a;
 
 impl StepView<'_> {
-    /// Slip velocities without rates, where friction is all that works on the model and its reactions are those of the phase:
-    /// they are the same at all times, since what moves with time works too.
+    /// Slip velocities without rates, where friction is all that works on the model and its
+    /// reactions are those of the phase: they are the same at all times, since what moves with time
+    /// works too.
     pub(super) fn slips_at_rest(&self, scratch: &mut Scratch) -> Option<Numbers> {
         let has_friction = !self.context.layout().frictions.is_empty();
         let tells = has_friction && self.closed == self.phase.info().set && !self.context.is_worked_on();
@@ -23,8 +25,8 @@ impl StepView<'_> {
         })
     }
 
-    /// The work of friction up to θ = `end`, ∫ R (v − v°) dt, where `is_exact` holds for the series of the forces and of the
-    /// velocities of all contacts.
+    /// The work of friction up to θ = `end`, ∫ R (v − v°) dt, where `is_exact` holds for the series
+    /// of the forces and of the velocities of all contacts.
     pub(super) fn friction_work(&self, end: f64, at_rest: &[f64], is_exact: &Judge<'_>) -> Option<f64> {
         let (guards, contacts) = (self.guards?, self.context.layout().contacts.len());
         let mut work = 0.0;
@@ -61,7 +63,8 @@ fn slip_velocities_at_rest(context: &RunContext, state: &[f64]) -> Numbers {
     slips(context.system(), &still).iter().map(|slip| slip.velocity).collect()
 }
 
-/// The power of friction of a sample, Σ R J_t u, where J_t u is what rates add to the slip velocity that is there without them.
+/// The power of friction of a sample, Σ R J_t u, where J_t u is what rates add to the slip velocity
+/// that is there without them.
 pub(super) fn compute_friction_power(layout: &Layout, sample: &Sample, at_rest: &[f64]) -> f64 {
     let forces = sample.reactions[layout.contacts.len()..].iter().zip(sample.slips.iter().zip(at_rest));
     forces.map(|(force, (slip, at_rest))| force * (slip.velocity - at_rest)).sum()

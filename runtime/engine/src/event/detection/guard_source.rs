@@ -1,4 +1,5 @@
-//! One guard over a step: its own series where the method has it to well within the error bound, else its values.
+//! One guard over a step: its own series where the method has it to well within the error bound,
+//! else its values.
 
 use super::advance::Advance;
 use crate::numerics::root_isolation::{self, Accuracy, Crossing, GuardError, Root, Start};
@@ -11,8 +12,8 @@ pub(super) fn is_exact(series: &[f64], bound: f64) -> bool {
     root_isolation::tail(series) <= EXACT * bound
 }
 
-/// Whether a series proves that the guard stays above its bound: by much more than its own error. One that counts as the guard is
-/// looked at again where the cheapest bound does not prove it.
+/// Whether a series proves that the guard stays above its bound: by much more than its own error.
+/// One that counts as the guard is looked at again where the cheapest bound does not prove it.
 pub(super) fn is_clear(series: &[f64], bound: f64) -> bool {
     let level = bound.max(root_isolation::tail(series) / EXACT);
     root_isolation::stays_above(series, level) || level > bound && root_isolation::is_above(series, level)
@@ -33,7 +34,8 @@ pub(crate) enum Suppression {
 pub(crate) enum GuardSource<'a> {
     /// Σ cₖ θᵏ.
     Series(&'a [f64]),
-    /// Values, the largest of which are so large; whether they are taken for noise where no fit resolves them.
+    /// Values, the largest of which are so large; whether they are taken for noise where no fit
+    /// resolves them.
     Values { value: &'a dyn Fn(f64) -> f64, size: f64, is_noisy: bool },
 }
 
@@ -73,8 +75,8 @@ impl GuardSource<'_> {
         })
     }
 
-    /// The first fall through zero behind `from`; `touch` is told where it goes on behind zeros that
-    /// are only touched.
+    /// The first fall through zero behind `from`; `touch` is told where it goes on behind zeros
+    /// that are only touched.
     pub(super) fn find_fall(
         &self,
         bound: f64,

@@ -23,7 +23,8 @@ pub(crate) struct Scales<'a> {
     pub(super) forces: &'a [f64],
     /// The natural slip velocity of each contact with friction.
     pub(super) slips: &'a [f64],
-    /// What rounding makes of each gap in the step, in its own unit; none where that is less than any of their bounds.
+    /// What rounding makes of each gap in the step, in its own unit; none where that is less than
+    /// any of their bounds.
     pub(super) roundings: Numbers,
 }
 
@@ -44,7 +45,8 @@ impl Scales<'_> {
         gap <= self.bounds.relative.max(SEEN) * self.bounds.length
     }
 
-    /// Whether what touches zero with a value may as well have crossed it: it differs from zero by more than rounding.
+    /// Whether what touches zero with a value may as well have crossed it: it differs from zero by
+    /// more than rounding.
     pub(super) fn may_cross(&self, value: f64, size: f64) -> bool {
         value.abs() > CERTAIN * self.bounds.relative * size
     }

@@ -1,6 +1,6 @@
-//! Samples of a phase in its steps. Each place is evaluated once for all that asks for it: the nodes
-//! of the fits at the beginning of a step, and in a phase with multipliers, where reactions are
-//! solutions of the augmented equations, each place between them.
+//! Samples of a phase in its steps. Each place is evaluated once for all that asks for it: the
+//! nodes of the fits at the beginning of a step, and in a phase with multipliers, where reactions
+//! are solutions of the augmented equations, each place between them.
 
 use std::collections::HashMap;
 
@@ -24,7 +24,8 @@ pub(crate) struct Samples {
     /// The reduced states at the start of this step and at the end of the last one.
     start: Numbers,
     end: Numbers,
-    /// What is evaluated between the nodes for all that follows from reactions, and its samples by place.
+    /// What is evaluated between the nodes for all that follows from reactions, and its samples by
+    /// place.
     between_nodes: Quantities,
     between: HashMap<u64, Sample>,
     /// At a place that is not kept.

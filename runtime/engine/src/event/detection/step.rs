@@ -24,9 +24,11 @@ pub(crate) struct StepView<'a> {
     pub(super) dense: &'a DenseOutput,
     /// The series of the guards: the method's own, or what the dense output makes of them.
     pub(super) guards: Option<Guards<'a>>,
-    /// Whether they are the dense output's: what is known to vanish at the start does so only to within its error.
+    /// Whether they are the dense output's: what is known to vanish at the start does so only to
+    /// within its error.
     is_fitted: bool,
-    /// The entries of the full state that the dense output is a polynomial of; none where it is no step.
+    /// The entries of the full state that the dense output is a polynomial of; none where it is no
+    /// step.
     kept: &'a [usize],
     /// Whether it is a step across a singular position.
     is_bridge: bool,
@@ -62,7 +64,8 @@ impl<'a> StepView<'a> {
         self.is_fitted
     }
 
-    /// The same across a singular position: it cannot be made shorter, and reactions are not determined within.
+    /// The same across a singular position: it cannot be made shorter, and reactions are not
+    /// determined within.
     pub(crate) fn across(self) -> Self {
         Self { is_bridge: true, ..self }
     }
@@ -101,7 +104,8 @@ impl<'a> StepView<'a> {
         }
     }
 
-    /// What rounding makes of each gap at the end, if a coordinate of the phase has become so large that it may be more than `bound`.
+    /// What rounding makes of each gap at the end, if a coordinate of the phase has become so large
+    /// that it may be more than `bound`.
     pub(super) fn roundings(&self, bound: f64, scratch: &mut Scratch) -> Option<Numbers> {
         let coordinates =
             self.phase.kept().iter().copied().zip(self.dense.end()).take(self.phase.info().coordinates);
@@ -124,8 +128,8 @@ impl<'a> StepView<'a> {
         condition.difference(self.context, self.point(theta, scratch))
     }
 
-    /// What rounding may make of the difference of a condition's sides at θ where they are equal; zero where that is no
-    /// number.
+    /// What rounding may make of the difference of a condition's sides at θ where they are equal;
+    /// zero where that is no number.
     pub(super) fn rounding(&self, theta: f64, condition: &Condition, scratch: &mut Scratch) -> f64 {
         let rounding = condition.rounding(self.context, self.point(theta, scratch));
         if rounding.is_finite() { rounding } else { 0.0 }
@@ -173,7 +177,8 @@ impl<'a> StepView<'a> {
         condition.enclosure(&self.context.model.parameters, &leaf)
     }
 
-    /// The series of the guards, for a contact that is one of the phase: what is closed because others are has none.
+    /// The series of the guards, for a contact that is one of the phase: what is closed because
+    /// others are has none.
     pub(super) fn own_guards(&self, contact: usize) -> Option<Guards<'_>> {
         self.guards.filter(|_| self.phase.info().set.contains(contact))
     }
@@ -201,7 +206,8 @@ impl<'a> StepView<'a> {
         Some(Smooth::polynomial(&mut |theta| at(theta), degree, rounding))
     }
 
-    /// The series of a condition's sides, if they follow from those of what the method has: the motion itself is a polynomial.
+    /// The series of a condition's sides, if they follow from those of what the method has: the
+    /// motion itself is a polynomial.
     pub(super) fn sides(&self, condition: &Condition) -> Option<Sides> {
         condition.sides(&self.context.model.parameters, &|known, terms| match known {
             Known::Coordinate { index, order } => self.dense.polynomial(self.place(index, order)?, terms),

@@ -19,28 +19,33 @@ use smallvec::SmallVec;
 /// Halvings of a piece: to the spacing of doubles.
 const HALVINGS: usize = 53;
 
-/// Beside a root values are smaller than this part of those at the ends of its piece, beside a pole larger.
+/// Beside a root values are smaller than this part of those at the ends of its piece, beside a pole
+/// larger.
 const NEAR: f64 = 0.01;
 
-/// Values within a shortest piece; a function without poles differs there from a line by less than this part of its ends, one
-/// with a pole of even order is greater than at its lesser end by this factor.
+/// Values within a shortest piece; a function without poles differs there from a line by less than
+/// this part of its ends, one with a pole of even order is greater than at its lesser end by this
+/// factor.
 const LOOKS: u32 = 64;
 const FLAT: f64 = 1e-3;
 const POLE: f64 = 8.0;
 
-/// A condition is evaluated so often in a step at most, or bounded over a piece of it. Beyond, it is undecided whether it is met
-/// there, and less is tried in the steps that follow, but at least so much.
+/// A condition is evaluated so often in a step at most, or bounded over a piece of it. Beyond, it
+/// is undecided whether it is met there, and less is tried in the steps that follow, but at least
+/// so much.
 const PATIENCE: u32 = 100_000;
 const LEAST_PATIENCE: u32 = 256;
 
-/// An equation is met at an event that precedes its root by this part of the step: both may be about the same quantity, which the
-/// event then keeps at zero, located by different means.
+/// An equation is met at an event that precedes its root by this part of the step: both may be
+/// about the same quantity, which the event then keeps at zero, located by different means.
 const TOGETHER: f64 = 1e-12;
 
-/// What a condition reads is fitted to this part of it at least, and to its error bound where that is less.
+/// What a condition reads is fitted to this part of it at least, and to its error bound where that
+/// is less.
 const FINEST: f64 = 1e-10;
 
-/// A difference of this part of what it is at the end of the step is rounding; soon after the start it has its sign.
+/// A difference of this part of what it is at the end of the step is rounding; soon after the start
+/// it has its sign.
 const ROUNDED: f64 = 1e-6;
 const SOON: f64 = 1e-3;
 
@@ -222,8 +227,8 @@ impl Search<'_> {
         if self.may_spend() { self.difference(theta) } else { f64::NAN }
     }
 
-    /// Whether an equality is met at a root: where the sides only come near each other, they are equal but for rounding. Within the
-    /// error bound it is undecided.
+    /// Whether an equality is met at a root: where the sides only come near each other, they are
+    /// equal but for rounding. Within the error bound it is undecided.
     fn counts(&self, root: Root) -> bool {
         let size =
             || [0.0, 0.5, 1.0].map(|theta| self.difference(theta).abs()).into_iter().fold(0.0, f64::max);
@@ -235,8 +240,9 @@ impl Search<'_> {
         is_met
     }
 
-    /// Whether the condition holds from the start of a phase on, which begins with its sides equal but for rounding: an event at the
-    /// same place, a slip that is reversed, may have hidden that it became true.
+    /// Whether the condition holds from the start of a phase on, which begins with its sides equal
+    /// but for rounding: an event at the same place, a slip that is reversed, may have hidden that
+    /// it became true.
     fn holds_from_zero(&self) -> bool {
         let [first, soon, last] = [0.0, SOON, 1.0].map(|theta| self.difference(theta));
         let holds = |difference: f64| match self.condition.relation() {
@@ -269,8 +275,9 @@ impl Search<'_> {
         of_values(self.condition, &value, (start, accuracy), &counts)
     }
 
-    /// What the condition reads: polynomials of the step where it has them, others fitted more closely than to their error, so
-    /// that arguments of steep functions are told apart; none if something has no polynomial that fits it.
+    /// What the condition reads: polynomials of the step where it has them, others fitted more
+    /// closely than to their error, so that arguments of steep functions are told apart; none if
+    /// something has no polynomial that fits it.
     fn leaves(&self) -> Result<Option<Leaves>, GuardError> {
         let mut leaves = Leaves::new();
         for variable in self.condition.reads() {
@@ -288,8 +295,8 @@ impl Search<'_> {
         Ok(Some(leaves))
     }
 
-    /// By bounds over pieces of the step; only what they leave open is looked into. Of one that arms or disarms a passage through a
-    /// pole counts.
+    /// By bounds over pieces of the step; only what they leave open is looked into. Of one that
+    /// arms or disarms a passage through a pole counts.
     fn find_by_pieces(
         &self,
         leaves: &Leaves,
@@ -362,7 +369,8 @@ fn of_values(
     find_first(condition, &GuardSource::Values { value, size: 0.0, is_noisy }, (start, delta), counts)
 }
 
-/// Whether a condition that compares was false up to a step, before its sides came so near that they may be equal.
+/// Whether a condition that compares was false up to a step, before its sides came so near that
+/// they may be equal.
 fn was_false(condition: &Condition, sign: Option<bool>) -> bool {
     match condition.relation() {
         Relation::Equal => false,
@@ -371,8 +379,9 @@ fn was_false(condition: &Condition, sign: Option<bool>) -> bool {
     }
 }
 
-/// Whether the values in a shortest piece may hide a root: they have the same sign at both ends, and do not lie on a line as
-/// those of a function without a pole do, or grow from both sides as towards a pole of even order.
+/// Whether the values in a shortest piece may hide a root: they have the same sign at both ends,
+/// and do not lie on a line as those of a function without a pole do, or grow from both sides as
+/// towards a pole of even order.
 fn may_hide(value: &dyn Fn(f64) -> f64, known: Bounded) -> bool {
     let [first, last] = [value(0.0), value(1.0)];
     if first * last <= 0.0 || !(first.is_finite() && last.is_finite()) {
@@ -389,7 +398,8 @@ fn may_hide(value: &dyn Fn(f64) -> f64, known: Bounded) -> bool {
     (known == Bounded::Pole || bent > FLAT * size) && most < POLE * least
 }
 
-/// Whether the values at the ends of a piece are on different sides of zero; none where one is within its bound.
+/// Whether the values at the ends of a piece are on different sides of zero; none where one is
+/// within its bound.
 fn passed(value: &dyn Fn(f64) -> f64, bound: f64) -> Option<bool> {
     let [first, last] = [value(0.0), value(1.0)];
     (first.abs() > bound && last.abs() > bound).then_some(first * last < 0.0)
@@ -415,8 +425,8 @@ fn halved(value: &dyn Fn(f64) -> f64) -> [f64; 2] {
     [low, high]
 }
 
-/// Where the values at the ends of a piece are beyond their bound on different sides, and become so through zero, not a pole:
-/// what is lost in the rounding of a steep function.
+/// Where the values at the ends of a piece are beyond their bound on different sides, and become so
+/// through zero, not a pole: what is lost in the rounding of a steep function.
 fn changed(condition: &Condition, value: &dyn Fn(f64) -> f64, bound: f64) -> Option<f64> {
     if !(passed(value, bound)? && is_wanted(condition, value)) {
         return None;
@@ -430,8 +440,9 @@ fn is_near(value: &dyn Fn(f64) -> f64, at: f64, bound: f64) -> bool {
     value(at).abs() <= bound.max(NEAR * value(0.0).abs().min(value(1.0).abs()))
 }
 
-/// How a later piece begins: at the root that is known at the start of the step, until the condition has left it, or at one that a
-/// comparison, false on the side that it was on before, has come to between the pieces.
+/// How a later piece begins: at the root that is known at the start of the step, until the
+/// condition has left it, or at one that a comparison, false on the side that it was on before, has
+/// come to between the pieces.
 fn after(condition: &Condition, before: Start, (side, value): (Option<bool>, f64), bound: f64) -> Start {
     match before {
         Start::Root if value.abs() <= bound => Start::Root,
@@ -487,8 +498,8 @@ fn vanishes(
     Ok(None)
 }
 
-/// Where a difference first falls through zero: from a known root, or from above, to which it may have to rise first. What only
-/// touches zero has not fallen.
+/// Where a difference first falls through zero: from a known root, or from above, to which it may
+/// have to rise first. What only touches zero has not fallen.
 fn falls(difference: &GuardSource<'_>, start: Start, bound: f64) -> Result<Option<f64>, GuardError> {
     let (mut from, mut begins, mut advance) = (0.0, start, Advance::BEGUN);
     while from < 1.0 {

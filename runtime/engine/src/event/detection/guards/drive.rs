@@ -59,7 +59,8 @@ mod tests {
     use crate::event::detection::tests::given::*;
     use crate::model::ContactSet;
 
-    /// A gap of ±(0.5 − t) that begins beyond its bound, and one that the last step has left on the other side of zero.
+    /// A gap of ±(0.5 − t) that begins beyond its bound, and one that the last step has left on the
+    /// other side of zero.
     #[test]
     fn a_gap_of_a_drive_continues_with_its_sign() {
         for sign in [1.0, -1.0] {

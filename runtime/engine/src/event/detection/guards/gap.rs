@@ -21,7 +21,8 @@ pub(super) struct GapGuard {
     foot: Option<usize>,
     /// A corner beyond the end of its bar, which does not close before it has come back.
     beyond_bar_end: bool,
-    /// A corner below its bar, which it has come to from beyond the end: it closes only after it has come back.
+    /// A corner below its bar, which it has come to from beyond the end: it closes only after it
+    /// has come back.
     below_bar_past_end: bool,
     /// Where in the step it has gone below beyond the end.
     passes: Option<f64>,
@@ -51,9 +52,9 @@ impl GapGuard {
         watch
     }
 
-    /// The first time that it closes with the foot of its corner, if it has one, under the bar. One that is negative beyond
-    /// the end of the bar is watched again once it has come back, as is one that starts there at zero and does not come under
-    /// the bar as it falls.
+    /// The first time that it closes with the foot of its corner, if it has one, under the bar. One
+    /// that is negative beyond the end of the bar is watched again once it has come back, as is one
+    /// that starts there at zero and does not come under the bar as it falls.
     fn find_closure(
         &mut self,
         tracking: &Tracking,
@@ -64,8 +65,8 @@ impl GapGuard {
         let contact = self.contact;
         let value = |theta: f64| step.value(theta, Quantities::GAPS, |sample| sample.gaps[contact]);
         let (source, bound) = tracking.trace(self, step, &value);
-        // Where a gap that never rose above its bound falls below it: the contact has closed somewhere before, and
-        // to say so at the start would stop the time.
+        // Where a gap that never rose above its bound falls below it: the contact has closed
+        // somewhere before, and to say so at the start would stop the time.
         let rounding = || {
             let terms = step.evaluate(|view, scratch| view.terms(contact, scratch));
             (ROUNDED * terms.max(step.scales.bounds.length)).min(0.5 * bound)

@@ -15,8 +15,8 @@ use crate::event::detection::contact_status::ContactStatus;
 use crate::expression::Condition;
 use crate::model::{ContactKind, ContactSet, Layout, Slip};
 
-/// The guards of a phase in which a set of contacts bears: of all contacts, then of conditions, each with whether it arms
-/// or disarms.
+/// The guards of a phase in which a set of contacts bears: of all contacts, then of conditions,
+/// each with whether it arms or disarms.
 pub(crate) fn list_guards<'a>(
     layout: &'static Layout,
     set: &ContactSet,
@@ -32,7 +32,8 @@ pub(crate) fn list_guards<'a>(
             list.push(PartingGuard::watch(contact));
         }
         let (slip, side) = (status.closed.slip(contact), status.closed.side(contact));
-        // One that only depends on those that bear has no reaction to watch, and slips all the same.
+        // One that only depends on those that bear has no reaction to watch, and slips all the
+        // same.
         let is_watched = bears || closed && slip != Slip::Stick;
         if let Some(friction) =
             description.friction.filter(|_| is_watched && !status.grip.sticking.contains(contact))

@@ -1,8 +1,8 @@
-//! Flights of contacts that lift off with their reaction at zero and come back before they are much higher than the rounding of
-//! their gap.
+//! Flights of contacts that lift off with their reaction at zero and come back before they are much
+//! higher than the rounding of their gap.
 //!
-//! The gap is lost in rounding there, its acceleration is not: it is as large as the reaction would be. With g = ġ = 0 at the
-//! lift-off,
+//! The gap is lost in rounding there, its acceleration is not: it is as large as the reaction would
+//! be. With g = ġ = 0 at the lift-off,
 //!
 //! ```text
 //! g(θ) = g₀ + ġ₀ h θ + h² θ² ∫₀¹ (1 − σ) g̈(θ σ) dσ
@@ -34,8 +34,8 @@ impl LowFlight {
         (order == ORDER).then_some(Self { gap: 0.0, rate: 0.0 })
     }
 
-    /// Where the contact lands, if it stays low. Its `gap` by itself is seen to close at `end`, at the
-    /// start where it is not seen to open.
+    /// Where the contact lands, if it stays low. Its `gap` by itself is seen to close at `end`, at
+    /// the start where it is not seen to open.
     pub(super) fn find_landing(
         &self,
         contact: usize,

@@ -15,7 +15,8 @@ pub(super) struct ReactionGuard {
 }
 
 impl ReactionGuard {
-    /// `kept` if it is zero at the start of the phase, and its contact has been decided to stay closed.
+    /// `kept` if it is zero at the start of the phase, and its contact has been decided to stay
+    /// closed.
     pub(super) fn watch<'a>(contact: usize, side: Option<Side>, kept: bool) -> Watch<'a> {
         let guard = side.map_or(Guard::Reaction(contact), |side| Guard::Side(contact, side));
         Watch::new(guard, Quantities::REACTIONS, Self { contact, side })

@@ -15,7 +15,8 @@ pub(super) struct SlipGuard {
 }
 
 impl SlipGuard {
-    /// `kept` if it is zero at the start of the phase, and the contact has been decided to go on sliding.
+    /// `kept` if it is zero at the start of the phase, and the contact has been decided to go on
+    /// sliding.
     pub(super) fn watch<'a>(rub: Rub, row: usize, kept: bool) -> Watch<'a> {
         let watch = Watch::new(Guard::Slip(rub), Quantities::SLIPS, Self { rub, row });
         watch.suppressed(kept, Suppression::ToBound)
@@ -50,7 +51,8 @@ mod tests {
     use crate::model::{ContactSet, Side, Slip};
     use crate::series::ORDERS;
 
-    /// σ v with v = σ (0.5 − t), by its values and by its series, which it has only where it is one of the phase.
+    /// σ v with v = σ (0.5 − t), by its values and by its series, which it has only where it is one
+    /// of the phase.
     #[test]
     fn a_slip_stops_in_its_sense() {
         for (slip, sigma) in [(Slip::Forward, 1.0), (Slip::Backward, -1.0)] {

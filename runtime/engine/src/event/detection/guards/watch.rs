@@ -34,13 +34,14 @@ pub(crate) trait Kind {
         None
     }
 
-    /// Takes note of a dense output at rest at the start of the phase; tells whether it is zero there,
-    /// where another bound than its usual one tells it.
+    /// Takes note of a dense output at rest at the start of the phase; tells whether it is zero
+    /// there, where another bound than its usual one tells it.
     fn begin(&mut self, _: &SampledStep<'_>) -> Option<bool> {
         None
     }
 
-    /// Takes note of a step before it is looked at; writes a series that follows from others that the method has.
+    /// Takes note of a step before it is looked at; writes a series that follows from others that
+    /// the method has.
     fn begin_step(&mut self, _: &StepView<'_>, _series: &mut Vec<f64>) {}
 
     /// Its first event in (0, 1], where that is another than its first fall.
@@ -53,7 +54,8 @@ pub(crate) trait Kind {
         None
     }
 
-    /// Whether it may count as zero at the end of the last step, where it has fallen into its bound.
+    /// Whether it may count as zero at the end of the last step, where it has fallen into its
+    /// bound.
     fn may_arrive(&self, _: &SampledStep<'_>) -> bool {
         true
     }
@@ -86,8 +88,9 @@ pub(crate) struct Tracking {
     /// What its values follow from.
     pub(crate) asked: Quantities,
     pub(crate) suppression: Suppression,
-    /// How high it will be in a low flight, whose bound is tighter than usual; else infinite. No `Option`: what that has in
-    /// place of a value may be a subnormal, which compilers multiply all the same, and processors slowly.
+    /// How high it will be in a low flight, whose bound is tighter than usual; else infinite. No
+    /// `Option`: what that has in place of a value may be a subnormal, which compilers multiply all
+    /// the same, and processors slowly.
     pub(crate) height: f64,
     /// Its series over the step where it follows from others.
     series: Vec<f64>,
@@ -226,7 +229,8 @@ impl<'a> Watch<'a> {
         self.tracking.is_above(&*self.kind, step, theta)
     }
 
-    /// What is evaluated at the nodes of the first fit: nothing where its series counts as it or proves it clear.
+    /// What is evaluated at the nodes of the first fit: nothing where its series counts as it or
+    /// proves it clear.
     pub(crate) fn sampled(&self) -> Option<Quantities> {
         let Tracking { asked, has_series, is_clear, .. } = self.tracking;
         (!has_series && !is_clear).then_some(asked)
@@ -258,8 +262,8 @@ impl<'a> Watch<'a> {
         found.unwrap_or(None)
     }
 
-    /// Whether it has fallen into its bound at the end of the step, and not with a turning point there: it falls by as much
-    /// as before.
+    /// Whether it has fallen into its bound at the end of the step, and not with a turning point
+    /// there: it falls by as much as before.
     pub(crate) fn arrives(&self, step: &SampledStep<'_>) -> bool {
         if self.tracking.is_clear || self.tracking.at_root || !self.kind.may_arrive(step) {
             return false;
@@ -270,7 +274,8 @@ impl<'a> Watch<'a> {
         end.abs() <= bound && near - end > bound && near - end > 0.75 * (before - near)
     }
 
-    /// Takes note of a step that ends at a place, and of what another one that follows needs to know.
+    /// Takes note of a step that ends at a place, and of what another one that follows needs to
+    /// know.
     pub(crate) fn end_step(&mut self, step: &SampledStep<'_>, end: f64, is_followed: bool) {
         self.kind.end_step(&self.tracking, step, end);
         if is_followed {

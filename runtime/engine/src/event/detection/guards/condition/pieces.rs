@@ -1,5 +1,6 @@
-//! A condition followed over the pieces of a step. A piece is passed over only if bounds of the condition prove that it keeps
-//! its sign there; others are divided until the condition is monotone on them or all of its turns are seen.
+//! A condition followed over the pieces of a step. A piece is passed over only if bounds of the
+//! condition prove that it keeps its sign there; others are divided until the condition is monotone
+//! on them or all of its turns are seen.
 
 use crate::expression::Enclosure;
 use crate::numerics::root_isolation::GuardError;
@@ -8,7 +9,8 @@ use crate::numerics::root_isolation::GuardError;
 const MOST: usize = 20_000;
 /// A piece is divided down to this length at most: poles are never resolved.
 pub(super) const SHORTEST: f64 = 1e-12;
-/// A condition is seen if its greatest slope would change it by no more than so many times what its values differ by.
+/// A condition is seen if its greatest slope would change it by no more than so many times what its
+/// values differ by.
 const SEEN: f64 = 8.0;
 
 /// A condition over a step.
@@ -18,7 +20,8 @@ pub(super) struct Pieces<'a> {
     pub(super) value: &'a dyn Fn(f64) -> f64,
     /// Values within this count as zero.
     pub(super) bound: f64,
-    /// A piece shorter than this is not divided: what is read is not known well enough to tell its parts apart.
+    /// A piece shorter than this is not divided: what is read is not known well enough to tell its
+    /// parts apart.
     pub(super) shortest: f64,
 }
 
@@ -91,7 +94,8 @@ mod tests {
     use super::*;
     use crate::expression::Interval;
 
-    /// The pieces that are looked at of values that may be zero anywhere, with slopes up to `steepest` of a piece's length.
+    /// The pieces that are looked at of values that may be zero anywhere, with slopes up to
+    /// `steepest` of a piece's length.
     fn looked_at(value: &dyn Fn(f64) -> f64, steepest: &dyn Fn(f64) -> f64) -> Vec<[f64; 2]> {
         let enclosure = |[start, end]: [f64; 2]| {
             let [value, slope] = [1.0, steepest(end - start)].map(|reach| Interval::around(0.0, reach));
@@ -142,7 +146,8 @@ mod tests {
         assert_eq!(looked_at(&wave, &steepest), [[0.0, 0.5], [0.5, 1.0]]);
     }
 
-    /// The pieces that are looked at of a condition with these bounds of values and slopes, and what is known of it there.
+    /// The pieces that are looked at of a condition with these bounds of values and slopes, and
+    /// what is known of it there.
     fn known_of(
         bounds: &dyn Fn([f64; 2]) -> [[f64; 2]; 2],
         bound: f64,
@@ -179,7 +184,8 @@ mod tests {
         assert_eq!(seen, [[0.25, 0.5]]);
     }
 
-    /// What rises or falls all the way is not divided; others are until they are so short that nothing tells more.
+    /// What rises or falls all the way is not divided; others are until they are so short that
+    /// nothing tells more.
     #[test]
     fn pieces_are_divided_as_far_as_that_tells_more() {
         let of = |slope: [f64; 2], most: f64| known_of(&move |_| [[-1.0, most], slope], 0.0, 0.125);

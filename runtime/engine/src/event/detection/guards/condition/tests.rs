@@ -15,7 +15,8 @@ fn comparing() -> [Condition; 3] {
     ["y = 1", "y < 1", "y > 1"].map(|text| Condition::parse(layout(), text).expect("a condition"))
 }
 
-/// 1/(θ − p)² + c keeps its sign beside its pole where it does not come near to zero; a line has none.
+/// 1/(θ − p)² + c keeps its sign beside its pole where it does not come near to zero; a line has
+/// none.
 #[test]
 fn a_pole_between_the_places_looked_at_may_hide_a_root() {
     let hides = |value: &dyn Fn(f64) -> f64| may_hide(value, Bounded::Finite);
@@ -84,7 +85,8 @@ fn a_passage_is_wanted_in_one_direction() {
     }
 }
 
-/// A change of sign is found to the spacing of doubles; it counts where values beside it are near zero, as beside a pole they are not.
+/// A change of sign is found to the spacing of doubles; it counts where values beside it are near
+/// zero, as beside a pole they are not.
 #[test]
 fn a_change_of_sign_is_halved() {
     let [equal, less, greater] = comparing();
@@ -178,7 +180,8 @@ fn the_first_place_where_it_becomes_true() {
     }
 }
 
-/// Where there is no patience left it is said that it is not decided, and half of it is left for the next step, but some for each.
+/// Where there is no patience left it is said that it is not decided, and half of it is left for
+/// the next step, but some for each.
 #[test]
 fn what_takes_too_long_is_undecided() {
     let scene = of(|t| t);
@@ -201,7 +204,8 @@ fn what_takes_too_long_is_undecided() {
     assert_eq!((findings.undecided, guard.patience), (None, PATIENCE));
 }
 
-/// The difference at the end of a step has a sign, but a comparison that ends it at zero stays on its side.
+/// The difference at the end of a step has a sign, but a comparison that ends it at zero stays on
+/// its side.
 #[test]
 fn a_comparison_at_zero_stays_on_its_side() {
     for (text, stays) in [("z > 0", true), ("z < 0", true), ("z = 0", false)] {

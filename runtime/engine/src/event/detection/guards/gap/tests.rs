@@ -16,7 +16,8 @@ fn guard(status: &ContactStatus<'_>) -> (GapGuard, Tracking) {
     (GapGuard::new(CORNER, Some(0), status), GapGuard::watch(CORNER, Some(0), status).tracking)
 }
 
-/// Below its bar from 0.25 on, beyond its end up to 0.5: nothing closes, and it has passed at the end.
+/// Below its bar from 0.25 on, beyond its end up to 0.5: nothing closes, and it has passed at the
+/// end.
 #[test]
 fn a_gap_remembers_where_it_has_passed_its_bar() {
     let scene = corner(|t| 0.25 - t, |t| t - 0.5);
@@ -42,7 +43,8 @@ fn a_gap_remembers_where_it_has_passed_its_bar() {
     assert!(!corner(|t| 0.25 - t, |_| -0.5).look(|step| guard.may_arrive(step)));
 }
 
-/// What is told of a gap as a phase begins holds up to the first step's end; a low flight is followed from there.
+/// What is told of a gap as a phase begins holds up to the first step's end; a low flight is
+/// followed from there.
 #[test]
 fn a_flight_is_followed_while_it_is_low() {
     for (k, is_low) in [(1e-9, true), (1.0, false)] {
