@@ -16,7 +16,7 @@ pub(crate) struct Laws {
     /// The closed contacts at a state; with the closed form of all touching ones, where it holds.
     pub(crate) decide: Decide,
     /// The outcome of a collision at a state, within so many trials.
-    pub(crate) strike: fn(&dyn System, &[f64], &Collision, usize) -> Result<Outcome, CollisionError>,
+    pub(crate) strike: Strike,
     /// The outcome with the contacts of a set closed, within so many trials.
     pub(crate) come_to_rest: fn(&Collision, &ContactSet, usize) -> Result<Outcome, CollisionError>,
     /// What contacts with friction need besides.
@@ -26,12 +26,15 @@ pub(crate) struct Laws {
 type Decide =
     fn(&RunContext, &[f64], &ContactProblem, Option<&dyn Phase>) -> Result<ContactSolution, ContactError>;
 
+type Strike = fn(&dyn System, &[f64], &Collision, usize) -> Result<Outcome, CollisionError>;
+type Holds = fn(&dyn System, &[f64], &ContactSet) -> Vec<(usize, f64)>;
+
 /// What only contacts with friction need.
 pub(crate) struct Rough {
     /// The impulse that ends a slip which no reaction holds, within so many trials.
     pub(crate) end_slip: fn(&Collision, usize) -> Result<Outcome, CollisionError>,
     /// What holds each contact that slides.
-    pub(crate) holds: fn(&dyn System, &[f64], &ContactSet) -> Vec<(usize, f64)>,
+    pub(crate) holds: Holds,
     /// The least of them.
     pub(crate) least_hold: fn(&dyn System, &[f64], &ContactSet) -> Option<f64>,
     /// The closed contacts that share their load.
