@@ -58,11 +58,13 @@ const FLOORS: [(&str, &[&str]); 15] = [
     ("python", &["liftoff", "liftoff-studio"]),
 ];
 
-/// The places above core that name a model's type: one asks it, the other gives what works without it.
-const ERASES: [&str; 2] = ["studio/src/registry/kind.rs", "studio/src/registry/origin.rs"];
+/// The places above core that name a model's type: the engine's asks which of its parts the model
+/// needs; of the others one asks it, the other gives what works without it.
+const ERASES: [&str; 3] =
+    ["engine/src/simulation/scene.rs", "studio/src/registry/kind.rs", "studio/src/registry/origin.rs"];
 
-/// Where declarations are read: again, for their equations, or as texts that nothing compiles; pictures have what they need in the
-/// layout.
+/// Where declarations are read: again, for their equations, or as texts that nothing compiles;
+/// pictures have what they need in the layout.
 const READ: [&str; 2] = ["studio/src/explain", "studio/src/source"];
 
 /// A floor lists at most so many modules.
