@@ -36,7 +36,7 @@ struct Wheel {
 /// The last event, with how it is told.
 fn stopped<'a, M>(model: &'a M, start: Pose, until: &str) -> (EventKind, f64)
 where
-    &'a M: Into<liftoff::system::Model>,
+    &'a M: Into<liftoff::Scene>,
 {
     let simulation = Simulation::new(model).unwrap().start(start).unwrap();
     let run = simulation.until(until).unwrap().limit(50.0).run();
