@@ -2,7 +2,6 @@
 
 use super::Question;
 use crate::contact::friction::{Reason, Sense, Slip as KnownSlip};
-use crate::event::detection::{Guard, Rub};
 use crate::model::{ContactSet, Slip};
 use crate::simulation::snapshot::Snapshot;
 
@@ -16,6 +15,19 @@ pub(crate) struct LocatedSlips {
 }
 
 impl LocatedSlips {
+    /// A contact that stuck has reached its limit, unless it has stopped just now.
+    pub(in crate::simulation) fn leave(&mut self, contact: usize, sense: Sense) {
+        if !self.stopped.contains(&contact) {
+            self.leaving.push((contact, sense));
+        }
+    }
+
+    /// A contact that slid has stopped, or may do anything.
+    pub(in crate::simulation) fn stop(&mut self, contact: usize) {
+        self.leaving.retain(|(leaving, _)| *leaving != contact);
+        self.stopped.push(contact);
+    }
+
     pub(in crate::simulation) fn is_empty(&self) -> bool {
         self.leaving.is_empty() && self.stopped.is_empty()
     }
@@ -38,29 +50,6 @@ impl LocatedSlips {
 }
 
 impl Snapshot<'_> {
-    /// What the guards of an event say of slips.
-    pub(in crate::simulation) fn located_slips(&self, guards: &[Guard]) -> LocatedSlips {
-        let mut located = LocatedSlips::default();
-        for guard in guards {
-            match guard {
-                Guard::Limit(Rub { contact, slip: Slip::Backward, .. }) => {
-                    located.leaving.push((*contact, Sense::Backward));
-                }
-                Guard::Limit(rub) => located.leaving.push((rub.contact, Sense::Forward)),
-                Guard::Slip(rub) => located.stopped.push(rub.contact),
-                // With N = 0 it may slide in either sense.
-                Guard::Side(contact, _) if self.closed().slip(*contact) == Slip::Stick => {
-                    located.stopped.push(*contact);
-                }
-                Guard::Grip => located.leaving.extend(self.leaving_together()),
-                _ => {}
-            }
-        }
-        let LocatedSlips { leaving, stopped } = &mut located;
-        leaving.retain(|(contact, _)| !stopped.contains(contact));
-        located
-    }
-
     /// Contacts at rest whose force of sticking is at its limit, as at a start: they can stick now,
     /// and not in the motion that follows.
     pub(in crate::simulation) fn at_static_limits(&self, touching: ContactSet) -> LocatedSlips {
@@ -96,7 +85,7 @@ impl Snapshot<'_> {
     }
 
     /// The contacts that share their load and slip now, however they do.
-    fn leaving_together(&self) -> Vec<(usize, Sense)> {
+    pub(in crate::simulation) fn leaving_together(&self) -> Vec<(usize, Sense)> {
         let (reactions, _) = self.reactions_at(&self.state, self.bearing());
         let Some(rough) = self.setup.parts.laws.rough else { return Vec::new() };
         (rough.margin)(self.setup.context.system(), &self.state, &self.closed(), &reactions).leaving

@@ -4,6 +4,7 @@ mod begin;
 mod collide;
 mod drives;
 mod jumps;
+mod located;
 mod paradox;
 mod plan;
 mod switch;
@@ -19,11 +20,11 @@ use crate::expression::Condition;
 use crate::integrate::StepError;
 use crate::model::{ContactSet, Form, Slip};
 use crate::simulation::RunCause;
-use crate::simulation::awaited::Role;
 use crate::simulation::decide::{LocatedSlips, Question, Refusal, Unsolved};
 use crate::simulation::phase_run::Touch;
 use crate::simulation::snapshot::{PhaseStart, Snapshot};
 use crate::trajectory::LoggedDecision;
+use located::Located;
 
 /// Whether the run goes on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -76,30 +77,15 @@ impl Snapshot<'_> {
         guards: &[Guard],
         start: &PhaseStart,
     ) -> Result<Next, RunCause> {
-        let pick =
-            |kind: fn(&Guard) -> Option<usize>| -> ContactSet { guards.iter().filter_map(kind).collect() };
-        let unloaded = pick(|g| if let Guard::Reaction(i) | Guard::Side(i, _) = g { Some(*i) } else { None });
-        let closing = pick(|g| g.gap());
-        let closing = closing.difference(self.find_beyond_end());
-        let sliding = pick(|g| if let Guard::Foot { contact, .. } = g { Some(*contact) } else { None });
-        let met = guards.iter().filter_map(|g| if let Guard::Condition(k) = g { Some(*k) } else { None });
-        let (mut stops, mut planned, mut switched) = (Vec::new(), Vec::new(), Vec::new());
-        for k in met {
-            match self.awaited.role(k) {
-                Role::Stop => stops.push(k),
-                Role::Planned(entry) => planned.push(entry),
-                Role::Switch { switch, arms } => switched.push((switch, arms)),
-                Role::Domain(_) => {}
-            }
-        }
-        let slips = self.located_slips(guards);
+        let Located { unloaded, closing, sliding, slips, shares, stops, planned, switched } =
+            self.locate(guards);
         let unloaded = unloaded.difference(self.still_rubbing(&slips));
         self.record_settled(unloaded.union(sliding));
         if !sliding.is_empty() {
             self.slide_off(sliding, unloaded)?;
         } else if !unloaded.is_empty() || !slips.is_empty() {
             self.open(unloaded, slips, start)?;
-        } else if guards.contains(&Guard::Grip) {
+        } else if shares {
             self.keep_grip();
         }
         if stops.is_empty() && !switched.is_empty() {
