@@ -16,6 +16,8 @@ pub enum Core {
     Contact,
     /// Events and roots of guards
     Event,
+    /// Decisions, responses to events, and the loop over them
+    Simulation,
 }
 
 impl Core {
@@ -23,7 +25,7 @@ impl Core {
     pub fn home(self) -> &'static str {
         match self {
             Self::Algebra | Self::Phases => "codegen",
-            Self::Contact | Self::Event => "runtime/engine",
+            Self::Contact | Self::Event | Self::Simulation => "runtime/engine",
         }
     }
 
@@ -39,6 +41,7 @@ impl Core {
             Self::Phases => "phases",
             Self::Contact => "contact",
             Self::Event => "event",
+            Self::Simulation => "simulation",
         };
         Path::new(self.home()).join("src").join(name)
     }
@@ -47,7 +50,7 @@ impl Core {
     pub fn targets(self) -> &'static [&'static str] {
         match self {
             Self::Algebra | Self::Phases => &["-p", "liftoff-codegen", "--lib"],
-            Self::Contact | Self::Event => {
+            Self::Contact | Self::Event | Self::Simulation => {
                 &["-p", "liftoff", "-p", "liftoff-engine-tests", "--lib", "--test", "it"]
             }
         }

@@ -1,7 +1,7 @@
-//! Which small changes of the four cores the tests notice.
+//! Which small changes of the five cores the tests notice.
 //!
 //! ```text
-//! cargo run -p liftoff-mutants -- --folder /tmp/mutants [algebra phases contact event] [--sample 60] [--seed 0]
+//! cargo run -p liftoff-mutants -- --folder /tmp/mutants [algebra phases contact event simulation] [--sample 60] [--seed 0]
 //! ```
 //!
 //! From the root of the workspace: copies what git tracks to the folder and writes into the files of a core, behind a
@@ -27,7 +27,7 @@ use crate::build::{Built, Mutant, build, drawn};
 use crate::core::Core;
 use crate::trial::{Fate, Plain, plain, trial};
 
-/// Changes the four cores, and tells which changes the tests notice
+/// Changes the five cores, and tells which changes the tests notice
 #[derive(Parser)]
 struct Options {
     /// The cores; all, if none is given
