@@ -50,6 +50,37 @@ fn a_rod_strikes_with_friction_as_routh_has_it() {
     }
 }
 
+/// The rod, beside a particle that touches a wall without load.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = 1, length = 1)]
+#[particle(P, mass = 1)]
+#[support(A = floor, friction = mu)]
+#[support(W = wall(5), under = P, facing = left)]
+#[coordinate(theta = angle(AB), from = right)]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+#[coordinate(u = x(P))]
+#[coordinate(v = y(P))]
+#[figure(A = (0, 0), B = (0.6, 0.8), P = (4, 0))]
+struct Beside {
+    g: f64,
+    mu: f64,
+}
+
+/// What touches elsewhere without load does not change how a slip that nothing holds ends: about the tip, whose angular momentum
+/// is kept, θ̇ = ³⁄₂ v sin θ.
+#[test]
+fn a_contact_without_load_elsewhere_changes_no_paradox() {
+    let pose = Pose::at("theta", 1.0).with("y", 0.0).with("u", 5.0).with("x'", -3.0);
+    let pose = ["theta'", "y'", "u'", "v'"].into_iter().fold(pose, |pose, rate| pose.with(rate, 0.0));
+    let simulation = Simulation::new(&Beside { g: 10.0, mu: 1.6 }).unwrap().start(pose).unwrap();
+    let record = run(simulation.limit(0.02).tolerance(1e-10));
+    let stopped = &record.events()[1];
+    assert!(matches!(stopped.note, Some(Note::WithoutCollision)), "{stopped}");
+    assert!((stopped["theta'"] - 4.5 * 1.0f64.sin()).abs() < 1e-13, "{stopped}");
+}
+
 /// Sliding with the tip behind, at 60° and μ = 2, no reaction obeys the law: an impact without collision stops the tip, about
 /// which the angular momentum is kept, and the rod falls on about it. With the tip ahead it slides.
 #[test]

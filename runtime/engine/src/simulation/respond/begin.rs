@@ -76,25 +76,21 @@ impl Snapshot<'_> {
     fn decide_at_start(&mut self) -> Result<(), RunCause> {
         let touching = self.closed();
         let question = Question { is_given: true, ..Question::about(touching) };
-        let refusal = match self.decide(&question) {
-            Ok(decision) => {
-                self.adopt(decision);
-                return Ok(());
-            }
-            Err(refusal) => refusal,
-        };
+        let Err(error) = self.go_on(question.clone()) else { return Ok(()) };
         let (reactions, bound) = self.reactions_at(&self.state, touching);
         let free = touching.difference(self.contacts.held());
         let unloaded: ContactSet = free.iter().filter(|i| reactions[*i].abs() <= bound).collect();
-        if unloaded.is_empty() {
-            return self.resolve(&question, refusal);
+        // What an impulse has changed is no longer what was given.
+        if unloaded.is_empty() || self.onset.is_struck {
+            return Err(error);
         }
-        if let Ok(decision) = self.decide(&Question { unloaded, ..question.clone() }) {
+        if let Ok(decision) = self.decide(&Question { unloaded, ..question }) {
             self.adopt(decision);
             return Ok(());
         }
-        if free.iter().any(|i| reactions[i] < -bound) {
-            return self.resolve(&question, refusal);
+        let slides = self.layout().sliding(&self.slipping_as_now(touching)).next().is_some();
+        if slides || free.iter().any(|i| reactions[i] < -bound) {
+            return Err(error);
         }
         let entry = self.enter(touching, true)?;
         self.reactions = reactions;

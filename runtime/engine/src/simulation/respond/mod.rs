@@ -42,18 +42,11 @@ impl Snapshot<'_> {
                 self.adopt(decision);
                 Ok(())
             }
-            Err(refusal) => self.resolve(&question, refusal),
-        }
-    }
-
-    /// Goes on where nothing has been decided.
-    fn resolve(&mut self, question: &Question, refusal: Refusal) -> Result<(), RunCause> {
-        match refusal {
-            Refusal::Contacts(unsolved) => {
+            Err(Refusal::Contacts(unsolved)) => {
                 let Unsolved { touching, source } = *unsolved;
-                self.unjam(&Question { touching, ..question.clone() }, source)
+                self.unjam(&Question { touching, ..question }, source)
             }
-            Refusal::Run(cause) => Err(cause),
+            Err(Refusal::Run(cause)) => Err(cause),
         }
     }
 

@@ -1,10 +1,11 @@
 //! Decisions and responses on snapshots of their own, without a run.
 
+use crate::contact::friction::Sense;
 use crate::event::{EventKind, Guard, Note};
 use crate::model::{ContactSet, Slip};
 use crate::prelude::*;
 use crate::simulation::awaited::Awaited;
-use crate::simulation::decide::Question;
+use crate::simulation::decide::{LocatedSlips, Question};
 use crate::simulation::respond::Next;
 use crate::simulation::snapshot::{Snapshot, ZenoClosure};
 
@@ -225,4 +226,52 @@ fn what_a_condition_may_move_begins_at_rest() {
             );
         },
     );
+}
+
+#[test]
+fn what_has_stopped_does_not_leave() {
+    let mut located = LocatedSlips::default();
+    located.leave(FLOOR, Sense::Forward);
+    assert!(located.is_leaving());
+    located.stop(FLOOR);
+    located.leave(FLOOR, Sense::Backward);
+    assert!(!located.is_leaving() && !located.is_empty() && located.contacts() == set(FLOOR));
+}
+
+/// Up by h onto the floor at ẋ: the speed pays for m g h, unless the state was given.
+#[test]
+fn a_shift_onto_contacts_gains_no_energy() {
+    let h = 1e-11;
+    with_snapshot(
+        |it| it,
+        [0.0, 0.0, 3.0, 0.0],
+        |mut ball| {
+            ball.state[1] = -h;
+            let before = ball.energy();
+            let (shifted, by) = ball.project(set(FLOOR), 0.0, false).unwrap();
+            assert!(shifted[1] == 0.0 && by > 0.0);
+            let expected = (9.0 - 2.0 * 10.0 * h).sqrt();
+            assert!((shifted[2] - expected).abs() < 1e-15, "{} {expected}", shifted[2]);
+            let (given, _) = ball.project(set(FLOOR), 0.0, true).unwrap();
+            assert_eq!(given[2], 3.0);
+            ball.state = shifted;
+            assert!(
+                (ball.energy().kinetic + ball.energy().potential - before.kinetic - before.potential).abs()
+                    < 1e-14
+            );
+        },
+    );
+}
+
+/// An opening that rounding makes of zero is none, whatever the units are in which it is one.
+#[test]
+fn an_impact_without_restitution_leaves_nothing_to_open() {
+    let plastic = |it: Simulation| Simulation { restitution: vec![0.0; it.restitution.len()], ..it };
+    with_snapshot(plastic, [0.0, 1.0, 0.3, 0.0], |mut ball| {
+        ball.begin().unwrap();
+        let start = ball.phase_start();
+        (ball.state[1], ball.state[3]) = (0.0, -4.0);
+        ball.handle(&[Guard::Gap(FLOOR)], &start).unwrap();
+        assert!(ball.closed().contains(FLOOR) && ball.state[3] == 0.0);
+    });
 }
