@@ -35,8 +35,9 @@ const CONTACTS: &[&str] = &[
     "liftoff_core::system::erased",
 ];
 
-/// What a scene without friction, conditions, springs and roots of the motion needs not: friction and
-/// hinges with it, expressions as text, kinks, and methods for what is stiff or nobody asked for.
+/// What a scene without friction, conditions, springs and roots of the motion needs not: friction
+/// and hinges with it, expressions as text, kinks, and methods for what is stiff or nobody asked
+/// for.
 const SMOOTH: &[&str] = &[
     "liftoff::integration::method::kinks",
     "liftoff::contact::friction::decision",

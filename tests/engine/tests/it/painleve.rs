@@ -25,7 +25,8 @@ struct Rod {
     e: f64,
 }
 
-/// Impacts computed by other codes along Routh's path, with Stronge's law: end velocities of the tip, energy.
+/// Impacts computed by other codes along Routh's path, with Stronge's law: end velocities of the
+/// tip, energy.
 #[test]
 fn a_rod_strikes_with_friction_as_routh_has_it() {
     for (degrees, slip, mu, e, normal, lost) in [
@@ -68,8 +69,8 @@ struct Beside {
     mu: f64,
 }
 
-/// What touches elsewhere without load does not change how a slip that nothing holds ends: about the tip, whose angular momentum
-/// is kept, θ̇ = ³⁄₂ v sin θ.
+/// What touches elsewhere without load does not change how a slip that nothing holds ends: about
+/// the tip, whose angular momentum is kept, θ̇ = ³⁄₂ v sin θ.
 #[test]
 fn a_contact_without_load_elsewhere_changes_no_paradox() {
     let pose = Pose::at("theta", 1.0).with("y", 0.0).with("u", 5.0).with("x'", -3.0);
@@ -81,8 +82,9 @@ fn a_contact_without_load_elsewhere_changes_no_paradox() {
     assert!((stopped["theta'"] - 4.5 * 1.0f64.sin()).abs() < 1e-13, "{stopped}");
 }
 
-/// Sliding with the tip behind, at 60° and μ = 2, no reaction obeys the law: an impact without collision stops the tip, about
-/// which the angular momentum is kept, and the rod falls on about it. With the tip ahead it slides.
+/// Sliding with the tip behind, at 60° and μ = 2, no reaction obeys the law: an impact without
+/// collision stops the tip, about which the angular momentum is kept, and the rod falls on about
+/// it. With the tip ahead it slides.
 #[test]
 fn painleve_paradox_is_answered_by_an_impact_without_collision() {
     let rod = Rod { m: 1.0, l: 1.0, g: 9.81, mu: 2.0, e: 0.0 };
@@ -104,8 +106,9 @@ fn painleve_paradox_is_answered_by_an_impact_without_collision() {
     assert_eq!(kinds(&from(3.0)), [EventKind::Start, EventKind::End]);
 }
 
-/// The interval of the paradox at μ = 2 begins at tan θ = (3μ − √(9μ² − 16))/2, which a rod that pitches up reaches with a
-/// reaction beyond all bounds; at μ = 1.4 < 8/3√3 it lifts off before (Génot and Brogliato 1999).
+/// The interval of the paradox at μ = 2 begins at tan θ = (3μ − √(9μ² − 16))/2, which a rod that
+/// pitches up reaches with a reaction beyond all bounds; at μ = 1.4 < 8/3√3 it lifts off before
+/// (Génot and Brogliato 1999).
 #[test]
 fn the_border_of_painleves_region_is_an_event() {
     let border = |mu: f64| (0.5 * (3.0 * mu - (9.0 * mu * mu - 16.0).sqrt())).atan();
@@ -144,8 +147,9 @@ fn the_critical_coefficient_of_friction() {
     }
 }
 
-/// While the tip slips with the rod ahead of it, N (1 + 3 cos² θ + 3 μ sin θ cos θ) = m (g − ½ l θ'² sin θ): whatever μ is, N
-/// vanishes with the right side. A tip that stuck before slips at |R| = μ N, however small N is there.
+/// While the tip slips with the rod ahead of it, N (1 + 3 cos² θ + 3 μ sin θ cos θ) = m (g − ½ l
+/// θ'² sin θ): whatever μ is, N vanishes with the right side. A tip that stuck before slips at |R|
+/// = μ N, however small N is there.
 #[test]
 fn a_tip_under_much_friction_slips_before_it_opens() {
     for mu in [30.0, 1e3, 1e6, 1.6e9] {

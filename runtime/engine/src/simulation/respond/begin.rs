@@ -70,9 +70,9 @@ impl Snapshot<'_> {
         met.into_iter().for_each(|condition| self.log(LoggedDecision::ConditionHolds(condition)));
     }
 
-    /// Decides on the contacts. A reaction that vanishes, as that of a state at which another run was
-    /// left, is zero to within its bound, and its change may be; if it is not known then what would
-    /// follow, the contact stays closed as long as it is.
+    /// Decides on the contacts. A reaction that vanishes, as that of a state at which another run
+    /// was left, is zero to within its bound, and its change may be; if it is not known then what
+    /// would follow, the contact stays closed as long as it is.
     fn decide_at_start(&mut self) -> Result<(), RunCause> {
         let touching = self.closed();
         let question = Question { is_given: true, ..Question::about(touching) };
