@@ -18,6 +18,7 @@ use crate::context::{CLOSED, RunContext};
 use crate::expression::Switches;
 use crate::integration::chart;
 use crate::model::ContactSet;
+use crate::numerics::zero::compute_place_error;
 use crate::system::Equations;
 use pose::Given;
 use problem::AssemblyProblem;
@@ -27,7 +28,7 @@ use settle::settled;
 /// motion can be continued from its states. A contact that is penetrated counts as closed. Onto it the pose moves by as much, and
 /// by the square root of that where the gap has a fold.
 pub(crate) fn deepest(tolerance: f64) -> f64 {
-    (10.0 * tolerance).max(CLOSED)
+    compute_place_error(tolerance).max(CLOSED)
 }
 
 /// Whether a contact is penetrated and open by no more than so many of its units, or than the rounding of its gap.

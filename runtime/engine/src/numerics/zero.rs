@@ -5,7 +5,7 @@
 //! | [roundoff of a sum](roundoff) | terms that were added, relative to the largest of them | n ε |
 //! | [roundoff of a solution](SOLVED) | unknowns of equilibrated equations, relative to their right-hand side | 1e-12 |
 //! | local error | one step | tol, or ε |
-//! | [place of an event](place) | the state in which a guard is at zero | 10 tol, or 64 ε |
+//! | [place of an event](compute_place_error) | the state in which a guard is at zero | 10 tol, or 64 ε |
 //! | [margin of a decision](MARGIN) | a sign on which the rest of the motion depends | 1e-6 |
 //! | [rank](RANK) | singular values, pivots and eigenvalues, relative to the largest | 1e-10 |
 //!
@@ -31,6 +31,6 @@ pub(crate) const MARGIN: f64 = 1e-6;
 
 /// Error of the place of an event, in natural units: the local errors of ten steps, or the
 /// roundings of some.
-pub(crate) const fn place(tolerance: f64) -> f64 {
+pub(crate) const fn compute_place_error(tolerance: f64) -> f64 {
     (10.0 * tolerance).max(roundoff(64.0))
 }

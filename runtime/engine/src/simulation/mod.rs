@@ -99,10 +99,10 @@ struct GivenStart {
 impl Simulation {
     /// Checks the model's parameters, masses, lengths, gravity and restitution.
     pub fn new(model: impl Into<Scene>) -> Result<Self, ModelError> {
-        Self::of(model.into())
+        Self::from_scene(model.into())
     }
 
-    fn of(Scene { model, parts }: Scene) -> Result<Self, ModelError> {
+    fn from_scene(Scene { model, parts }: Scene) -> Result<Self, ModelError> {
         let scales = scales_of(&model)?;
         let restitution = model.restitution.clone();
         let context = RunContext { model, scales };

@@ -220,6 +220,9 @@ impl Trajectory {
     /// the motion: its coordinates do not tell, and a start there says `below(P)` = 1 of each.
     pub fn find_below(&self, state: &[f64], t: f64) -> Vec<&'static str> {
         let layout = self.layout();
+        if layout.feet() == 0 {
+            return Vec::new();
+        }
         let Ok(switches) = Switches::from_layout(layout) else { return Vec::new() };
         let below = find_below((&self.context, &switches), self.tolerance, state, t);
         below.iter().map(|contact| layout.contacts[contact].supports[0]).collect()

@@ -42,7 +42,7 @@ struct Struck<'a> {
     left: Cell<usize>,
 }
 
-/// The outcome of a collision at a state.
+/// The outcome of a collision at a state, of a model whose hinges have friction.
 pub(crate) fn answer(
     system: &dyn System,
     state: &[f64],
@@ -54,9 +54,6 @@ pub(crate) fn answer(
         Hinge { friction, force, mu }
     });
     let hinges: Vec<Hinge> = hinges.collect();
-    if hinges.is_empty() {
-        return collision.solve_within(most_trials);
-    }
     let struck = Struck { system, state, collision, hinges, left: Cell::new(most_trials) };
     struck.improved().map_or_else(|| struck.searched(), Ok)
 }

@@ -66,6 +66,11 @@ impl SampledStep<'_> {
         of(self.samples.borrow_mut().evaluate(self.view, theta, asked))
     }
 
+    /// The gap of a contact at θ.
+    pub(super) fn gap(&self, contact: usize, theta: f64) -> f64 {
+        self.value(theta, Quantities::GAPS, |sample| sample.gaps[contact])
+    }
+
     /// What the step itself evaluates.
     pub(super) fn evaluate<T>(&self, of: impl FnOnce(&StepView<'_>, &mut Scratch) -> T) -> T {
         of(self.view, &mut self.samples.borrow_mut().scratch)

@@ -81,7 +81,7 @@ impl<'a> Driver<'a> {
                 self.now.refuse_seam(ended)?;
             }
             let start = self.now.phase_start();
-            let outcome = self.advance();
+            let outcome = self.advance(&start);
             next = self.follow(outcome, &start)?;
         }
         Ok(())
@@ -189,8 +189,8 @@ impl<'a> Driver<'a> {
 
     /// Takes over what a phase has brought, and says how it ended.
     fn take(&mut self, outcome: Outcome, start: &PhaseStart) -> Result<Termination, RunCause> {
-        let Outcome { recorded, touches, log, end, t, state, ended, reactions, counts, passed, .. } = outcome;
-        let mut recorded = recorded;
+        let Outcome { mut recorded, touches, log, end, t, state, ended, reactions, counts, passed, .. } =
+            outcome;
         if let (Some(recorded), Termination::Event(guards)) = (&mut recorded, &end) {
             let parted: ContactSet = guards
                 .iter()

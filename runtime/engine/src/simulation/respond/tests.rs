@@ -7,7 +7,7 @@ use crate::prelude::*;
 use crate::simulation::awaited::Awaited;
 use crate::simulation::decide::{LocatedSlips, Question};
 use crate::simulation::respond::Next;
-use crate::simulation::snapshot::{Snapshot, ZenoClosure};
+use crate::simulation::snapshot::{PhaseStart, Snapshot, ZenoClosure};
 
 /// A ball over a rough floor, a wall that is there from t = 1 on, and wind behind x = 2.
 #[derive(BarSystem)]
@@ -50,6 +50,19 @@ fn with_snapshot(
     check(Snapshot::new(&simulation, &awaited, start));
 }
 
+/// The same once the run has begun, with what its first phase begins with.
+fn with_phase(
+    prepare: impl FnOnce(Simulation) -> Simulation,
+    state: [f64; 4],
+    check: impl FnOnce(Snapshot<'_>, &PhaseStart),
+) {
+    with_snapshot(prepare, state, |mut ball| {
+        ball.begin().unwrap();
+        let start = ball.phase_start();
+        check(ball, &start);
+    });
+}
+
 fn kinds(snapshot: &Snapshot<'_>) -> Vec<EventKind> {
     snapshot.transition.events.iter().map(|event| event.kind).collect()
 }
@@ -73,14 +86,12 @@ fn a_decision_changes_nothing_until_it_is_adopted() {
 
 #[test]
 fn a_gap_at_zero_is_an_impact() {
-    with_snapshot(
+    with_phase(
         |it| it,
         [0.0, 1.0, 0.0, 0.0],
-        |mut ball| {
-            ball.begin().unwrap();
-            let start = ball.phase_start();
+        |mut ball, start| {
             (ball.t, ball.state[1], ball.state[3]) = (0.5, 0.0, -4.0);
-            assert_eq!(ball.handle(&[Guard::Gap(FLOOR)], &start).unwrap(), Next::Continue);
+            assert_eq!(ball.handle(&[Guard::Gap(FLOOR)], start).unwrap(), Next::Continue);
             assert_eq!(kinds(&ball), [EventKind::Start, EventKind::Impact]);
             let impact = &ball.transition.events[1];
             // P = m (1 + e) v.
@@ -93,12 +104,10 @@ fn a_gap_at_zero_is_an_impact() {
 
 #[test]
 fn a_slip_at_zero_sticks() {
-    with_snapshot(
+    with_phase(
         |it| it,
         [0.0, 0.0, 3.0, 0.0],
-        |mut ball| {
-            ball.begin().unwrap();
-            let start = ball.phase_start();
+        |mut ball, start| {
             let guard = Guard::Slip(crate::event::Rub {
                 contact: FLOOR,
                 friction: 0,
@@ -106,7 +115,7 @@ fn a_slip_at_zero_sticks() {
                 side: ball.closed().side(FLOOR),
             });
             (ball.t, ball.state[2]) = (1.2, 0.0);
-            ball.handle(&[guard], &start).unwrap();
+            ball.handle(&[guard], start).unwrap();
             assert_eq!(kinds(&ball), [EventKind::Start, EventKind::Stick]);
             assert_eq!(ball.reactions, [20.0, 0.0, 0.0]);
         },
@@ -115,14 +124,12 @@ fn a_slip_at_zero_sticks() {
 
 #[test]
 fn a_reaction_that_is_zero_and_stays_is_a_touch_that_is_kept() {
-    with_snapshot(
+    with_phase(
         |it| it,
         [0.0, 0.0, 3.0, 0.0],
-        |mut ball| {
-            ball.begin().unwrap();
-            let start = ball.phase_start();
+        |mut ball, start| {
             // The weight presses all the same.
-            ball.handle(&[Guard::Reaction(FLOOR)], &start).unwrap();
+            ball.handle(&[Guard::Reaction(FLOOR)], start).unwrap();
             assert_eq!(kinds(&ball), [EventKind::Start, EventKind::Touch]);
             assert!(ball.onset.kept.contains(FLOOR) && ball.onset.lifted.is_empty());
         },
@@ -148,12 +155,10 @@ fn what_is_due_happens_once() {
 
 #[test]
 fn conditions_arm_contacts_and_loads() {
-    with_snapshot(
+    with_phase(
         |it| it,
         [1.0, 0.0, 3.0, 0.0],
-        |mut ball| {
-            ball.begin().unwrap();
-            let start = ball.phase_start();
+        |mut ball, start| {
             assert!(ball.contacts.absent().contains(WALL));
             let arms = |label: &str| {
                 ball.awaited
@@ -163,7 +168,7 @@ fn conditions_arm_contacts_and_loads() {
             };
             let guards = ["t", "x"].map(|label| Guard::Condition(arms(label).unwrap()));
             (ball.t, ball.state[0]) = (1.0, 2.0);
-            ball.handle(&guards, &start).unwrap();
+            ball.handle(&guards, start).unwrap();
             assert!(!ball.contacts.absent().contains(WALL));
             // The wind is heavier than friction, 3 N against 5 N: it goes on to slide.
             assert_eq!(kinds(&ball)[1..], [EventKind::Arm, EventKind::Arm]);
@@ -196,15 +201,13 @@ fn a_flight_too_low_to_be_seen_settles_at_its_end() {
 
 #[test]
 fn a_stop_ends_before_the_impact() {
-    with_snapshot(
+    with_phase(
         |it| it.until("y = 0").unwrap(),
         [0.0, 1.0, 0.0, 0.0],
-        |mut ball| {
-            ball.begin().unwrap();
-            let start = ball.phase_start();
+        |mut ball, start| {
             (ball.state[1], ball.state[3]) = (0.0, -4.0);
             let guards = [Guard::Gap(FLOOR), Guard::Condition(0)];
-            assert_eq!(ball.handle(&guards, &start).unwrap(), Next::Finished);
+            assert_eq!(ball.handle(&guards, start).unwrap(), Next::Finished);
             assert_eq!(kinds(&ball), [EventKind::Start, EventKind::Stop]);
             assert!(
                 matches!(ball.transition.events[1].note, Some(Note::Condition(_))) && ball.state[3] == -4.0
@@ -267,11 +270,9 @@ fn a_shift_onto_contacts_gains_no_energy() {
 #[test]
 fn an_impact_without_restitution_leaves_nothing_to_open() {
     let plastic = |it: Simulation| Simulation { restitution: vec![0.0; it.restitution.len()], ..it };
-    with_snapshot(plastic, [0.0, 1.0, 0.3, 0.0], |mut ball| {
-        ball.begin().unwrap();
-        let start = ball.phase_start();
+    with_phase(plastic, [0.0, 1.0, 0.3, 0.0], |mut ball, start| {
         (ball.state[1], ball.state[3]) = (0.0, -4.0);
-        ball.handle(&[Guard::Gap(FLOOR)], &start).unwrap();
+        ball.handle(&[Guard::Gap(FLOOR)], start).unwrap();
         assert!(ball.closed().contains(FLOOR) && ball.state[3] == 0.0);
     });
 }

@@ -70,7 +70,10 @@ pub(crate) struct Onset {
 pub(crate) struct PhaseStart {
     pub(super) state: Vec<f64>,
     pub(super) energy: Energy<f64>,
-    /// Contacts below their grounds, where they had been armed.
+    /// Open contacts beyond the ends of their bars, or below their grounds where they had been
+    /// armed.
+    pub(super) off: ContactSet,
+    /// Of these, those that come and go.
     pub(super) sunk: ContactSet,
 }
 
@@ -205,8 +208,9 @@ impl<'a> Snapshot<'a> {
 
     /// What the phase that follows begins with.
     pub(super) fn phase_start(&self) -> PhaseStart {
-        let sunk = self.find_beyond_end().intersection(self.setup.rules.switches.contacts());
-        PhaseStart { state: self.state.clone(), energy: self.energy(), sunk }
+        let off = self.find_beyond_end();
+        let sunk = off.intersection(self.setup.rules.switches.contacts());
+        PhaseStart { state: self.state.clone(), energy: self.energy(), off, sunk }
     }
 
     /// Rounding accumulated over the distance that the coordinates have travelled at their rates.

@@ -6,7 +6,7 @@ use std::cell::Ref;
 use super::Snapshot;
 use crate::context::Numbers;
 use crate::model::ContactSet;
-use crate::numerics::zero::{place, roundoff};
+use crate::numerics::zero::{compute_place_error, roundoff};
 use crate::simulation::Simulation;
 
 /// What is too small to be told from zero at a time and a state.
@@ -25,7 +25,7 @@ impl Tiny {
     fn of(setup: &Simulation, t: f64, state: &[f64]) -> Self {
         let context = &setup.context;
         let fastest = context.scales.fastest(context.layout(), &state[context.rates()]);
-        let usual = place(setup.tolerance).max(roundoff(2.0) * t.abs() * fastest);
+        let usual = compute_place_error(setup.tolerance).max(roundoff(2.0) * t.abs() * fastest);
         Self { t, state: Numbers::from_slice(state), usual, roundings: context.roundings(state, usual) }
     }
 }

@@ -25,7 +25,7 @@ impl DriveGuard {
 
 impl Kind for DriveGuard {
     fn value(&self, step: &SampledStep<'_>, theta: f64) -> f64 {
-        step.value(theta, Quantities::GAPS, |sample| sample.gaps[self.contact])
+        step.gap(self.contact, theta)
     }
 
     fn size(&self, step: &SampledStep<'_>, _: &[f64]) -> f64 {

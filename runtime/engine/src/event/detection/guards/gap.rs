@@ -63,7 +63,7 @@ impl GapGuard {
     ) -> Result<Option<f64>, GuardError> {
         self.passes = None;
         let contact = self.contact;
-        let value = |theta: f64| step.value(theta, Quantities::GAPS, |sample| sample.gaps[contact]);
+        let value = |theta: f64| step.gap(contact, theta);
         let (source, bound) = tracking.trace(self, step, &value);
         // Where a gap that never rose above its bound falls below it: the contact has closed
         // somewhere before, and to say so at the start would stop the time.
@@ -113,7 +113,7 @@ impl GapGuard {
 
 impl Kind for GapGuard {
     fn value(&self, step: &SampledStep<'_>, theta: f64) -> f64 {
-        step.value(theta, Quantities::GAPS, |sample| sample.gaps[self.contact])
+        step.gap(self.contact, theta)
     }
 
     fn size(&self, step: &SampledStep<'_>, _: &[f64]) -> f64 {

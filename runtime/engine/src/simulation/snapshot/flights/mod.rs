@@ -93,10 +93,11 @@ impl Snapshot<'_> {
     /// rise within the bound of their gap, where their fall would be lost.
     pub(in crate::simulation) fn find_low_flights(&self) -> Vec<(usize, f64)> {
         let known = self.onset.risen.as_ref().filter(|(bearing, _)| *bearing == self.bearing());
-        let rising = known.map_or_else(|| self.find_rising(), |(_, rising)| rising.clone());
+        let found = if known.is_none() { self.find_rising() } else { Vec::new() };
+        let rising = known.map_or(&found, |(_, rising)| rising);
         let mut flights = self.bounces.heights.clone();
         // One that is no higher than the rounding of its gap cannot be followed.
-        for Rise { contact, height, .. } in rising.into_iter().filter(|rise| rise.height > rise.least) {
+        for &Rise { contact, height, .. } in rising.iter().filter(|rise| rise.height > rise.least) {
             if flights.iter().all(|(known, _)| *known != contact) {
                 flights.push((contact, height));
             }
