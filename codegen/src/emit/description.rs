@@ -164,6 +164,7 @@ fn contact_tokens(
     };
     let law = match support.law {
         Law::Newton => quote!(Newton),
+        Law::Moreau => quote!(Moreau),
         Law::Poisson => quote!(Poisson),
         Law::Stronge => quote!(Stronge),
     };

@@ -1,5 +1,5 @@
 //! How a one-sided constraint acts: `rough`, `friction = mu`, `static = mu_s`, `tangential = e_t`, `jams`, `restitution = e`,
-//! `law = newton`, `poisson` or `stronge`, `stop`, `while("…")`.
+//! `law = newton`, `moreau`, `poisson` or `stronge`, `stop`, `while("…")`.
 
 use syn::Expr;
 
@@ -42,6 +42,8 @@ pub enum ImpactLaw {
     /// Velocities.
     #[default]
     Newton,
+    /// Velocities, with Coulomb's law between the whole impulse and the velocity after it.
+    Moreau,
     /// Impulses.
     Poisson,
     /// Energies.
@@ -59,10 +61,12 @@ impl ContactLaw {
         let law = options.take_name("law")?;
         let law = match law.as_ref().map(ToString::to_string).as_deref() {
             None | Some("newton") => Ok(ImpactLaw::Newton),
+            Some("moreau") => Ok(ImpactLaw::Moreau),
             Some("poisson") => Ok(ImpactLaw::Poisson),
             Some("stronge") => Ok(ImpactLaw::Stronge),
             Some(_) => {
-                let text = "the law of impact is `newton` (velocities), `poisson` (impulses) or `stronge` (energies)";
+                let text = "the law of impact is `newton` (velocities), `moreau` (velocities, with friction at the end alone), \
+                            `poisson` (impulses) or `stronge` (energies)";
                 Err(syn::Error::new_spanned(law, text))
             }
         }?;

@@ -181,10 +181,19 @@ pub enum Kink {
 pub enum Law {
     /// Velocities: ġ⁺ = −e ġ⁻.
     Newton,
+    /// Velocities, with Coulomb's law between the whole impulse and the slip velocity after it.
+    Moreau,
     /// Impulses: P = (1 + e) Pᶜ, with the impulse Pᶜ of the plastic compression.
     Poisson,
     /// Energies: the normal impulse gives back e² of the work that the compression took, along the path of a single contact.
     Stronge,
+}
+
+impl Law {
+    /// Whether an impact has a compression and a restitution.
+    pub const fn has_phases(self) -> bool {
+        matches!(self, Self::Poisson | Self::Stronge)
+    }
 }
 
 /// What the names of joints begin with that are prescribed motions.

@@ -201,6 +201,9 @@ impl<'a> Stages<'a> {
     fn law(&self) -> Result<Law, CollisionError> {
         let departs = self.candidates.iter().any(|&row| self.approach[row] > 0.0);
         let declared = |law: Law| self.candidates.iter().any(|&row| self.declares(row, law));
+        if !self.candidates.is_empty() && self.candidates.iter().all(|&row| self.declares(row, Law::Moreau)) {
+            return Ok(Law::Moreau);
+        }
         if !declared(Law::Stronge) {
             if departs {
                 return Ok(Law::Poisson);
@@ -209,20 +212,21 @@ impl<'a> Stages<'a> {
                 return Ok(Law::Newton);
             }
         }
-        self.law_of(&self.newton(0.0)?.acting, departs)
+        self.law_of(&self.newton(Law::Newton, 0.0)?.acting, departs)
     }
 
     pub(super) fn declares(&self, row: usize, law: Law) -> bool {
         matches!(self.collision.rows[row], Row::Contact { law: declared, .. } if declared == law)
     }
 
-    /// The law of contacts that act at once: Poisson's where one declares it, or where contacts depart. A single smooth or
-    /// rough contact gains as much by Stronge's law as by Poisson's.
+    /// The law of contacts that act at once: Moreau's where all declare it, Poisson's where one does, or where contacts depart.
+    /// A single smooth or rough contact gains as much by Stronge's law as by Poisson's.
     pub(super) fn law_of(&self, acting: &[usize], departs: bool) -> Result<Law, CollisionError> {
         let any = |law: Law| acting.iter().any(|&row| self.declares(row, law));
         match acting.len() {
             _ if any(Law::Stronge) && acting.len() > 1 => Err(CollisionError::Several),
             _ if any(Law::Stronge) => Ok(Law::Stronge),
+            1.. if acting.iter().all(|&row| self.declares(row, Law::Moreau)) => Ok(Law::Moreau),
             _ if departs || any(Law::Poisson) => Ok(Law::Poisson),
             _ => Ok(Law::Newton),
         }
@@ -230,7 +234,7 @@ impl<'a> Stages<'a> {
 
     fn outcome(&self, law: Law, factor: f64) -> Result<Outcome, CollisionError> {
         match law {
-            Law::Newton => self.newton(factor),
+            Law::Newton | Law::Moreau => self.newton(law, factor),
             Law::Poisson => self.poisson(factor),
             Law::Stronge => {
                 let outcome = self.poisson(factor)?;
@@ -253,14 +257,24 @@ impl<'a> Stages<'a> {
         LcpRows { fixed, candidates, tied, trials: Some(trials) }
     }
 
-    fn newton(&self, factor: f64) -> Result<Outcome, CollisionError> {
-        let bias = DVector::from_fn(self.approach.len(), |row, _| {
-            self.approach[row] * (1.0 + factor * self.restitution(row))
-        });
+    fn newton(&self, law: Law, factor: f64) -> Result<Outcome, CollisionError> {
         let choice = self.choice();
-        let problem = self.problem(&self.collision.applied, &bias);
+        let problem = self.problem(&self.collision.applied, &self.newton_bias(factor));
         let found = problem.solve(&choice)?;
-        Ok(self.finish(Law::Newton, factor, &problem, found, None))
+        Ok(self.finish(law, factor, &problem, found, None))
+    }
+
+    /// ġ⁻ + e ġ⁻ of contacts that approach, v⁻ + e_t v⁻ of tangents, ġ⁻ of all others.
+    pub(super) fn newton_bias(&self, factor: f64) -> DVector<f64> {
+        DVector::from_fn(self.approach.len(), |row, _| {
+            let before = self.approach[row];
+            let returned = match self.collision.rows[row] {
+                Row::Contact { restitution, .. } => restitution * before.min(0.0),
+                Row::Friction { restitution, .. } => restitution * before,
+                Row::Open | Row::TwoSided | Row::Guide | Row::Tangent { .. } => 0.0,
+            };
+            before + factor * returned
+        })
     }
 
     fn poisson(&self, factor: f64) -> Result<Outcome, CollisionError> {

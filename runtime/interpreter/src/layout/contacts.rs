@@ -42,6 +42,7 @@ fn contact(
         jams: support.friction.as_ref().is_some_and(|friction| friction.jams),
         law: match support.law {
             Law::Newton => model::Law::Newton,
+            Law::Moreau => model::Law::Moreau,
             Law::Poisson => model::Law::Poisson,
             Law::Stronge => model::Law::Stronge,
         },

@@ -61,7 +61,7 @@ impl<M: Fn(usize, usize) -> f64, J: Fn(usize, usize) -> f64> Struck<'_, M, J> {
             opening,
             acting: vec![row],
             law,
-            compression: (law != Law::Newton).then(|| response.after(&path.vertices[path.compressed])),
+            compression: law.has_phases().then(|| response.after(&path.vertices[path.compressed])),
             factor: 1.0,
             unique: true,
             method: if friction.is_some() { Method::Path } else { Method::AtOnce },
@@ -83,7 +83,9 @@ impl<M: Fn(usize, usize) -> f64, J: Fn(usize, usize) -> f64> Struck<'_, M, J> {
                 },
                 // Contacts come before their tangents.
                 Row::Friction { of, mu, restitution } if found.as_ref().is_some_and(|it| it.row == of) => {
-                    friction = (restitution == 0.0).then_some((row, mu));
+                    let has_path =
+                        restitution == 0.0 && found.as_ref().is_some_and(|it| it.law != Law::Moreau);
+                    friction = has_path.then_some((row, mu));
                     friction?;
                 }
                 Row::Friction { .. } => {}

@@ -18,7 +18,7 @@
 use nalgebra::DVector;
 
 use super::super::super::impact::Stages;
-use super::super::super::impulse::{CollisionError, Method, Outcome, Row};
+use super::super::super::impulse::{CollisionError, Method, Outcome};
 use super::super::Question;
 use super::super::decision::{FrictionError, FrictionSolution};
 use super::super::modes::{Bound, Frictional, Given};
@@ -63,13 +63,12 @@ impl Stage {
 impl Stages<'_> {
     /// The outcome with every restitution multiplied by a factor.
     pub(super) fn all_at_once(&self, law: Law, factor: f64) -> Result<Outcome, CollisionError> {
-        let (stage, compression) = match law {
-            Law::Newton => (self.stage(&self.newton_bias(factor), &self.at_rest(), Wanted::Any)?, None),
-            Law::Poisson | Law::Stronge => {
-                let first = self.stage(&self.approach, &self.at_rest(), Wanted::Any)?;
-                let second = self.expansion(&first, factor)?;
-                (second, Some((first.rates, first.impulses)))
-            }
+        let (stage, compression) = if law.has_phases() {
+            let first = self.stage(&self.approach, &self.at_rest(), Wanted::Any)?;
+            let second = self.expansion(&first, factor)?;
+            (second, Some((first.rates, first.impulses)))
+        } else {
+            (self.stage(&self.newton_bias(factor), &self.at_rest(), Wanted::Any)?, None)
         };
         Ok(Outcome { factor, ..self.outcome_of(stage, law, compression) })
     }
@@ -98,16 +97,6 @@ impl Stages<'_> {
             groups: Vec::new(),
         };
         Outcome { gained: self.work(&outcome).0, ..outcome }
-    }
-
-    fn newton_bias(&self, factor: f64) -> DVector<f64> {
-        DVector::from_fn(self.approach.len(), |row, _| {
-            let restitution = match self.collision.rows[row] {
-                Row::Contact { restitution, .. } | Row::Friction { restitution, .. } => restitution,
-                _ => 0.0,
-            };
-            self.approach[row] * (1.0 + factor * restitution)
-        })
     }
 
     /// The contacts with friction of a stage without anything given.

@@ -91,7 +91,7 @@ impl Stages<'_> {
         match self.law_at_once()? {
             Law::Stronge => Err(CollisionError::Several),
             Law::Poisson => self.all_at_once(Law::Poisson, 1.0),
-            Law::Newton => match self.all_at_once(Law::Newton, 1.0) {
+            law @ (Law::Newton | Law::Moreau) => match self.all_at_once(law, 1.0) {
                 Err(CollisionError::Jammed) => self.all_at_once(Law::Poisson, 1.0),
                 outcome => outcome,
             },
@@ -105,8 +105,8 @@ impl Stages<'_> {
         if all(Law::Newton) && !departs {
             return Ok(Law::Newton);
         }
-        if all(Law::Poisson) {
-            return Ok(Law::Poisson);
+        if let Some(law) = [Law::Poisson, Law::Moreau].into_iter().find(|law| all(*law)) {
+            return Ok(law);
         }
         self.law_of(&self.all_at_once(Law::Newton, 0.0)?.acting, departs)
     }

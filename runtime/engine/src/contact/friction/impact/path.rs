@@ -109,7 +109,7 @@ impl<S: Scalar> Striker<S> {
                 next.normal = zero;
                 compressed = Some(vertices.len());
             } else if is_ended {
-                if self.law == Law::Newton {
+                if !self.law.has_phases() {
                     next.normal = -self.e * start.normal;
                 }
                 vertices.push(next);
@@ -165,9 +165,9 @@ impl<S: Scalar> Striker<S> {
     fn restitution(&self, start: &Vertex<S>, compressed: &Vertex<S>, now: &Vertex<S>, ratio: S) -> Option<S> {
         let rise = self.rise(ratio);
         let left = match self.law {
-            Law::Newton if now.normal >= -self.e * start.normal => S::ZERO,
-            Law::Newton if rise > S::ZERO => (-self.e * start.normal - now.normal) / rise,
-            Law::Newton => return None,
+            Law::Newton | Law::Moreau if now.normal >= -self.e * start.normal => S::ZERO,
+            Law::Newton | Law::Moreau if rise > S::ZERO => (-self.e * start.normal - now.normal) / rise,
+            Law::Newton | Law::Moreau => return None,
             Law::Poisson => (S::ratio(1, 1) + self.e) * compressed.impulse - now.impulse,
             Law::Stronge => {
                 // ġ L + rise L²/2 = what is left to be given back.
@@ -214,7 +214,7 @@ impl Stages<'_> {
         rubbing: Option<Rubbing>,
     ) -> Result<Option<Outcome>, CollisionError> {
         let Row::Contact { restitution, law } = self.collision.rows[normal] else { return Ok(None) };
-        if rubbing.is_some_and(|it| it.restitution > 0.0) {
+        if rubbing.is_some_and(|it| it.restitution > 0.0 || law == Law::Moreau) {
             return Ok(None);
         }
         let still = DVector::zeros(self.approach.len());
@@ -280,10 +280,7 @@ impl Stages<'_> {
         if let Some(it) = rubbing.filter(|_| end.slip == 0.0) {
             opening[it.tangent] = 0.0;
         }
-        let compression = match law {
-            Law::Newton => None,
-            Law::Poisson | Law::Stronge => Some(at(&path.vertices[path.compressed])?),
-        };
+        let compression = if law.has_phases() { Some(at(&path.vertices[path.compressed])?) } else { None };
         let acting = if end.impulse > 0.0 { vec![normal] } else { Vec::new() };
         let outcome = Outcome {
             rates,

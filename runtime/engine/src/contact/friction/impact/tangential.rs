@@ -10,7 +10,6 @@ use super::super::super::trials::Trials;
 use super::super::stability::{Sliding, painleve};
 use super::Rubbing;
 use super::at_once::Wanted;
-use crate::model::Law;
 
 impl Collision {
     /// The impulse that ends a slip which no reaction holds. All contacts have ġ = 0: approaches are none. Of several contacts
@@ -57,12 +56,10 @@ impl Stages<'_> {
         let first = self.stage(&self.approach, &self.at_rest(), Wanted::Moved)?;
         let departs = self.candidates.iter().any(|&row| self.approach[row] > 0.0);
         let law = self.law_of(&first.acting(&self.candidates), departs)?;
-        match law {
-            Law::Newton => Ok(self.outcome_of(first, law, None)),
-            Law::Poisson | Law::Stronge => {
-                let second = self.expansion(&first, 1.0)?;
-                Ok(self.outcome_of(second, law, Some((first.rates, first.impulses))))
-            }
+        if !law.has_phases() {
+            return Ok(self.outcome_of(first, law, None));
         }
+        let second = self.expansion(&first, 1.0)?;
+        Ok(self.outcome_of(second, law, Some((first.rates, first.impulses))))
     }
 }

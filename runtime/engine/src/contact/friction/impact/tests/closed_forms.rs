@@ -92,6 +92,47 @@ fn a_rod_strikes_a_rough_floor() {
     }
 }
 
+/// Moreau's law of the same rod, by hand: of sticking, W (P, P_t) = ((1 + e) , −v), and of a slide that goes on or has turned the one
+/// whose friction opposes the slip velocity after it. Routh's path turns back at 60°, and Moreau's law stays at rest there.
+#[test]
+fn moreau_relates_the_whole_impulse_to_the_slip_after_it() {
+    for (degrees, slip, mu, e) in [
+        (60.0, 0.5, 0.3, 0.6),
+        (70.0, -0.4, 0.5, 0.9),
+        (75.0, 1.0, 0.8, 0.9),
+        (20.0, 2.0, 0.1, 0.3),
+        (55.0, 0.3, 0.1, 0.5),
+    ] {
+        let collision = rod(degrees, (slip, -1.0), mu, (e, Law::Moreau));
+        let (sine, cosine) = f64::to_radians(degrees).sin_cos();
+        let [nn, nt, tt] = [1.0 + 3.0 * cosine * cosine, -3.0 * cosine * sine, 1.0 + 3.0 * sine * sine];
+        let returned = 1.0 + e;
+        let determinant = nn * tt - nt * nt;
+        let stick = ((tt * returned + nt * slip) / determinant, (-nt * returned - nn * slip) / determinant);
+        let slides = [1.0, -1.0].map(|sense| {
+            let normal = returned / (nn - sense * mu * nt);
+            (sense, normal, -sense * mu * normal)
+        });
+        let after = |(_, normal, friction): (f64, f64, f64)| slip + nt * normal + tt * friction;
+        let sliding = slides.into_iter().find(|it| it.0 * after(*it) > 0.0);
+        let (normal, friction, v) = match sliding {
+            Some(it) => (it.1, it.2, after(it)),
+            None => (stick.0, stick.1, 0.0),
+        };
+        assert!(friction.abs() <= mu * normal + 1e-15);
+        let outcome = collision.solve().unwrap();
+        assert_eq!((outcome.law, outcome.method), (Law::Moreau, Method::AtOnce));
+        for (found, expected) in [
+            (outcome.impulses[0], normal),
+            (outcome.impulses[1], friction),
+            (outcome.opening[0], e),
+            (outcome.opening[1], v),
+        ] {
+            assert!((found - expected).abs() < 1e-14, "{degrees}: {found} {expected}");
+        }
+    }
+}
+
 /// Without friction the three laws are one, and so are the ways to them.
 #[test]
 fn a_smooth_contact_has_one_law() {

@@ -48,7 +48,7 @@ fn integrated(it: &Striker<f64>, slip: f64) -> Option<[Point; 2]> {
         }
         if let Some(first) = compressed {
             let over = match it.law {
-                Law::Newton => next[0] >= it.e,
+                Law::Newton | Law::Moreau => next[0] >= it.e,
                 Law::Poisson => next[2] >= (1.0 + it.e) * first[2],
                 Law::Stronge => next[4] - first[4] >= -it.e * it.e * first[4],
             };
@@ -137,7 +137,7 @@ fn a_contact_that_moves_along_one_line_stops_at_once() {
         let compressed = 1.0 / (w * (1.0 - part));
         let ratio = (1.0 + part) / (1.0 - part);
         let normal = match law {
-            Law::Newton => e,
+            Law::Newton | Law::Moreau => e,
             Law::Poisson => e * ratio,
             Law::Stronge => e * ratio.sqrt(),
         };
