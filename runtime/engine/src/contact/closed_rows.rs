@@ -4,8 +4,8 @@ use liftoff_core::kernel::lever;
 use nalgebra::DMatrix;
 
 use crate::model::{ContactSet, Friction, Layout};
-use crate::numerics::decomposition::{parts, svd};
-use crate::numerics::zero::{MARGIN, RANK};
+use crate::numerics::decomposition::{parts, range};
+use crate::numerics::zero::MARGIN;
 use crate::system::System;
 
 /// The rows of closed contacts, with the tangents of those that slide, and of joints.
@@ -70,15 +70,9 @@ impl ClosedRows {
 
     /// Which rows have a part in reactions λ with Jᵀ λ = 0: what they bear is not determined by the motion.
     pub(super) fn undetermined(&self) -> Vec<bool> {
-        let (k, n) = self.jacobian.shape();
-        let mut padded = DMatrix::zeros(k.max(n), k);
-        padded.rows_mut(0, n).copy_from(&self.jacobian.transpose());
-        let svd = svd(padded);
-        let least = RANK * svd.singular_values.amax();
-        let Some(v) = svd.v_t else { return vec![false; k] };
-        let free = (0..k).filter(|&i| svd.singular_values[i] <= least);
-        let free: Vec<usize> = free.collect();
+        let determined = range(&self.jacobian);
         let is_zero = |row: usize| self.jacobian.row(row).amax() == 0.0;
-        (0..k).map(|row| !is_zero(row) && free.iter().any(|&i| v[(i, row)].abs() > MARGIN)).collect()
+        let is_free = |row: usize| 1.0 - determined.row(row).norm_squared() > MARGIN * MARGIN;
+        (0..self.rows.len()).map(|row| !is_zero(row) && is_free(row)).collect()
     }
 }

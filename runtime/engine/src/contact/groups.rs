@@ -4,7 +4,7 @@
 //! changes the rates without contacts, impulses from outside and two-sided rows that take hold, is
 //! counted once.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::DVector;
 
@@ -114,20 +114,24 @@ impl LeastConstraint {
     pub(super) fn find_groups(&self, fixed: &[usize], rows: &[(usize, usize)]) -> Vec<Vec<usize>> {
         let acting: Vec<usize> = rows.iter().map(|(row, _)| *row).collect();
         let directions = self.free_directions(fixed, &acting);
-        let of = |row: usize| rows.iter().find(|(it, _)| *it == row).map_or(row, |(_, of)| *of);
         let contacts: BTreeSet<usize> = rows.iter().map(|(_, contact)| *contact).collect();
-        let mut groups: Vec<Vec<usize>> = contacts.into_iter().map(|contact| vec![contact]).collect();
-        for (k, (a, one)) in directions.iter().enumerate() {
-            for (b, other) in &directions[k + 1..] {
-                let place = |contact: usize| groups.iter().position(|group| group.contains(&contact));
-                let (Some(first), Some(second)) = (place(of(*a)), place(of(*b))) else { continue };
-                if first != second && Collision::are_coupled(one, other) {
-                    let joined = groups.remove(first.max(second));
-                    groups[first.min(second)].extend(joined);
+        let contacts: Vec<usize> = contacts.into_iter().collect();
+        let place_of: BTreeMap<usize, usize> =
+            rows.iter().filter_map(|(row, of)| Some((*row, contacts.binary_search(of).ok()?))).collect();
+        let places: Vec<usize> = directions.iter().map(|(row, _)| place_of[row]).collect();
+        // The first contact of the group that each is in.
+        let mut first: Vec<usize> = (0..contacts.len()).collect();
+        for (k, (_, one)) in directions.iter().enumerate() {
+            for (l, (_, other)) in directions.iter().enumerate().skip(k + 1) {
+                let [kept, joined] = [k, l].map(|it| first[places[it]]);
+                if kept != joined && Collision::are_coupled(one, other) {
+                    let both = first.iter_mut().filter(|it| [kept, joined].contains(it));
+                    both.for_each(|it| *it = kept.min(joined));
                 }
             }
         }
-        groups.iter_mut().for_each(|group| group.sort_unstable());
-        groups
+        let group =
+            |of: usize| (0..contacts.len()).filter(|&it| first[it] == of).map(|it| contacts[it]).collect();
+        (0..contacts.len()).filter(|&it| first[it] == it).map(group).collect()
     }
 }

@@ -1,7 +1,7 @@
 //! Decompositions that come to an end, with what rounding allows: nalgebra's own turn for ever on entries that are not finite, and
 //! now and then leave an error in singular values. A matrix that is not finite counts as zero, so that what is asked of it is singular.
 
-use crate::numerics::zero::roundoff;
+use crate::numerics::zero::{RANK, roundoff};
 use nalgebra::{Complex, DMatrix, DVector, Dyn, SVD, Schur, SymmetricEigen};
 
 /// A product that differs by more from its matrix, for each row or column in units of rounding of the largest entry, is no
@@ -64,6 +64,15 @@ fn make_orthogonal(columns: &mut DMatrix<f64>, mut turn: impl FnMut([usize; 2], 
             break;
         }
     }
+}
+
+/// An orthonormal basis of the range of a matrix.
+pub(crate) fn range(matrix: &DMatrix<f64>) -> DMatrix<f64> {
+    let svd = svd(matrix.clone());
+    let least = RANK * svd.singular_values.amax();
+    let kept: Vec<usize> =
+        (0..svd.singular_values.len()).filter(|&i| svd.singular_values[i] > least).collect();
+    svd.u.map_or_else(|| DMatrix::zeros(matrix.nrows(), 0), |u| u.select_columns(&kept))
 }
 
 /// Singular values alone, largest first: for small matrices a fraction of the work.

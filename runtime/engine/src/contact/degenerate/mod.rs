@@ -162,6 +162,8 @@ pub(super) struct Ladder {
     /// The problem of order 0 with its solution.
     first: Option<(EquilibratedKkt, Solution)>,
     rubbing: Vec<Rubbing>,
+    /// The closed rows where reactions with friction are not unique, those that bear alone first.
+    first_to_bear: Vec<usize>,
     layout: &'static Layout,
     alternatives: Option<Alternatives>,
     time: Option<f64>,
@@ -189,6 +191,7 @@ impl Ladder {
             unique: true,
             first: None,
             rubbing: Vec::new(),
+            first_to_bear: Vec::new(),
             layout,
             alternatives: None,
             time: question.time,
@@ -244,10 +247,11 @@ impl Ladder {
         };
         let candidates: Vec<usize> =
             self.open_question.iter().copied().filter(|row| !known.contains(row)).collect();
-        let fixed: Vec<usize> = self.closed.iter().chain(&self.pledged).copied().collect();
+        // With a row held whose reaction was located at zero, the error of its place moves no other contact.
+        let fixed: Vec<usize> = self.closed.iter().chain(&self.pledged).chain(&known).copied().collect();
         let choice = LcpRows { fixed: &fixed, candidates: &candidates, tied: &self.tied, trials };
         let mut problem = self.problem(equations, order);
-        let solution = match !ROUGH || self.rubbing.is_empty() {
+        let mut solution = match !ROUGH || self.rubbing.is_empty() {
             true => problem.solve(&choice)?,
             false => {
                 let contacts: Vec<Frictional> =
@@ -257,6 +261,9 @@ impl Ladder {
                 if order == 0 && (found.solutions.len() > 1 || !found.complete || !found.determined) {
                     self.alternatives = Some(self.alternatives_of(&found, &candidates));
                 }
+                if order == 0 && !found.solution.unique {
+                    self.first_to_bear = problem.order_bearing(&question, &found);
+                }
                 for ((rubbing, mode), next) in self.rubbing.iter_mut().zip(found.modes).zip(found.next) {
                     rubbing.mode = mode;
                     rubbing.frictional = rubbing.later.take().unwrap_or(next);
@@ -264,6 +271,8 @@ impl Ladder {
                 found.solution
             }
         };
+        known.iter().for_each(|&row| solution.reactions[row] = 0.0);
+        solution.degenerate.extend(known);
         let lifted = if order == 0 { ContactSet::EMPTY } else { self.lifted(&solution) };
         if order == 0 {
             self.first = Some((problem, solution.clone()));
@@ -275,7 +284,7 @@ impl Ladder {
             degenerate.into_iter().partition(|row| self.tied.iter().any(|(_, with)| with == row));
         self.closed.extend(bearing.into_iter().chain(kept));
         self.pledged = pledged.into_iter().chain(rough).collect();
-        self.open_question = smooth.into_iter().chain(known).collect();
+        self.open_question = smooth;
         self.open_question.sort_unstable();
         self.accelerations.push(accelerations);
         self.reactions.push(reactions);
@@ -345,19 +354,31 @@ impl Ladder {
         let slipping = |set: ContactSet| self.rubbing.iter().fold(set, |set, rubbing| rubbing.slip(set));
         ContactSolution {
             closed: slipping(rows.iter().copied().filter(is_contact).collect()),
-            bearing: slipping(self.independent(&rows).into_iter().filter(is_contact).collect()),
+            bearing: slipping(self.find_bearing(&rows).into_iter().filter(is_contact).collect()),
             reactions: self.shared(&rows, layout),
             unique: self.unique,
             alternatives: self.alternatives.clone(),
         }
     }
 
-    /// Independent rows among some, joints and those that bear at the lowest order before others.
-    fn independent(&self, rows: &[usize]) -> Vec<usize> {
+    /// Rows that bear: independent ones among some, joints and those that bear at the lowest order before others, and rough
+    /// contacts that hold a motion along themselves, whatever their normals depend on.
+    fn find_bearing(&self, rows: &[usize]) -> Vec<usize> {
         let is_shared = !self.unique || !(self.rubbing.is_empty() || self.open_question.is_empty());
         let least = self.first.as_ref().filter(|_| is_shared);
-        let least = least.and_then(|(problem, _)| problem.least_constraint().ok());
-        least.map_or_else(|| rows.to_vec(), |least| least.independent(rows))
+        let Some(least) = least.and_then(|(problem, _)| problem.least_constraint().ok()) else {
+            return rows.to_vec();
+        };
+        let tied = self.tied.iter().filter(|(_, contact)| rows.contains(contact));
+        let first = self.first_to_bear.iter().filter(|row| rows.contains(row));
+        let all = first.chain(rows).copied().chain(tied.map(|(row, _)| *row));
+        let all: Vec<usize> = all.collect();
+        let independent = least.independent(&all);
+        let holds = |row: &usize| {
+            independent.contains(row)
+                || self.tied.iter().any(|(tangent, contact)| contact == row && independent.contains(tangent))
+        };
+        rows.iter().copied().filter(holds).collect()
     }
 
     /// The shortest reactions at order 0 of the contacts that stay closed.

@@ -18,12 +18,15 @@ use super::modes::Sense;
 use crate::contact::closed_rows::ClosedRows;
 use crate::context::{Slips, slips};
 use crate::model::{ContactSet, Layout, Slip, SlipState};
-use crate::numerics::decomposition;
+use crate::numerics::decomposition::{self, range};
 use crate::numerics::zero::{MARGIN, RANK, roundoff};
 use crate::system::System;
 
 /// A friction force below this part of the largest reaction is rounding: beside the limit of a small coefficient it would be large.
 const ROUNDED: f64 = roundoff(16.0);
+
+/// So many edges are looked at before others.
+const FEW: usize = 16;
 
 /// The closed contacts of a phase whose reactions are not determined by the motion.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -228,33 +231,52 @@ fn row_space(edges: &[DVector<f64>], others: &[DVector<f64>]) -> DMatrix<f64> {
     range(&columns.transpose())
 }
 
-/// An orthonormal basis of the range of a matrix.
-fn range(matrix: &DMatrix<f64>) -> DMatrix<f64> {
-    let svd = decomposition::svd(matrix.clone());
-    let least = RANK * svd.singular_values.amax();
-    let kept: Vec<usize> =
-        (0..svd.singular_values.len()).filter(|&i| svd.singular_values[i] > least).collect();
-    svd.u.map_or_else(|| DMatrix::zeros(matrix.nrows(), 0), |u| u.select_columns(&kept))
-}
-
 /// s for loads of the edges, and the velocities of the edges in the motion that follows at s = 0. `None` where s has no bound.
+/// Of many edges few bound s: the motion that these leave is that of all where it violates no other.
 fn limit(space: &DMatrix<f64>, loads: &DVector<f64>) -> Option<(f64, DVector<f64>)> {
-    let ((m, r), size) = (space.shape(), loads.amax());
+    let (m, size) = (space.nrows(), loads.amax());
     if size == 0.0 {
         return Some((0.0, DVector::zeros(m)));
     }
     // Loads that are shifted alike on all edges shift s, which is then positive.
     let shift = 1.0 - loads.min().min(0.0) / size;
     let held = space.tr_mul(&(loads / size).add_scalar(shift));
-    let bounds = DMatrix::from_fn(m + 1, r, |i, j| if i < m { space[(i, j)] } else { space.column(j).sum() });
+    let mut asked = spread(m, FEW);
+    loop {
+        let Some((s, velocities)) = limit_by(space, &asked, &held) else {
+            if asked.len() == m {
+                return None;
+            }
+            asked = spread(m, 2 * asked.len());
+            continue;
+        };
+        let worst = velocities.argmin().0;
+        if velocities[worst] >= -RANK * velocities.amax() || asked.contains(&worst) {
+            return Some(((s - shift) * size, velocities));
+        }
+        asked.push(worst);
+    }
+}
+
+/// So many of some places, the first and the last among them.
+fn spread(places: usize, count: usize) -> Vec<usize> {
+    let count = count.min(places);
+    (0..count).map(|k| k * (places - 1) / (count - 1).max(1)).collect()
+}
+
+/// The same where some of the edges alone bound s.
+fn limit_by(space: &DMatrix<f64>, asked: &[usize], held: &DVector<f64>) -> Option<(f64, DVector<f64>)> {
+    let (m, r) = (asked.len(), space.ncols());
+    let edge = |i: usize, j: usize| if i < m { space[(asked[i], j)] } else { space.column(j).sum() };
+    let bounds = DMatrix::from_fn(m + 1, r, edge);
     let mut matrix = DMatrix::zeros(2 * r + m + 1, 2 * r + m + 1);
     for (start, sign) in [(0, 1.0), (r, -1.0)] {
         matrix.view_mut((start, 2 * r), (r, m + 1)).copy_from(&(bounds.transpose() * -sign));
         matrix.view_mut((2 * r, start), (m + 1, r)).copy_from(&(&bounds * sign));
     }
     let mut q = DVector::zeros(2 * r + m + 1);
-    q.rows_mut(0, r).copy_from(&held);
-    q.rows_mut(r, r).copy_from(&-&held);
+    q.rows_mut(0, r).copy_from(held);
+    q.rows_mut(r, r).copy_from(&-held);
     q[2 * r + m] = -1.0;
     let basic = lemke::solve(&matrix, &q, &DVector::repeat(q.len(), 1.0))?;
     // Where loads vanish fewer edges bear than the motion has components: the others of these are zero at the vertex.
@@ -265,9 +287,9 @@ fn limit(space: &DMatrix<f64>, loads: &DVector<f64>) -> Option<(f64, DVector<f64
     let svd = decomposition::svd(tight.clone());
     let cutoff = RANK * svd.singular_values.amax();
     let unit = DVector::from_fn(bearing.len(), |i, _| if i == last { 1.0 } else { 0.0 });
-    let velocity = space.select_columns(&moving) * svd.solve(&unit, cutoff).ok()?;
+    let velocities = space.select_columns(&moving) * svd.solve(&unit, cutoff).ok()?;
     let s = decomposition::svd(tight.transpose()).solve(&held.select_rows(&moving), cutoff).ok()?[last];
-    Some(((s - shift) * size, velocity))
+    Some((s, velocities))
 }
 
 #[cfg(test)]

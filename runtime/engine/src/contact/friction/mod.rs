@@ -17,6 +17,7 @@
 //! one with the most that stick. What order 0 leaves at zero is given as [`Frictional`] for the next order
 //! ([`modes`]).
 
+mod basis;
 mod cone;
 mod decision;
 mod enumeration;

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::{edges, limit, row_space};
+use super::{edges, limit, limit_by, row_space};
 use crate::contact::closed_rows::ClosedRows;
 use crate::contact::friction::Sense;
 use crate::contact::friction::tests::random::{Random, cases};
@@ -133,6 +133,36 @@ fn the_margin_is_that_of_the_best_vertex() {
         }
     }
     assert!(bounded > 250 && unbounded > 100 && negative > 20, "{bounded} {unbounded} {negative}");
+}
+
+/// Of many edges those that are asked first leave the same margin and motion as all of them at once.
+#[test]
+fn many_edges_are_bounded_by_few() {
+    let mut random = Random(0x1357_9BDF_0246_8ACE);
+    let (mut bounded, mut unbounded) = (0, 0);
+    for k in 0..cases(300) {
+        let (n, m) = (2 + k % 3, 20 + random.below(60));
+        // Edges that lean to one side are bounded, others hold each other.
+        let lean = [0.0, 0.9, 1.2][random.below(3)];
+        let entry =
+            |random: &mut Random, i: usize| random.between(-1.0, 1.0) + if i == 0 { lean } else { 0.0 };
+        let edges: Vec<DVector<f64>> =
+            (0..m).map(|_| DVector::from_fn(n, |i, _| entry(&mut random, i))).collect();
+        let loads = DVector::from_fn(m, |_, _| random.between(0.1, 1.0));
+        let space = row_space(&edges, &[]);
+        let all: Vec<usize> = (0..m).collect();
+        let expected = limit_by(&space, &all, &space.tr_mul(&(&loads / loads.amax()).add_scalar(1.0)));
+        let found = limit(&space, &loads);
+        assert_eq!(found.is_some(), expected.is_some(), "{k}");
+        let (Some((value, velocities)), Some((s, same))) = (found, expected) else {
+            unbounded += 1;
+            continue;
+        };
+        bounded += 1;
+        assert!((value / loads.amax() - (s - 1.0)).abs() <= 1e-10, "{k}: {value} {s}");
+        assert!((velocities - same).amax() <= 1e-8, "{k}");
+    }
+    assert!(bounded > 50 && unbounded > 50, "{bounded} {unbounded}");
 }
 
 /// Two edges of a cone with what it bears between them, and one of a contact without friction, or that slides; nothing of what the

@@ -1,0 +1,103 @@
+//! Of closed contacts that share their load independent ones that bear it alone, without any that would pull. Of reactions
+//! `Σ aₖ λₖ = F` with λ > 0 and more columns than their rank each null vector leads to others without one of the contacts,
+//!
+//! ```text
+//! λ − t v,    A v = 0,    t = λᵢ / vᵢ
+//! ```
+//!
+//! (Carathéodory). Contacts that the others replace best go first, so that those stay that are farthest from each other: v is the part of
+//! eᵢ in the null space of A, `vᵢ = 1 − aᵢᵀ (A Aᵀ)⁺ aᵢ`.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::decision::FrictionSolution;
+use super::modes::Mode;
+use super::problem::Question;
+use crate::contact::equilibrated_kkt::EquilibratedKkt;
+use crate::numerics::decomposition::range;
+use crate::numerics::zero::MARGIN;
+
+/// A closed row.
+struct Column {
+    row: usize,
+    /// Its column, bent where its contact slides.
+    entries: DVector<f64>,
+    /// λ, positive where the contact presses.
+    load: f64,
+    /// Whether it may not turn negative.
+    one_sided: bool,
+}
+
+impl EquilibratedKkt {
+    /// The closed rows of a motion whose reactions are not unique, those that bear it alone first.
+    pub(in crate::contact) fn order_bearing(
+        &self,
+        question: &Question,
+        found: &FrictionSolution,
+    ) -> Vec<usize> {
+        let shared = self.share_with_friction(question, found);
+        let mut kept = self.columns(question, found, &shared);
+        let mut removed = Vec::new();
+        while let Some(place) = find_replaceable(&mut kept) {
+            removed.push(kept.remove(place).row);
+        }
+        kept.iter().map(|column| column.row).chain(removed.into_iter().rev()).collect()
+    }
+
+    fn columns(&self, question: &Question, found: &FrictionSolution, shared: &DVector<f64>) -> Vec<Column> {
+        let load = |row: usize| shared[row] / self.scale[self.n + row];
+        let mut columns = Vec::new();
+        for (contact, mode) in question.contacts.iter().zip(&found.modes).filter(|(_, mode)| mode.is_closed())
+        {
+            let side = mode.side();
+            let entries = match mode.sense() {
+                Some(sense) => {
+                    self.bent_column(contact.normal, contact.tangent, -side * sense.sign() * contact.mu)
+                }
+                None => self.column_of(contact.normal),
+            };
+            let one_sided = !matches!(mode, Mode::Guide { .. });
+            columns.push(Column { row: contact.normal, entries, load: load(contact.normal), one_sided });
+        }
+        let is_known = |row: usize| {
+            question.contacts.iter().any(|contact| contact.normal == row)
+                || !found.solution.tight.contains(&row)
+        };
+        let others = (0..shared.len()).filter(|row| !is_known(*row));
+        columns.extend(others.map(|row| {
+            let one_sided = question.rows.candidates.contains(&row);
+            Column { row, entries: self.column_of(row), load: load(row), one_sided }
+        }));
+        columns
+    }
+}
+
+/// A contact without which the others bear as much, with their loads after it is gone; `None` where all are independent.
+fn find_replaceable(columns: &mut [Column]) -> Option<usize> {
+    let entries: Vec<DVector<f64>> = columns.iter().map(|column| column.entries.clone()).collect();
+    let determined = range(&DMatrix::from_columns(&entries).transpose());
+    let free = |i: usize| 1.0 - determined.row(i).norm_squared();
+    let mut replaceable: Vec<usize> =
+        (0..columns.len()).filter(|&i| columns[i].one_sided && free(i) > MARGIN * MARGIN).collect();
+    replaceable.sort_by(|&i, &j| free(j).total_cmp(&free(i)));
+    let without = |i: usize| {
+        let mut along = &determined * determined.row(i).transpose() * -1.0;
+        along[i] += 1.0;
+        along
+    };
+    // How far the load of a column can be taken by others, the first of them to vanish on the way or itself.
+    let step = |along: &DVector<f64>| {
+        let falls = (0..columns.len()).filter(|&k| columns[k].one_sided && along[k] > 0.0);
+        falls.map(|k| (k, columns[k].load.max(0.0) / along[k])).min_by(|a, b| a.1.total_cmp(&b.1))
+    };
+    let steps: Vec<(usize, usize, f64)> =
+        replaceable.iter().filter_map(|&i| step(&without(i)).map(|(k, part)| (i, k, part))).collect();
+    let whole = steps.iter().find(|(i, k, _)| i == k).or_else(|| steps.first());
+    let &(i, place, part) = whole?;
+    let along = without(i);
+    columns.iter_mut().zip(along.iter()).for_each(|(column, along)| column.load -= part * along);
+    Some(place)
+}
+
+#[cfg(test)]
+mod tests;
