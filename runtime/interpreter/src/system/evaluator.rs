@@ -99,7 +99,7 @@ where
     }
 
     fn gaps(&self, state: &[S], gaps: &mut [S]) {
-        gaps.copy_from_slice(&self.kernel(state).gap()[..gaps.len()]);
+        self.full().gaps.evaluate(&self.constants, &[&self.whole(state)], gaps);
     }
 
     fn solve(&self, state: &[S], set: ContactSet, accelerations: &mut [S], multipliers: &mut [S]) -> bool {

@@ -43,9 +43,15 @@ impl<S: Number> Kernel<S> {
         &self.values[self.n + k * self.rows..][..self.rows]
     }
 
-    /// What `solve` makes of memory for these equations.
-    fn lent<R>(&self, solve: impl FnOnce(Workspace<'_, S>) -> R) -> Option<R> {
-        let (width, rows) = (self.n + self.rows, self.rows);
+    /// What `solve` makes of memory for these equations with the rows of a set closed.
+    fn lent<R>(
+        &self,
+        layout: &Layout,
+        set: &ContactSet,
+        solve: impl FnOnce(Workspace<'_, S>) -> R,
+    ) -> Option<R> {
+        let closed = (0..self.rows).filter(|&row| layout.is_closed(row, set)).count();
+        let (width, rows) = (self.n + closed, self.rows);
         let mut numbers = Lent::new(2 * width * width + 3 * width);
         let mut indices = Lent::new(2 * width + rows);
         Workspace::of(width, rows, &mut numbers, &mut indices).map(solve)
@@ -87,10 +93,11 @@ impl<S: Number> KernelView<S> for Kernel<S> {
         accelerations: &mut [S],
         multipliers: &mut [S],
     ) -> bool {
-        let solved = self.lent(|memory| solve_in(memory, self, layout, set, accelerations, multipliers));
+        let solved =
+            self.lent(layout, set, |memory| solve_in(memory, self, layout, set, accelerations, multipliers));
         solved.unwrap_or(false)
     }
     fn correction(&self, layout: &Layout, set: &ContactSet, residual: &dyn Fn(usize) -> S, change: &mut [S]) {
-        self.lent(|memory| correct_in(memory, self, layout, set, residual, change));
+        self.lent(layout, set, |memory| correct_in(memory, self, layout, set, residual, change));
     }
 }

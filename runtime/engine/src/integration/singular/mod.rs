@@ -16,6 +16,7 @@ use nalgebra::DMatrix;
 use crate::context::{Numbers, RunContext};
 use crate::model::{ContactSet, Layout};
 use crate::numerics::decomposition::{least_ratio_bound, singular_values, svd};
+use crate::numerics::zero::MARGIN;
 use crate::system::Equations;
 pub(crate) use bridge::Bridge;
 use bridge::Motion;
@@ -109,7 +110,16 @@ impl SingularityMonitor {
     ) -> Result<Forecast, Vec<String>> {
         let (layout, nominal) = (context.layout(), &context.model.nominal);
         // The figure shows how long the rows are at a regular position, and of what rank.
-        self.place(context, &layout.state_at(&[&nominal[..], &vec![0.0; nominal.len()]].concat(), t));
+        let figure = layout.state_at(&[&nominal[..], &vec![0.0; nominal.len()]].concat(), t);
+        self.place(context, &figure);
+        // The row of a contact that is open there has another length: that of two discs grows with their distance.
+        let equations = context.system().equations(&figure);
+        let is_open = |row: usize| {
+            let gap = equations.gap().get(row).filter(|_| row < layout.contacts.len());
+            gap.is_some_and(|gap| gap.abs() > MARGIN * layout.unit(row, context.scales.length))
+        };
+        let open = self.rows.iter().zip(&mut self.sizes).filter(|(row, _)| is_open(**row));
+        open.for_each(|(_, size)| *size = 0.0);
         self.energy = conserved(context, state);
         let place = self.place(context, state);
         let left = self.left(context, state, &place);
