@@ -4,6 +4,7 @@
 #[cfg(not(feature = "std"))]
 use crate::scalar::Elementary as _;
 
+/// Safety and limits of the factor, those of DOP853 by Hairer, Nørsett, Wanner.
 const SAFETY: f64 = 0.9;
 const SMALLEST: f64 = 1.0 / 3.0;
 const LARGEST: f64 = 6.0;

@@ -3,9 +3,8 @@
 use core::fmt;
 
 use crate::context::Scales;
-use crate::integration::singular::ACROSS;
 use crate::model::Energy;
-use crate::numerics::zero::SOLVED;
+use crate::numerics::zero::{MARGIN, SOLVED};
 use crate::trajectory::{LogEntry, LoggedDecision};
 
 /// Energies and speeds below this part of natural ones are those of bodies at rest: their rounding is not theirs.
@@ -105,7 +104,7 @@ impl Bounds {
     /// steps, whatever the tolerance.
     pub(crate) fn energy(&self) -> f64 {
         let of_steps = 100.0 * self.error * (10.0 + self.steps);
-        of_steps.min(LARGEST.max(10.0 * self.error)) + 2.0 * ACROSS * self.passages
+        of_steps.min(LARGEST.max(10.0 * self.error)) + 2.0 * MARGIN * self.passages
     }
 
     /// Events are located to ten local errors, and sequences of impacts are cut short at heights of a local error in natural lengths,

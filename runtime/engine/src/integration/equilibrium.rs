@@ -12,17 +12,16 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::context::{Numbers, RunContext};
 use crate::model::Form;
+use crate::numerics::zero::roundoff;
 use crate::system::Phase;
 use smallvec::smallvec;
 
-/// Roundings of a coordinate: it was typed in, converted and added to.
-const ROUNDINGS: f64 = 2.0 * f64::EPSILON;
+/// Roundoff of a coordinate: it was typed in, converted and added to.
+const ROUNDED: f64 = roundoff(2.0);
 /// The difference that K is taken of, in natural units: the cube root of ε balances its errors.
 const STEP: f64 = 1e-5;
-/// Singular values below this part of the largest are rounding of K.
-const RANK: f64 = 1e-9;
-/// Rounding inside the masked solve, relative to natural accelerations.
-const SOLVE: f64 = 1e-14;
+/// Singular values below this part of the largest are error of K, which goes as the square of that.
+const RANK: f64 = 10.0 * STEP * STEP;
 
 /// Whether a state of a phase never moves.
 pub(crate) fn is_equilibrium(context: &RunContext, phase: &dyn Phase, state: &[f64]) -> bool {
@@ -51,7 +50,7 @@ pub(crate) fn is_equilibrium(context: &RunContext, phase: &dyn Phase, state: &[f
         .kept()
         .iter()
         .map(|&entry| match info.form {
-            Form::Projected => SOLVE * context.scales.entry(layout, entry) / context.scales.time,
+            Form::Projected => roundoff(64.0) * context.scales.entry(layout, entry) / context.scales.time,
             Form::Closed => 0.0,
         })
         .collect();
@@ -72,7 +71,7 @@ pub(crate) fn is_equilibrium(context: &RunContext, phase: &dyn Phase, state: &[f
     let mut noise = DVector::zeros(info.rates);
     let mut most = DVector::zeros(info.rates);
     for (j, slope) in slopes.iter().enumerate() {
-        let (step, change) = change(j, ROUNDINGS * reduced[j]);
+        let (step, change) = change(j, ROUNDED * reduced[j]);
         noise += (&change - slope * step).abs();
         most += change.abs();
     }
@@ -91,7 +90,7 @@ pub(crate) fn is_equilibrium(context: &RunContext, phase: &dyn Phase, state: &[f
     if slopes.iter().flatten().any(|x| !x.is_finite()) {
         return false;
     }
-    let columns = slopes.into_iter().zip(&reduced).map(|(slope, q)| slope * (ROUNDINGS * q.abs()));
+    let columns = slopes.into_iter().zip(&reduced).map(|(slope, q)| slope * (ROUNDED * q.abs()));
     let columns = DMatrix::from_columns(&columns.collect::<Vec<_>>());
     let rank = RANK * columns.amax();
     columns.pseudo_inverse(rank).is_ok_and(|inverse| (inverse * left).amax() <= 1.0)

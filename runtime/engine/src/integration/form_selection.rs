@@ -2,14 +2,13 @@
 //! its second derivative by 1/p³: rounding ε/p³ must stay below the tolerance.
 
 use crate::model::Form;
+use crate::numerics::zero::roundoff;
 use crate::system::Phase;
 
 /// Least pivot at any tolerance: below it the elimination is nearly singular.
 const SINGULAR: f64 = 1e-3;
 /// Above this pivot the closed form is kept at any tolerance.
 const REGULAR: f64 = 0.3;
-/// Cube root of the number of roundings in one elimination.
-const MARGIN: f64 = 3.0;
 
 /// Whether a phase is in closed form and has pivots: not one that keeps all entries of the state.
 pub(crate) fn eliminates(phase: &dyn Phase) -> bool {
@@ -18,5 +17,5 @@ pub(crate) fn eliminates(phase: &dyn Phase) -> bool {
 
 /// The least pivot for a tolerance.
 pub(crate) fn least_pivot(tolerance: f64) -> f64 {
-    (MARGIN * (f64::EPSILON / tolerance).cbrt()).clamp(SINGULAR, REGULAR)
+    (roundoff(27.0) / tolerance).cbrt().clamp(SINGULAR, REGULAR)
 }

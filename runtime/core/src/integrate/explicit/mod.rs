@@ -11,6 +11,7 @@ use super::{Dense, StepError, StepState, Stepper, is_finite};
 use crate::scalar::Scalar;
 use core::marker::PhantomData;
 
+/// β of the PI term, that of DOPRI5 by Hairer, Nørsett, Wanner.
 const BETA: f64 = 0.04;
 
 /// An integration by the pair `P` with `L` slopes, that at the end of the step among them.

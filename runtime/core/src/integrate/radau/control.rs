@@ -2,6 +2,7 @@
 
 use super::newton::Newton;
 
+/// Safety and limits of the factor, those of RADAU5 by Hairer and Wanner.
 const SAFETY: f64 = 0.9;
 const SMALLEST: f64 = 0.2;
 const LARGEST: f64 = 8.0;

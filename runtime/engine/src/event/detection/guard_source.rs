@@ -3,6 +3,7 @@
 
 use super::advance::Advance;
 use crate::numerics::root_isolation::{self, Accuracy, Crossing, GuardError, Root, Start};
+use crate::numerics::zero::roundoff;
 
 /// A series whose tail is at most this part of the error bound counts as exact.
 pub(super) const EXACT: f64 = 0.1;
@@ -46,7 +47,7 @@ impl GuardSource<'_> {
             Self::Series(terms) => terms.iter().fold(0.0_f64, |most, value| most.max(value.abs())),
             Self::Values { size, .. } => *size,
         };
-        16.0 * f64::EPSILON * size
+        roundoff(16.0) * size
     }
 
     /// The value at the start of the step.

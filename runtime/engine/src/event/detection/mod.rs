@@ -26,6 +26,9 @@ pub(crate) use step::StepView;
 
 use crate::model::{Side, Slip};
 
+/// A piece of a step is divided down to this length at most: poles are never resolved.
+const SHORTEST: f64 = 1e-12;
+
 /// The fraction of a flight's height that counts as zero.
 pub(crate) const LOW: f64 = 1.0 / 64.0;
 

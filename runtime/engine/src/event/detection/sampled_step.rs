@@ -9,11 +9,10 @@ use super::step::StepView;
 use crate::context::Numbers;
 use crate::expression::Condition;
 use crate::model::Layout;
+use crate::numerics::zero::MARGIN;
 
 /// A reaction that touches zero to within this fraction of its bound is known not to cross it.
 const CERTAIN: f64 = 1.0 / 64.0;
-/// A gap so much larger than its rounding, in natural lengths, is seen well enough by itself: √ε.
-const SEEN: f64 = 1e-8;
 
 /// Sizes of the guards of a phase.
 pub(crate) struct Scales<'a> {
@@ -42,7 +41,7 @@ impl Scales<'_> {
 
     /// Whether a gap is so small that its rounding matters, or within its bound.
     pub(super) fn is_low(&self, gap: f64) -> bool {
-        gap <= self.bounds.relative.max(SEEN) * self.bounds.length
+        gap <= self.bounds.relative.max(MARGIN) * self.bounds.length
     }
 
     /// Whether what touches zero with a value may as well have crossed it: it differs from zero by

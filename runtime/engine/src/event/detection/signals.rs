@@ -8,12 +8,14 @@
 //! with r = high − low the range of its values there, δ what the tolerance leaves of the largest f and of the natural force, and
 //! R the largest of r, δ and a sixteenth of that f. The second is proved by interval bounds over pieces of the step.
 
+use super::SHORTEST;
 use super::sample::Scratch;
 use super::step::StepView;
 use crate::context::RunContext;
 use crate::expression::{Condition, Enclosure, Interval, Variable};
 use crate::model::Layout;
 use crate::numerics::root_isolation::Smooth;
+use crate::numerics::zero::SOLVED;
 
 /// Places of the interpolant, and places between them.
 const NODES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
@@ -24,12 +26,10 @@ const SHARE: f64 = 0.1;
 const LEAST: f64 = 1.0 / 16.0;
 /// Pieces that are bounded in one step at most.
 const MOST_PIECES: usize = 256;
-/// A piece of this length that is not bounded is looked at by itself.
-const SHORTEST: f64 = 1e-12;
 /// A jump is larger by this factor than what the function changes by beside it, a pole than its values farther off.
 const JUMP: f64 = 16.0;
-/// Roundoff of a slope, relative to it.
-const STEEP: f64 = 1e-6;
+/// A slope that changes by this part of it has a kink.
+const STEEP: f64 = 1e-3;
 /// Lengths on which slopes are compared, in natural times.
 const SPAN: f64 = 1e-5;
 
@@ -246,11 +246,11 @@ fn find_break(value: &dyn Fn(f64) -> f64, t: f64, natural: f64) -> Option<&'stat
         return Some("has a pole");
     }
     let beside = (left - far).abs().max((farther - right).abs());
-    if (after - before).abs() > JUMP * beside + STEEP * STEEP * size {
+    if (after - before).abs() > JUMP * beside + SOLVED * size {
         return Some("jumps");
     }
     let slope_change = |d: f64| ((value(t + d) - after) - (before - value(t - d))) / d;
     let [once, twice] = [slope_change(d), slope_change(2.0 * d)].map(f64::abs);
     let steep = ((right - after).abs() + (before - left).abs()) / d;
-    (once > 0.75 * twice && once > STEEP.sqrt() * steep).then_some("has a kink")
+    (once > 0.75 * twice && once > STEEP * steep).then_some("has a kink")
 }

@@ -9,6 +9,7 @@ use crate::integrate::Guards;
 use crate::integration::phase_point::PhasePoint;
 use crate::model::{ContactSet, Form};
 use crate::numerics::root_isolation::{GuardError, Smooth, TERMS};
+use crate::numerics::zero::roundoff;
 use crate::system::{DenseOutput, Phase};
 use smallvec::smallvec;
 
@@ -202,7 +203,7 @@ impl<'a> StepView<'a> {
         let degree = self.dense.degree().max(1);
         let at = |theta: f64| terms[..=degree].iter().rev().fold(0.0, |sum, c| sum * theta + c);
         // Of the sum, whose terms may be larger than it is.
-        let rounding = 4.0 * f64::EPSILON * terms.iter().map(|c| c.abs()).sum::<f64>();
+        let rounding = roundoff(4.0) * terms.iter().map(|c| c.abs()).sum::<f64>();
         Some(Smooth::polynomial(&mut |theta| at(theta), degree, rounding))
     }
 

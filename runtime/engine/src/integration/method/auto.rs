@@ -3,6 +3,7 @@
 use super::stiffness::{STIFF, damping, watched};
 use super::{Dop853, Method, Problem, StartedStepper, Taylor, Tsit5};
 use crate::model::Form;
+use crate::numerics::zero::roundoff;
 use crate::system::InitialValueProblem;
 
 /// Tolerances looser than this are met by a pair of order 5 with less work.
@@ -12,8 +13,6 @@ const TIGHT: f64 = 1e-11;
 
 /// At this part of a tolerance errors of DOP853 are those of Taylor's method at the whole.
 const AS_EXACT: f64 = 1e-2;
-/// The least tolerance at which that is above rounding.
-const LEAST: f64 = 1e-12;
 /// Of a closed form that has more products than this at 1e-6, times (1e-6/ε)^[`GROWTH`] at ε, the series take longer than DOP853 as exact
 /// as they: an order takes 1.3 ns for each product, a right-hand side some 35 ns and 0.4 ns for each; from 1e-6 to 1e-10 the number
 /// of right-hand sides beside that of orders grows from 1.3 to 2.2. Chains of 4, 6, 8, 12, 16 bars, with 65, 168, 236, 372, 508 products, take
@@ -75,7 +74,7 @@ fn series_pay(Problem { problem, .. }: &Problem) -> bool {
 fn is_long(Problem { problem, .. }: &Problem) -> bool {
     let has_contacts = !problem.phase.system().layout().contacts.is_empty();
     let bound = PRODUCTS * (1e-6 / problem.relative).powf(GROWTH);
-    !has_contacts && problem.relative >= LEAST && problem.phase.products() as f64 > bound
+    !has_contacts && AS_EXACT * problem.relative >= roundoff(32.0) && problem.phase.products() as f64 > bound
 }
 
 /// Whether there is damping and −tr ∂f/∂y exceeds [`STIFF`] per natural time.

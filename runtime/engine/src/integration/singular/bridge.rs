@@ -15,6 +15,7 @@ use crate::context::RunContext;
 use crate::integration::chart::nan_max;
 use crate::model::ContactSet;
 use crate::numerics::legendre::{POINTS, Series, X};
+use crate::numerics::zero::{MARGIN, SOLVED};
 use crate::system::{DenseOutput, Phase};
 
 /// Repeated integrations; each is ten times nearer and more.
@@ -22,15 +23,13 @@ const MOST: usize = 40;
 /// The motion is known when it changes by no more than this, or no less than before by no more than that: what rounding changes
 /// is transverse to the branch, and the projection at the end corrects it.
 const SETTLED: [f64; 2] = [1e-14, 1e-7];
-/// The largest correction of positions by the projection, in natural units, of rates in those per R, relative to the kinetic
-/// energy too, and the largest gap.
+/// The largest correction of positions by the projection, in natural units. That of rates, in those
+/// per R, is [`MARGIN`], and the largest gap [`SOLVED`].
 ///
 /// Rounding ε of the gaps turns rates at a distance x from the singular position by ε/x². A loop
 /// that does not close in the singular position turns back before it: its gap there is what it
 /// lacks.
 const POSITIONS: f64 = 1e-8;
-pub(crate) const RATES: f64 = 1e-6;
-const GAPS: f64 = 1e-12;
 /// At a turning point rates are not what an energy determines.
 const TURNING: f64 = 1e-2;
 
@@ -181,7 +180,7 @@ impl Motion<'_> {
         context.system().project(self.set, &mut state, context.scales.length);
         let near = |a: &[f64], b: &[f64]| {
             let [positions, rates] = self.differences(a, b);
-            positions <= POSITIONS && rates <= RATES
+            positions <= POSITIONS && rates <= MARGIN
         };
         let on = |x: &f64| {
             let at = self.state(&series, (t, h), *x);
@@ -194,7 +193,7 @@ impl Motion<'_> {
             let equations = context.system().equations(&self.state(&series, (t, h), x));
             let rows = (0..layout.rows()).filter(|&row| layout.is_closed(row, &self.set));
             let gap = |row: usize| equations.gap()[row].abs() / layout.unit(row, context.scales.length);
-            rows.fold(0.0, |most, row| nan_max(most, gap(row))) <= GAPS
+            rows.fold(0.0, |most, row| nan_max(most, gap(row))) <= SOLVED
         };
         let held = near(&ahead, &state) && X.iter().all(on) && between.into_iter().all(closes);
         (held && self.keeps_energy(from, &mut state)).then_some(Bridge { t: [t, t + h], state, series })
@@ -212,7 +211,7 @@ impl Motion<'_> {
         if (square - 1.0).abs() < TURNING {
             to[n..2 * n].iter_mut().for_each(|rate| *rate *= square.sqrt());
         }
-        gained.abs() <= RATES * before.kinetic.max(after.kinetic)
+        gained.abs() <= MARGIN * before.kinetic.max(after.kinetic)
     }
 }
 

@@ -16,16 +16,15 @@ use nalgebra::DMatrix;
 use crate::context::{Numbers, RunContext};
 use crate::model::{ContactSet, Layout};
 use crate::numerics::decomposition::{least_ratio_bound, singular_values, svd};
-use crate::numerics::zero::MARGIN;
+use crate::numerics::zero::{MARGIN, roundoff};
 use crate::system::Equations;
 pub(crate) use bridge::Bridge;
 use bridge::Motion;
-pub(crate) use bridge::RATES as ACROSS;
 
 /// The loosest tolerance near a singular position: errors must still be small enough to tell the branches apart.
 const LOOSEST: f64 = 1e-10;
 /// The rounding of rates at the distance w from a singular position, ε/w², in natural units: no error estimate resolves less.
-pub(crate) const ROUNDED: f64 = 2.0 * f64::EPSILON / (NEAR * NEAR);
+pub(crate) const ROUNDED: f64 = roundoff(2.0) / (NEAR * NEAR);
 /// w in units of R.
 const NEAR: f64 = 0.1;
 /// Parts of w at which one trial after another is made to find a branch that goes on smoothly.
@@ -44,14 +43,10 @@ const FALL: f64 = 0.25;
 const FAR: f64 = 0.3;
 /// Part of R over which the fall of σ is seen.
 const PROBE: f64 = 1e-5;
-/// A singular value above this fraction of the largest counts for the rank of a regular position.
-const REGULAR: f64 = 1e-6;
 /// Below this fraction a failed step is blamed on the loop.
 const LOST: f64 = 1e-4;
 /// Where σ is below this the digits of a start determine the branch only if they satisfy the equations of second order.
 const UNDECIDED: f64 = 5e-4;
-/// Where σ of a start is above this it is not the singular position itself.
-const SINGULAR: f64 = 1e-6;
 /// The energy may change in a step by so many tolerances.
 const ENERGY: f64 = 1e4;
 
@@ -219,7 +214,7 @@ impl SingularityMonitor {
         let moved: Numbers = (0..state.len()).map(moved).collect();
         let fall = here - ahead(self, &moved);
         // The fall is lost in rounding where the motion is at rest.
-        if fall.abs() <= 64.0 * f64::EPSILON { f64::INFINITY } else { here * dt / fall }
+        if fall.abs() <= roundoff(64.0) { f64::INFINITY } else { here * dt / fall }
     }
 
     /// σ and R at a state.
@@ -258,7 +253,7 @@ impl SingularityMonitor {
         }
         let values = singular_values(jacobian);
         let largest = if values.len() == 1 { 1.0 } else { values[0] };
-        let regular = values.iter().filter(|value| **value > REGULAR * largest).count();
+        let regular = values.iter().filter(|value| **value > MARGIN * largest).count();
         self.rank = self.rank.max(regular);
         self.rank.checked_sub(1).map_or(f64::INFINITY, |last| values[last] / largest)
     }
@@ -270,7 +265,7 @@ impl SingularityMonitor {
 
     /// Whether the state is a singular position itself.
     pub(crate) fn is_singular(&mut self, context: &RunContext, state: &[f64]) -> bool {
-        self.place(context, state).sigma < SINGULAR
+        self.place(context, state).sigma < MARGIN
     }
 
     /// The joints whose rows all but depend on each other.
@@ -323,7 +318,7 @@ impl SingularityMonitor {
     fn opens(&mut self, context: &RunContext, bridge: &Bridge) -> bool {
         let [near, far] =
             [0.25, 1.0].map(|theta| self.place(context, &bridge.state_at(context, theta)).sigma);
-        near > 0.2 * far && far > REGULAR
+        near > 0.2 * far && far > MARGIN
     }
 
     /// Whether a step to a state has kept the energy, where there is any to keep.

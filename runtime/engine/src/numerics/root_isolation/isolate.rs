@@ -5,6 +5,7 @@
 
 use super::bernstein::Bernstein;
 use super::bracket::{Point, root};
+use crate::numerics::zero::roundoff;
 
 /// Two turning points nearer than this differ in value by p‴/12 of its cube: nothing.
 const NARROWEST: f64 = 1.0 / (1 << 20) as f64;
@@ -19,7 +20,7 @@ pub(super) fn turning_points(
     visit: &mut dyn FnMut(f64),
 ) {
     let size = slope.terms().iter().fold(0.0, |m: f64, b| m.max(b.abs()));
-    let negligible = rounding.max(f64::EPSILON * size * slope.degree as f64);
+    let negligible = rounding.max(roundoff(slope.degree as f64) * size);
     let isolation = Isolation { at, negligible };
     isolation.search(slope, [0.0, 1.0], visit);
 }

@@ -6,6 +6,7 @@ use super::partition::{Accuracy, Division, Node};
 use super::search::{Found, Search};
 use super::series::Series;
 use super::{GuardError, Start};
+use crate::numerics::zero::roundoff;
 
 /// After a pole the search continues at least this far behind it, twice as far each time.
 const BEHIND: f64 = 1e-13;
@@ -59,7 +60,7 @@ pub fn find_root(
             Some(Found::Between { ends: [a, b], smooth }) => {
                 let across = root(&mut rest, a, b);
                 let s = across[0].theta;
-                let rounding = 64.0 * f64::EPSILON * a.value.abs().max(b.value.abs());
+                let rounding = roundoff(64.0) * a.value.abs().max(b.value.abs());
                 if smooth || is_continuous(&mut rest, across, delta.max(rounding)) {
                     return Ok(Some(Root::crossing(at(s))));
                 }

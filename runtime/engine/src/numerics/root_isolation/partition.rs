@@ -6,6 +6,7 @@ use super::bracket::{Point, sample};
 use super::isolate::turning_points;
 use super::nonsmooth::{Sample, approaches};
 use super::polynomial::{CHECK, COARSE, Polynomial, node};
+use crate::numerics::zero::roundoff;
 
 /// Where a function is sampled first: θⱼ = (1 − cos πj/8)/2, and where the fit of these values is compared with it.
 pub const NODES: [f64; COARSE + 2] = {
@@ -125,7 +126,7 @@ fn turns(fit: &Polynomial, sample: &mut Sample, visit: &mut dyn FnMut(Point)) ->
         return Ok(());
     }
     let mut outcome = Ok(());
-    let rounding = slope.degree as f64 * f64::EPSILON * high.max(-low);
+    let rounding = roundoff(slope.degree as f64) * high.max(-low);
     let mut turn = |x| match sample(x) {
         Ok(point) => visit(point),
         Err(error) => outcome = Err(error),

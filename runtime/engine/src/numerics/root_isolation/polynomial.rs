@@ -5,6 +5,7 @@
 
 use super::GuardError;
 use super::bracket::sample;
+use crate::numerics::zero::roundoff;
 
 /// The lowest degree tried.
 pub(super) const COARSE: usize = 8;
@@ -138,7 +139,7 @@ impl Polynomial {
             values[j * (FINE / degree)] = sample(g, node(j, degree))?.value;
         }
         let coefficients = coefficients(&values, degree);
-        let error = error + 8.0 * f64::EPSILON * largest(&values);
+        let error = error + roundoff(8.0) * largest(&values);
         let ends = [values[0], values[FINE]];
         Ok(Self { degree, coefficients, error, ends, resolved: true, margin: error, scatter: error })
     }
@@ -147,7 +148,7 @@ impl Polynomial {
         let coefficients = coefficients(values, degree);
         let known = &coefficients[..=degree];
         let largest = values.iter().step_by(FINE / degree).fold(0.0, |most: f64, g| most.max(g.abs()));
-        let goal = (0.01 * delta).max(8.0 * f64::EPSILON * largest);
+        let goal = (0.01 * delta).max(roundoff(8.0) * largest);
         let tail = tail(known);
         let limit = delta.max(NOISE * largest);
         let noise = noise(known, limit);

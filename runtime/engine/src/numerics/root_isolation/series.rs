@@ -14,7 +14,7 @@ use crate::numerics::zero::roundoff;
 pub const TERMS: usize = FINE + 1;
 
 /// Rounding of a sum of so many terms, relative to their sizes.
-const SUMMED: f64 = TERMS as f64 * f64::EPSILON;
+const SUMMED: f64 = roundoff(TERMS as f64);
 
 /// Rounding of the coefficients themselves, as they come from some operations each.
 const ROUNDED: f64 = roundoff(8.0);
@@ -152,7 +152,7 @@ impl Slope {
     }
 
     fn rounding(&self) -> f64 {
-        self.length as f64 * f64::EPSILON * self.size()
+        roundoff(self.length as f64) * self.size()
     }
 
     fn check(&self, series: &Series) -> Result<(), GuardError> {

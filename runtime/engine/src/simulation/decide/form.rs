@@ -12,9 +12,6 @@ use crate::simulation::{RunCause, Simulation};
 use crate::system::Phase;
 use crate::trajectory::LoggedDecision;
 
-/// A change of the energy by this part of its terms is rounding.
-const ROUNDED: f64 = roundoff(16.0);
-
 impl Snapshot<'_> {
     /// Of closed contacts those that bear, given what a decision says. All do where their closed
     /// form holds: they depend on each other at this position at most, such as those of sin α = sin
@@ -112,7 +109,7 @@ impl Snapshot<'_> {
         let [before, after] = [system.energy(&self.state), system.energy(shifted)];
         let gain = after.gained_since(&before);
         let size = after.kinetic + after.potential.abs().max(before.potential.abs());
-        if gain > ROUNDED * size && after.kinetic > 0.0 {
+        if gain > roundoff(16.0) * size && after.kinetic > 0.0 {
             let factor = (1.0 - gain / after.kinetic).max(0.0).sqrt();
             shifted[n..2 * n].iter_mut().for_each(|rate| *rate *= factor);
         }

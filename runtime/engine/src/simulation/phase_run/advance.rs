@@ -14,6 +14,7 @@ use crate::integration::form_selection::{eliminates, least_pivot};
 use crate::integration::singular::SingularityMonitor;
 use crate::model::{ContactSet, Form};
 use crate::numerics::root_isolation::GuardError;
+use crate::numerics::zero::SOLVED;
 use crate::system::{DenseOutput, PhaseStepper};
 use crate::trajectory::{LogEntry, LoggedDecision};
 use smallvec::smallvec;
@@ -36,9 +37,8 @@ const UNSEEN: f64 = 1e-6;
 /// A landing that is not seen for longer than this part of the natural time is told.
 const LATE: f64 = 1e-3;
 
-/// A rejected step is repeated with this fraction of its length, down to this fraction of the time.
+/// A rejected step is repeated with this fraction of its length
 const SHORTER: f64 = 0.125;
-const SHORTEST: f64 = 1e-13;
 
 /// How many steps in a row have been tiny.
 #[derive(Default)]
@@ -315,7 +315,7 @@ impl<'a> PhaseRun<'a> {
     fn step_back(&self, recording: &mut Recording, stepper: &mut dyn PhaseStepper) -> bool {
         let Some(step) = recording.last() else { return false };
         let (t0, y0, h) = (step.t0, step.start(), SHORTER * step.h);
-        if h < SHORTEST * self.context.scales.time.max(t0.abs()) {
+        if h < SOLVED * self.context.scales.time.max(t0.abs()) {
             return false;
         }
         recording.pop();

@@ -19,6 +19,7 @@ use crate::integration::method::{Method, Problem, StartedStepper, Switches};
 use crate::integration::phase_point::PhasePoint;
 use crate::integration::singular::{ROUNDED, SingularityMonitor};
 use crate::model::{ContactSet, Energy, Form};
+use crate::numerics::zero::roundoff;
 use crate::simulation::parts::Parts;
 use crate::simulation::{Allowance, Exhausted};
 use crate::system::{DenseOutput, InitialValueProblem, Phase};
@@ -299,7 +300,7 @@ pub(crate) fn absolute_tolerance(
     scales: &Scales,
     (tolerance, least): (f64, f64),
 ) -> Numbers {
-    let absolute = tolerance.min(2.0 * f64::EPSILON).max(FINENESS * tolerance).max(least);
+    let absolute = tolerance.min(roundoff(2.0)).max(FINENESS * tolerance).max(least);
     let layout = phase.system().layout();
     phase.kept().iter().map(|&entry| scales.entry(layout, entry) * absolute).collect()
 }

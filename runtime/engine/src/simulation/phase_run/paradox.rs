@@ -6,13 +6,12 @@
 //!
 //! Accelerations grow beyond all bounds towards it, so that steps shrink and guards turn ever faster. A phase ends there.
 
+use crate::numerics::zero::RANK;
 use crate::system::PhaseStepper;
 
 use super::PhaseRun;
 use super::record::Recording;
 
-/// Steps towards the border end where p is less than this.
-const REACHED: f64 = 1e-11;
 /// A phase whose steps cannot be made any shorter has ended at the border where p is less than this. There p may vanish as
 /// the root of the time that is left.
 const STUCK: f64 = 1e-4;
@@ -32,7 +31,7 @@ impl PhaseRun<'_> {
     pub(super) fn border(&self, recording: &Recording, stepper: &dyn PhaseStepper) -> Border {
         let Some(step) = recording.last() else { return Border::Elsewhere };
         match (self.hold(&step.start()), self.hold(stepper.state())) {
-            (Some(p), _) if p <= REACHED => Border::Reached,
+            (Some(p), _) if p <= RANK => Border::Reached,
             (Some(p), _) if p < STUCK => Border::Within,
             (Some(_), Some(end)) if end.is_nan() || end <= 0.0 => Border::Within,
             _ => Border::Elsewhere,

@@ -5,13 +5,10 @@ use nalgebra::DVector;
 
 use crate::event::EventKind;
 use crate::model::ContactSet;
+use crate::numerics::zero::MARGIN;
 use crate::simulation::RunCause;
 use crate::simulation::decide::Question;
 use crate::simulation::snapshot::Snapshot;
-
-/// Where a drive comes smoothly to what it drives, the time is that of a double root, known to the
-/// square root of rounding, and with it the difference of the rates.
-const SMOOTH: f64 = 1e-7;
 
 impl Snapshot<'_> {
     /// The drives of a set whose gaps are zero.
@@ -51,7 +48,8 @@ impl Snapshot<'_> {
         let (layout, scales) = (self.layout(), &self.setup.context.scales);
         let equations = self.setup.context.system().equations(&self.state);
         let n = layout.coordinates.len();
-        let least = self.relative_bound().max(SMOOTH);
+        // Where it comes smoothly, the time is that of a double root, known to half of the digits.
+        let least = self.relative_bound().max(MARGIN);
         let bound = |i: usize| least * layout.unit(i, scales.length) / scales.time;
         set.iter().any(|i| equations.gap_rate(i, &self.state[n..2 * n]).abs() > bound(i))
     }

@@ -6,12 +6,10 @@ use super::Next;
 use crate::event::{EventKind, Guard, Note};
 use crate::expression::Relation;
 use crate::model::ContactSet;
+use crate::numerics::zero::SOLVED;
 use crate::simulation::RunCause;
 use crate::simulation::awaited::Role;
 use crate::simulation::snapshot::Snapshot;
-
-/// Of a jump this part is rounding.
-const ROUNDED: f64 = 1e-9;
 
 /// What conditions are about before an event.
 pub(crate) struct Before {
@@ -42,7 +40,7 @@ impl Snapshot<'_> {
             let margins = self.margins();
             let met = (0..margins.len()).find(|k| {
                 let (Some(from), Some(to)) = (before.margins[*k], margins[*k]) else { return false };
-                from <= 0.0 && to > ROUNDED * from.abs() && self.is_awaited(*k) && !self.is_done(*k, &done)
+                from <= 0.0 && to > SOLVED * from.abs() && self.is_awaited(*k) && !self.is_done(*k, &done)
             });
             let Some(met) = met else { break };
             done.push(met);

@@ -8,14 +8,10 @@ use crate::contact::impulse::Row;
 use crate::contact::{ContactError, labels};
 use crate::event::{EventKind, Note};
 use crate::model::{ContactSet, Slip};
-use crate::numerics::zero::MARGIN;
+use crate::numerics::zero::{MARGIN, SOLVED};
 use crate::simulation::RunCause;
 use crate::simulation::decide::{LocatedSlips, Question};
 use crate::simulation::snapshot::Snapshot;
-
-/// A contact is beyond the border of Painlevé's region with a coefficient of friction that is
-/// larger by this part.
-const BEYOND: f64 = 1e-12;
 
 impl Snapshot<'_> {
     /// Ends a slip at the border of Painlevé's region, where the reaction grows beyond all bounds.
@@ -69,7 +65,8 @@ impl Snapshot<'_> {
             if let Row::Friction { of, mu, .. } = row
                 && let Some((_, hold)) = at_border.iter().find(|(contact, _)| contact == of)
             {
-                *mu *= (1.0 + BEYOND) / (1.0 - hold);
+                // Beyond the border.
+                *mu *= (1.0 + SOLVED) / (1.0 - hold);
             }
         }
         let Ok(outcome) = (rough.end_slip)(&collision, self.setup.budget.trials) else {

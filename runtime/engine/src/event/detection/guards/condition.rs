@@ -4,16 +4,17 @@ mod pieces;
 
 use core::cell::Cell;
 
-use self::pieces::{Bounded, Followed, Pieces, SHORTEST};
+use self::pieces::{Bounded, Followed, Pieces};
 use super::watch::{Findings, Kind, Tracking, Watch};
-use crate::event::detection::Guard;
 use crate::event::detection::advance::Advance;
 use crate::event::detection::guard_source::{EXACT, GuardSource};
 use crate::event::detection::sample::Quantities;
 use crate::event::detection::sampled_step::SampledStep;
 use crate::event::detection::step::Leaves;
+use crate::event::detection::{Guard, SHORTEST};
 use crate::expression::{Condition, Relation, Sides};
 use crate::numerics::root_isolation::{Accuracy, Crossing, GuardError, NODES, Root, Smooth, Start};
+use crate::numerics::zero::{MARGIN, SOLVED, roundoff};
 use smallvec::SmallVec;
 
 /// Halvings of a piece: to the spacing of doubles.
@@ -36,21 +37,12 @@ const POLE: f64 = 8.0;
 const PATIENCE: u32 = 100_000;
 const LEAST_PATIENCE: u32 = 256;
 
-/// An equation is met at an event that precedes its root by this part of the step: both may be
-/// about the same quantity, which the event then keeps at zero, located by different means.
-const TOGETHER: f64 = 1e-12;
-
 /// What a condition reads is fitted to this part of it at least, and to its error bound where that
 /// is less.
 const FINEST: f64 = 1e-10;
 
-/// A difference of this part of what it is at the end of the step is rounding; soon after the start
-/// it has its sign.
-const ROUNDED: f64 = 1e-6;
+/// The part of a step after which a difference of the sides that begins at zero has its sign.
 const SOON: f64 = 1e-3;
-
-/// Roundoff of a touch, in differences of the sides over the step.
-const TOUCHED: f64 = 16.0 * f64::EPSILON;
 
 /// A condition that ends the run or starts something planned.
 pub(super) struct ConditionGuard<'a> {
@@ -169,8 +161,10 @@ impl Kind for ConditionGuard<'_> {
         false
     }
 
+    /// An equation and an event may be about one quantity, located by different means: the event
+    /// then keeps it at zero.
     fn precedence(&self) -> f64 {
-        if self.condition.relation() == Relation::Equal { TOGETHER } else { 0.0 }
+        if self.condition.relation() == Relation::Equal { SOLVED } else { 0.0 }
     }
 
     fn leave_step(&mut self, tracking: &Tracking, step: &SampledStep<'_>) {
@@ -232,7 +226,8 @@ impl Search<'_> {
     fn counts(&self, root: Root) -> bool {
         let size =
             || [0.0, 0.5, 1.0].map(|theta| self.difference(theta).abs()).into_iter().fold(0.0, f64::max);
-        let rounding = || find_rounding(self.condition, self.step, &[root.theta]).max(TOUCHED * size());
+        let rounding =
+            || find_rounding(self.condition, self.step, &[root.theta]).max(roundoff(16.0) * size());
         let is_met = root.value == 0.0 || root.value.abs() <= rounding();
         if !is_met {
             self.note_undecided(root.theta);
@@ -250,7 +245,7 @@ impl Search<'_> {
             Relation::Less => difference < 0.0,
             Relation::Greater => difference > 0.0,
         };
-        holds(first) && holds(soon) && first.abs() <= ROUNDED * last.abs()
+        holds(first) && holds(soon) && first.abs() <= MARGIN * last.abs()
     }
 
     /// Where nothing has series.

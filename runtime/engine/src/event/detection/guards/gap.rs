@@ -10,9 +10,7 @@ use crate::event::detection::sample::Quantities;
 use crate::event::detection::sampled_step::{SampledStep, Scales};
 use crate::event::detection::step::StepView;
 use crate::numerics::root_isolation::{GuardError, Start};
-
-/// Rounding of a gap, relative to the natural length, or to its terms where they are larger.
-const ROUNDED: f64 = 16.0 * f64::EPSILON;
+use crate::numerics::zero::roundoff;
 
 /// g of a contact that closes by falling.
 pub(super) struct GapGuard {
@@ -69,7 +67,7 @@ impl GapGuard {
         // somewhere before, and to say so at the start would stop the time.
         let rounding = || {
             let terms = step.evaluate(|view, scratch| view.terms(contact, scratch));
-            (ROUNDED * terms.max(step.scales.bounds.length)).min(0.5 * bound)
+            (roundoff(16.0) * terms.max(step.scales.bounds.length)).min(0.5 * bound)
         };
         let sink = || source.first_root(0.0, Start::Free, (bound, rounding()));
         let is_off = tracking.at_root

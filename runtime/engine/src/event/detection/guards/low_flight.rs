@@ -13,9 +13,10 @@
 use crate::event::detection::sampled_step::SampledStep;
 use crate::numerics::legendre::{POINTS, W, X};
 use crate::numerics::root_isolation::{self, Accuracy, Crossing, GuardError, Start};
+use crate::numerics::zero::roundoff;
 
 /// Rounding of g̈, relative to the natural acceleration.
-const ROUNDED: f64 = 64.0 * f64::EPSILON;
+const ROUNDED: f64 = roundoff(64.0);
 /// Where a flight that begins as t³ and lands is highest, as a part of its length.
 const HIGHEST: f64 = 2.0 / 3.0;
 /// Order of the first derivative of the gap that does not vanish at the lift-off.
@@ -54,7 +55,7 @@ impl LowFlight {
         };
         let (start, bound) = match fresh {
             true => (Start::Root, ROUNDED * natural),
-            false => (Start::Free, f64::EPSILON * self.gap.max(h * h * natural)),
+            false => (Start::Free, roundoff(1.0) * self.gap.max(h * h * natural)),
         };
         let accuracy = Accuracy { delta: bound, is_noisy: true };
         let Crossing::At { theta } = root_isolation::watch(value, start, accuracy)? else {

@@ -8,6 +8,7 @@ use crate::model::Kink;
 use smallvec::smallvec;
 
 use crate::context::Numbers;
+use crate::numerics::zero::{SOLVED, roundoff};
 
 /// Where a step is looked at. Near its ends too, so that what turns there is seen to.
 const NODES: [f64; 11] =
@@ -17,8 +18,6 @@ const NODES: [f64; 11] =
 const FEW: [usize; 5] = [0, 3, 5, 7, 10];
 const ALIKE: f64 = 0.75;
 const APART: f64 = 0.25;
-/// What is less than this part of the largest value of a step is zero at the start of it: the kink that it began at.
-const ROUNDED: f64 = 1e-12;
 /// A root whose least value is more than this part of the largest turns smoothly.
 const SMOOTH: f64 = 1e-3;
 /// Roots are looked for where one of the values is less than this part of the largest.
@@ -92,7 +91,8 @@ impl CutAtKinks<'_> {
     fn first_change(&self, j: usize, values: &[f64; NODES.len()]) -> Option<f64> {
         let value = |theta: f64| self.at(theta)[j];
         let largest = values.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
-        let begun = usize::from(values[0].abs() <= ROUNDED * largest);
+        // The kink that the step began at.
+        let begun = usize::from(values[0].abs() <= SOLVED * largest);
         for i in begun..NODES.len() - 1 {
             let (a, b) = (values[i], values[i + 1]);
             if a * b < 0.0 {
@@ -124,7 +124,7 @@ impl CutAtKinks<'_> {
             if !turns || roots[i] > suspect * largest || largest == 0.0 {
                 return None;
             }
-            let lowest = minimum(&value, [NODES[before], NODES[after]], ROUNDED * largest);
+            let lowest = minimum(&value, [NODES[before], NODES[after]], SOLVED * largest);
             // A step that ends as near as this to a smooth turn has no kink before it.
             let stands_out = !is_end || value(lowest) < 0.5 * roots[i];
             (is_within(lowest, least) && stands_out && value(lowest) <= SMOOTH * largest).then_some(lowest)
@@ -161,7 +161,7 @@ fn minimum(value: &impl Fn(f64) -> f64, [mut a, mut b]: [f64; 2], enough: f64) -
     let (mut c, mut d) = (b - GOLDEN * (b - a), a + GOLDEN * (b - a));
     let (mut at_c, mut at_d) = (value(c), value(d));
     for _ in 0..MOST {
-        if at_c.min(at_d) < enough || b - a <= 4.0 * f64::EPSILON {
+        if at_c.min(at_d) < enough || b - a <= roundoff(4.0) {
             break;
         }
         if at_c < at_d {

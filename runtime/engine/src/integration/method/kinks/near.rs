@@ -3,6 +3,7 @@
 use super::CutAtKinks;
 use crate::context::Numbers;
 use crate::model::Kink;
+use crate::numerics::zero::roundoff;
 use smallvec::smallvec;
 
 /// What differs along the motion by this part of a step tells its rate.
@@ -13,7 +14,7 @@ const CLOSE: f64 = 1e-3;
 /// The part of a step within which a kink is close.
 const REACH: f64 = 1e-3;
 /// Rounding of a zero of what varies over a step, and of the time.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
+const ROUNDING: f64 = roundoff(64.0);
 
 /// The kinks near a state.
 #[derive(Default)]

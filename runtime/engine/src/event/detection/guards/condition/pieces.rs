@@ -7,8 +7,6 @@ use crate::numerics::root_isolation::GuardError;
 
 /// Bounds evaluated in a step at most.
 const MOST: usize = 20_000;
-/// A piece is divided down to this length at most: poles are never resolved.
-pub(super) const SHORTEST: f64 = 1e-12;
 /// A condition is seen if its greatest slope would change it by no more than so many times what its
 /// values differ by.
 const SEEN: f64 = 8.0;
@@ -92,6 +90,7 @@ impl Pieces<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::event::detection::SHORTEST;
     use crate::expression::Interval;
 
     /// The pieces that are looked at of values that may be zero anywhere, with slopes up to

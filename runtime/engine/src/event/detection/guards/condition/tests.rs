@@ -227,7 +227,7 @@ fn a_comparison_at_zero_stays_on_its_side() {
 #[test]
 fn an_equation_is_met_at_an_event_just_before() {
     let scene = of(|t| 1.0 - t);
-    for (text, precedence) in [("z = 0", TOGETHER), ("z < 0", 0.0), ("z > 0", 0.0)] {
+    for (text, precedence) in [("z = 0", SOLVED), ("z < 0", 0.0), ("z > 0", 0.0)] {
         let condition = scene.condition(text);
         let guard = ConditionGuard::new(&condition, false);
         assert_eq!(guard.precedence(), precedence);
