@@ -21,7 +21,7 @@ use positions::Placed;
 pub use directions::Directions;
 pub(crate) use guides::height;
 pub(crate) use rank::dependent;
-pub use rank::{generic_rank, nominal_values};
+pub use rank::nominal_values;
 
 /// A generalised coordinate of the resolved system.
 #[derive(Clone, Debug)]

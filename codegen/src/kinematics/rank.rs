@@ -1,11 +1,17 @@
-//! Mobility: the rank of the joints' Jacobian at random configurations, exact in that a row found
-//! dependent at several random points is dependent identically.
+//! Mobility: joints that depend on others at random configurations do so identically. Equal cranks
+//! depend on each other only where their loops are closed, as they are in the figure.
 
 use std::collections::BTreeMap;
 
 use super::Kinematics;
 use crate::algebra::{Series, Symbol};
 use crate::system::{Numbers, System};
+
+/// Rows are independent by rounding of a few dozen operations, far below what random entries
+/// produce by chance.
+const ROUNDING: f64 = 1e-9;
+/// Rows of a figure that is drawn from rounded numbers are independent if they are by so much.
+const ROUGH: f64 = 0.1;
 
 /// Values of parameters and coordinates by symbol.
 pub fn nominal_values(system: &System, numbers: &Numbers, coordinates: &[f64]) -> BTreeMap<Symbol, f64> {
@@ -17,9 +23,14 @@ pub fn nominal_values(system: &System, numbers: &Numbers, coordinates: &[f64]) -
     parameters.chain(coordinates).collect()
 }
 
-/// Indices of rows that depend on the rows before them, by Gram–Schmidt with relative tolerance 1e-9:
-/// far above rounding of a few dozen operations, far below what random entries produce by chance.
+/// Indices of rows that depend on the rows before them by rounding.
 pub(crate) fn dependent(rows: &[Vec<f64>]) -> Vec<usize> {
+    dependent_within(rows, ROUNDING)
+}
+
+/// Indices of rows of which no more than a part is independent of the rows before them, by
+/// Gram–Schmidt.
+fn dependent_within(rows: &[Vec<f64>], part: f64) -> Vec<usize> {
     let mut basis: Vec<Vec<f64>> = Vec::new();
     let mut found = Vec::new();
     for (i, row) in rows.iter().enumerate() {
@@ -32,7 +43,7 @@ pub(crate) fn dependent(rows: &[Vec<f64>]) -> Vec<usize> {
             }
         }
         let left = norm(&rest);
-        if left <= 1e-9 * size || size == 0.0 {
+        if left <= part * size || size == 0.0 {
             found.push(i);
         } else {
             basis.push(rest.iter().map(|r| r / left).collect());
@@ -53,10 +64,10 @@ fn jacobian(equations: &[&Series], values: &BTreeMap<Symbol, f64>, n: usize) -> 
         .collect()
 }
 
-/// Which of `equations` depend on those before them at every configuration, and the rank.
-pub fn generic_rank(system: &System, equations: &[&Series], n: usize) -> (usize, Vec<usize>) {
+/// Which of `equations` depend on those before them at every configuration.
+fn redundant(system: &System, equations: &[&Series], n: usize) -> Vec<usize> {
     let mut common: Option<Vec<usize>> = None;
-    let Some(numbers) = system.samples.first() else { return (equations.len(), Vec::new()) };
+    let Some(numbers) = system.samples.first() else { return Vec::new() };
     for sample in 1..=3 {
         let q: Vec<f64> = (0..n).map(|i| 0.3 + (1.7 * (i + 1) as f64 * sample as f64).sin()).collect();
         let rows = jacobian(equations, &nominal_values(system, numbers, &q), n);
@@ -66,16 +77,15 @@ pub fn generic_rank(system: &System, equations: &[&Series], n: usize) -> (usize,
             Some(known) => known.into_iter().filter(|i| found.contains(i)).collect(),
         });
     }
-    let redundant = common.unwrap_or_default();
-    (equations.len() - redundant.len(), redundant)
+    common.unwrap_or_default()
 }
 
-/// Reports redundant joints and mechanisms that cannot move.
+/// Reports redundant joints and mechanisms that cannot move. What moves at some values of the
+/// parameters is left to the start of a run, which knows them.
 pub(super) fn check_mobility(system: &System, kinematics: &Kinematics) -> syn::Result<()> {
     let n = kinematics.coordinates.len();
     let equations: Vec<&Series> = kinematics.joints.iter().map(|j| &j.equation).collect();
-    let (rank, redundant) = generic_rank(system, &equations, n);
-    let mut errors = redundant.into_iter().map(|i| {
+    let mut errors = redundant(system, &equations, n).into_iter().map(|i| {
         let joint = &kinematics.joints[i];
         let text = format!("{} repeats what other joints hold already; remove it", joint.name);
         syn::Error::new(joint.span, text)
@@ -84,9 +94,14 @@ pub(super) fn check_mobility(system: &System, kinematics: &Kinematics) -> syn::R
         errors.for_each(|e| all.combine(e));
         return Err(all);
     }
-    if rank >= n && system.drives.iter().all(|drive| drive.switched) {
+    let holds_all = |numbers: &Numbers| {
+        let values = nominal_values(system, numbers, &kinematics.nominal(system, numbers));
+        let rows = jacobian(&equations, &values, n);
+        rows.len() - dependent_within(&rows, ROUGH).len() >= n
+    };
+    if system.samples.iter().all(holds_all) && system.drives.iter().all(|drive| drive.switched) {
         let text = format!(
-            "nothing can move: {n} coordinates and {rank} independent constraints; remove a pin or a constraint"
+            "nothing can move: {n} coordinates and {n} independent constraints; remove a pin or a constraint"
         );
         return Err(syn::Error::new(system.ident.span(), text));
     }

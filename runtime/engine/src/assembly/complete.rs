@@ -4,13 +4,12 @@
 
 use core::f64::consts::TAU;
 
-use nalgebra::{DMatrix, DVector};
-
 use super::fold::settle_on_fold;
 use super::path::{Path, steps};
 use super::problem::AssemblyProblem;
 use super::{largest, touches, worst};
 use crate::assembly::StartError;
+use crate::contact::ActiveRows;
 use crate::context::CLOSED;
 use crate::model::ContactSet;
 use crate::numerics::decomposition::svd;
@@ -126,14 +125,30 @@ fn completed(assembly: &AssemblyProblem<'_>, given: &[Option<f64>], set: Contact
     let mut q = nominal.clone();
     nearest(assembly, unknown, f64::EPSILON, &mut q);
     if ways[0].iter().any(|by| *by != 0.0) {
-        q = match Path::from(q, assembly, unknown) {
-            Some(path) => at(&ways.iter().find_map(|moves| path.end(moves))?),
-            None => at(&stepwise(assembly, &ways[0], unknown)),
+        let end = |path: Path<'_>| ways.iter().find_map(|moves| path.end(moves)).map(|q| at(&q));
+        q = match Path::from(q.clone(), assembly, unknown) {
+            Some(path) => end(path)?,
+            // Of more rows than are needed those that are independent lead the way.
+            None => Path::from(q.clone(), assembly, (&independent(assembly, &closed, &q), &open))
+                .and_then(end)
+                .filter(|q| assembly.gaps(q, &closed).amax() <= NEAR)
+                .unwrap_or_else(|| at(&stepwise(assembly, &ways[0], unknown))),
         };
         nearest(assembly, unknown, f64::EPSILON, &mut q);
     }
     settle_on_fold(assembly, unknown, &unit, &mut q);
     Some(q)
+}
+
+/// Of rows those that do not depend on the rows before them.
+fn independent(assembly: &AssemblyProblem<'_>, closed: &[usize], q: &[f64]) -> Vec<usize> {
+    let all: Vec<usize> = (0..q.len()).collect();
+    let jacobian = assembly.jacobian(q, (closed, &all));
+    let mut active = ActiveRows::default();
+    for (row, entries) in closed.iter().zip(jacobian.row_iter()) {
+        active.push(*row, &entries.transpose().normalize());
+    }
+    active.rows
 }
 
 /// By how much the given coordinates move from their nominal values: as they are given, and where no path leads there,
@@ -179,14 +194,11 @@ fn nearest(assembly: &AssemblyProblem<'_>, (closed, open): (&[usize], &[usize]),
     let scales = &assembly.context.scales;
     let unit = |k: usize| scales.coordinate(&assembly.layout().coordinates[open[k]]);
     for _ in 0..ITERATIONS {
-        let rows = assembly.rows(q);
-        let gap = DVector::from_fn(closed.len(), |i, _| rows.gap()[closed[i]] / assembly.unit(closed[i]));
+        let gap = assembly.gaps(q, closed);
         if gap.amax() <= near {
             return;
         }
-        let jacobian = DMatrix::from_fn(closed.len(), open.len(), |i, k| {
-            rows.jacobian(closed[i])[open[k]] * unit(k) / assembly.unit(closed[i])
-        });
+        let jacobian = assembly.jacobian(q, (closed, open));
         // A singular value below this is a branch point, as sin α = 1; there the direction stays as it is.
         let cutoff = 1e-13 * jacobian.amax();
         let Ok(change) = svd(jacobian).solve(&gap, cutoff) else { return };

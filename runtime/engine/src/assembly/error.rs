@@ -133,6 +133,16 @@ pub enum StartError {
         /// `first` or `last`.
         end: &'static str,
     },
+    /// Joints hold all coordinates.
+    #[error(
+        "nothing can move: {constraints} constraints hold all of {coordinates} coordinates; remove a pin or a constraint, or change lengths"
+    )]
+    Immobile {
+        /// How many coordinates there are.
+        coordinates: usize,
+        /// How many constraints.
+        constraints: usize,
+    },
     /// At rest without acceleration.
     #[error("the start is an equilibrium: it never moves")]
     Equilibrium,

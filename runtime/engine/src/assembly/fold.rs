@@ -5,11 +5,9 @@
 //! uᵀ J(q) v = 0,    u and v those of the least singular value of J
 //! ```
 
-use nalgebra::DMatrix;
-
 use super::problem::AssemblyProblem;
 use crate::numerics::decomposition::{singular_values, svd};
-use crate::numerics::zero::roundoff;
+use crate::numerics::zero::{MARGIN, roundoff};
 
 /// A singular value below this is that of a fold nearby, in natural units.
 const FLAT: f64 = 1e-6;
@@ -25,12 +23,7 @@ pub(super) fn settle_on_fold(
     unit: &[f64],
     q: &mut [f64],
 ) {
-    let jacobian = |q: &[f64]| -> DMatrix<f64> {
-        let rows = assembly.rows(q);
-        DMatrix::from_fn(closed.len(), free.len(), |i, k| {
-            rows.jacobian(closed[i])[free[k]] * unit[k] / assembly.unit(closed[i])
-        })
-    };
+    let jacobian = |q: &[f64]| assembly.jacobian(q, (closed, free));
     let here = jacobian(q);
     // By a fraction of the work, where no fold is near.
     if singular_values(here.clone()).last().is_none_or(|least| *least > 2.0 * FLAT) {
@@ -51,10 +44,12 @@ pub(super) fn settle_on_fold(
     };
     let slope_at = |by: f64| row.dot(&(jacobian(&moved(by)) * &along));
     let curvature = (slope_at(SPAN) - slope_at(-SPAN)) / (2.0 * SPAN);
+    // Where more rows are closed than needed they are flat along the motion too, and stay so.
+    if curvature.abs() < MARGIN {
+        return;
+    }
     let fold = moved(-slope / curvature);
-    let rows = assembly.rows(&fold);
-    let gap = closed.iter().map(|&row| rows.gap()[row].abs() / assembly.unit(row)).fold(0.0, f64::max);
-    if fold.iter().all(|x| x.is_finite()) && gap <= ROUNDED {
+    if fold.iter().all(|x| x.is_finite()) && assembly.gaps(&fold, closed).amax() <= ROUNDED {
         q.copy_from_slice(&fold);
     }
 }

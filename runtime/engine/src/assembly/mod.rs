@@ -17,8 +17,9 @@ pub use pose::Pose;
 use crate::context::{CLOSED, RunContext};
 use crate::expression::Switches;
 use crate::integration::chart;
-use crate::model::ContactSet;
-use crate::numerics::zero::compute_place_error;
+use crate::model::{ContactSet, Joint};
+use crate::numerics::decomposition::singular_values;
+use crate::numerics::zero::{MARGIN, compute_place_error};
 use crate::system::Equations;
 use pose::Given;
 use problem::AssemblyProblem;
@@ -69,6 +70,7 @@ pub(crate) fn start(
     let assembly = AssemblyProblem::new((context, switches), deepest(tolerance), (rates, given.below), t);
     let (positions, closed) = complete::positions(&assembly, &given.positions)?;
     assembly.check_below(&positions)?;
+    refuse_immobile(&assembly, &positions)?;
     let depth = assembly.depth(&positions, closed);
     let moving = |positions: &[f64]| -> Result<_, StartError> {
         let (rates, touching) = rates::rates(&assembly, positions, closed, &given.rates)?;
@@ -129,6 +131,20 @@ fn refuse_lost_units(context: &RunContext) -> Result<(), StartError> {
     match natural.iter().all(|value| value.is_normal()) {
         true => Ok(()),
         false => Err(StartError::Units { length: scales.length, time: scales.time, mass: scales.mass }),
+    }
+}
+
+/// Refuses a position in which joints alone hold all coordinates.
+fn refuse_immobile(assembly: &AssemblyProblem<'_>, positions: &[f64]) -> Result<(), StartError> {
+    let (layout, all) = (assembly.layout(), (0..positions.len()).collect::<Vec<_>>());
+    let joints = assembly.closed(ContactSet::EMPTY);
+    if joints.len() < all.len() || layout.joints.iter().any(Joint::is_drive) {
+        return Ok(());
+    }
+    let values = singular_values(assembly.jacobian(positions, (&joints, &all)));
+    match values.iter().all(|value| *value > MARGIN * values[0]) {
+        true => Err(StartError::Immobile { coordinates: all.len(), constraints: joints.len() }),
+        false => Ok(()),
     }
 }
 

@@ -164,14 +164,11 @@ impl Point {
         fraction: f64,
         q: Vec<f64>,
     ) -> Self {
-        let rows = assembly.rows(&q);
-        let (coordinates, scales) = (assembly.layout().coordinates, &assembly.context.scales);
-        let jacobian = DMatrix::from_fn(closed.len(), q.len(), |i, k| {
-            rows.jacobian(closed[i])[k] * scales.coordinate(&coordinates[k]) / assembly.unit(closed[i])
-        });
+        let all: Vec<usize> = (0..q.len()).collect();
+        let jacobian = assembly.jacobian(&q, (closed, &all));
         let by_open = jacobian.select_columns(open);
         let side = if by_open.is_square() { by_open.determinant().signum() } else { 0.0 };
-        let gap = DVector::from_fn(closed.len(), |i, _| rows.gap()[closed[i]] / assembly.unit(closed[i]));
+        let gap = assembly.gaps(&q, closed);
         Self { fraction, q, gap, jacobian, svd: svd(by_open), side }
     }
 

@@ -3,6 +3,8 @@
 use core::cell::RefCell;
 use std::rc::Rc;
 
+use nalgebra::{DMatrix, DVector};
+
 use super::StartError;
 use crate::context::{CLOSED, RunContext};
 use crate::expression::Switches;
@@ -84,6 +86,20 @@ impl<'a> AssemblyProblem<'a> {
     /// The natural unit of a row's gap.
     pub(super) fn unit(&self, row: usize) -> f64 {
         self.layout().unit(row, self.context.scales.length)
+    }
+
+    /// Gaps of rows, in natural units.
+    pub(super) fn gaps(&self, positions: &[f64], closed: &[usize]) -> DVector<f64> {
+        let rows = self.rows(positions);
+        DVector::from_fn(closed.len(), |i, _| rows.gap()[closed[i]] / self.unit(closed[i]))
+    }
+
+    /// Derivatives of the gaps of rows by coordinates, in natural units.
+    pub(super) fn jacobian(&self, positions: &[f64], (closed, by): (&[usize], &[usize])) -> DMatrix<f64> {
+        let rows = self.rows(positions);
+        let unit = |k: usize| self.context.scales.coordinate(&self.layout().coordinates[k]);
+        let entry = |i: usize, k: usize| rows.jacobian(i)[k] * unit(k) / self.unit(i);
+        DMatrix::from_fn(closed.len(), by.len(), |i, k| entry(closed[i], by[k]))
     }
 
     /// The rows of `set` and of guides that have a gap, and all joints.

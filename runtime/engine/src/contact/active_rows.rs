@@ -5,8 +5,8 @@ use nalgebra::DVector;
 
 /// Independent unit vectors, each with the name of its row.
 #[derive(Default)]
-pub(super) struct ActiveRows {
-    pub(super) rows: Vec<usize>,
+pub(crate) struct ActiveRows {
+    pub(crate) rows: Vec<usize>,
     vectors: Vec<DVector<f64>>,
     q: Vec<DVector<f64>>,
     /// The columns of R.
@@ -53,7 +53,7 @@ impl ActiveRows {
     }
 
     /// Adds a vector, if it is independent.
-    pub(super) fn push(&mut self, row: usize, vector: &DVector<f64>) -> bool {
+    pub(crate) fn push(&mut self, row: usize, vector: &DVector<f64>) -> bool {
         let Split { independent, mut along } = self.split(vector);
         let length = independent.norm();
         if length <= RANK {

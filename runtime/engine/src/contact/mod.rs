@@ -25,6 +25,7 @@ mod stationary_gap;
 mod tests;
 mod trials;
 
+pub(crate) use active_rows::ActiveRows;
 #[cfg(test)]
 pub(crate) use degenerate::decide;
 pub(crate) use degenerate::{Alternatives, ContactProblem, ContactSolution};

@@ -40,6 +40,7 @@ mod painleve;
 mod phase_functions;
 mod planks;
 mod random_loads;
+mod redundant_loops;
 mod rocking;
 mod rocking_with_friction;
 mod settling;

@@ -104,10 +104,13 @@ impl SingularityMonitor {
         state: &[f64],
     ) -> Result<Forecast, Vec<String>> {
         let (layout, nominal) = (context.layout(), &context.model.nominal);
-        // The figure shows how long the rows are at a regular position, and of what rank.
-        let figure = layout.state_at(&[&nominal[..], &vec![0.0; nominal.len()]].concat(), t);
+        // The figure shows how long the rows are at a regular position, and of what rank. Where it
+        // is drawn from rounded numbers, rows of equal cranks are independent that are not.
+        let mut figure = layout.state_at(&[&nominal[..], &vec![0.0; nominal.len()]].concat(), t);
+        context.system().project(ContactSet::EMPTY, &mut figure, context.scales.length);
         self.place(context, &figure);
-        // The row of a contact that is open there has another length: that of two discs grows with their distance.
+        // The row of a contact that is open there has another length: that of two discs grows with
+        // their distance.
         let equations = context.system().equations(&figure);
         let is_open = |row: usize| {
             let gap = equations.gap().get(row).filter(|_| row < layout.contacts.len());

@@ -1,0 +1,139 @@
+//! Loops with more joints than needed: rows that depend on each other wherever the loops are closed.
+
+use liftoff::prelude::*;
+use liftoff::{LoggedDecision, RunCause, StartError};
+
+/// A rod on three equal cranks between pins on a slope, the figure drawn from rounded numbers. The
+/// pin of the middle one is `e` off.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AE, mass = m, length = 3 * l)]
+#[point(C = AE, at = l)]
+#[bar(OA, mass = m, length = r)]
+#[bar(PC, mass = 2 * m, length = r)]
+#[bar(QE, mass = 3 * m, length = r)]
+#[pin(O = (0, 0))]
+#[pin(P = (0.96 * l + e, 0.28 * l))]
+#[pin(Q = (2.88 * l, 0.84 * l))]
+#[figure(A = (0.02, -r), C = (0.95 * l, 0.27 * l - r), E = (2.9 * l, 0.86 * l - r))]
+#[coordinate(phi = angle(OA), from = down)]
+struct ThreeCranks {
+    #[value(1)]
+    m: f64,
+    #[value(1)]
+    l: f64,
+    #[value(0.5)]
+    r: f64,
+    #[value(9.81)]
+    g: f64,
+    #[value(0)]
+    e: f64,
+}
+
+/// The same without the middle crank, the first one as heavy as both.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AE, mass = m, length = 3 * l)]
+#[bar(OA, mass = 3 * m, length = r)]
+#[bar(QE, mass = 3 * m, length = r)]
+#[pin(O = (0, 0))]
+#[pin(Q = (2.88 * l, 0.84 * l))]
+#[figure(A = (0, -r), E = (2.88 * l, 0.84 * l - r))]
+#[coordinate(phi = angle(OA), from = down)]
+struct TwoCranks {
+    m: f64,
+    l: f64,
+    r: f64,
+    g: f64,
+}
+
+const THREE: ThreeCranks = ThreeCranks { m: 1.0, l: 1.0, r: 0.5, g: 9.81, e: 0.0 };
+const TWO: TwoCranks = TwoCranks { m: 1.0, l: 1.0, r: 0.5, g: 9.81 };
+
+fn run<M: BarSystem>(model: &M, pose: Pose) -> Trajectory {
+    let run = Simulation::new(model).unwrap().start(pose).unwrap().limit(3.0).run();
+    run.unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn value(run: &Trajectory, output: &str, t: f64) -> f64 {
+    run.value(&Output::parse(run.layout(), output).unwrap(), t)
+}
+
+/// Past the position in which rod and cranks are in line too, at the start and in motion.
+#[test]
+fn a_third_crank_is_as_a_heavier_one() {
+    for (phi, rate) in [(1.0, 0.0), (2.0, 0.0), (-3.0, 0.0), (1.0, 9.0)] {
+        let pose = || Pose::at("phi", phi).with("phi'", rate);
+        let [three, two] = [run(&THREE, pose()), run(&TWO, pose())];
+        for t in [0.0, 0.7, 1.9, 3.0] {
+            for output in ["phi", "phi'"] {
+                let [a, b] = [&three, &two].map(|run| value(run, output, t));
+                assert!((a - b).abs() < 1e-9, "{phi} {rate} {t} {output}: {a} {b}");
+            }
+            // All that the ground carries, whoever of the pins has it: some 70 N.
+            for force in ["fx", "fy"] {
+                let sum = |run: &Trajectory, pins: &[&str]| -> f64 {
+                    pins.iter().map(|pin| value(run, &format!("{force}({pin})"), t)).sum()
+                };
+                let [a, b] = [sum(&three, &["O", "P", "Q"]), sum(&two, &["O", "Q"])];
+                assert!((a - b).abs() < 1e-7, "{phi} {rate} {t} {force}: {a} {b}");
+            }
+        }
+        let not_unique = |entry: &liftoff::LogEntry| entry.decision == LoggedDecision::ReactionsNotUnique;
+        assert!(three.log().iter().any(not_unique) && !two.log().iter().any(not_unique));
+    }
+}
+
+/// With a pin out of place the three hold the rod: there is a position, and no other.
+#[test]
+fn unequal_cranks_do_not_move() {
+    let off = ThreeCranks { e: 0.05, ..THREE };
+    let error = Simulation::new(&off).unwrap().limit(1.0).run().unwrap_err();
+    let expected = StartError::Immobile { coordinates: 4, constraints: 4 };
+    assert_eq!(*error.cause(), RunCause::Start(expected));
+}
+
+/// The middle of a trammel's bar moves on a circle: a crank there holds nothing.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = 2 * l)]
+#[point(M = AB, at = l)]
+#[bar(OM, mass = 2 * m, length = l)]
+#[pin(O = (0, 0))]
+#[slider(A = horizontal(0))]
+#[slider(B = vertical(0))]
+#[figure(A = (1.6 * l, 0), B = (0, 1.2 * l), M = (0.8 * l, 0.6 * l))]
+#[coordinate(theta = angle(OM))]
+struct Trammel {
+    #[value(1)]
+    m: f64,
+    #[value(1)]
+    l: f64,
+    #[value(9.81)]
+    g: f64,
+}
+
+/// θ″ = −(3/2) (g/l) cos θ.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(OB, mass = 1, length = l)]
+#[pin(O = (0, 0))]
+#[figure(B = (l, 0))]
+#[coordinate(theta = angle(OB))]
+struct Pendulum {
+    l: f64,
+    g: f64,
+}
+
+/// T = m l² θ′², V = 2 m g l sin θ: as a bar of length 3 l/2.
+#[test]
+fn a_trammel_with_a_crank_is_a_pendulum() {
+    let (trammel, pendulum) = (Trammel { m: 1.0, l: 1.0, g: 9.81 }, Pendulum { l: 1.5, g: 9.81 });
+    for theta in [0.5, 2.0, 3.0, -1.0] {
+        let [a, b] = [run(&trammel, Pose::at("theta", theta)), run(&pendulum, Pose::at("theta", theta))];
+        for t in [0.3, 1.1, 3.0] {
+            let [a, b] = [&a, &b].map(|run| value(run, "theta", t));
+            assert!((a - b).abs() < 1e-9, "{theta} {t}: {a} {b}");
+        }
+    }
+}
