@@ -3,6 +3,7 @@
 
 mod draft;
 mod frame;
+mod reach;
 mod sample;
 mod settle;
 
@@ -101,8 +102,12 @@ impl Draft<'_> {
             undrawable(scope, self.structure, &positions);
             return None;
         }
-        let closed =
-            (0..self.structure.bodies.len()).filter(|&body| self.closes(scope, body, &samples)).count();
+        let bodies = 0..self.structure.bodies.len();
+        if bodies.clone().any(|body| self.misfit(body, &samples).is_some()) && !self.reaches(scope, &samples)
+        {
+            return None;
+        }
+        let closed = bodies.filter(|&body| self.closes(scope, body, &samples)).count();
         let (settled, demanded) = (Vec::new(), BTreeSet::new());
         let sound = closed == self.structure.bodies.len();
         sound.then_some(Figure { positions, samples, images, assumed: self.assumed, settled, demanded })
@@ -142,10 +147,9 @@ impl Draft<'_> {
         !open && self.fits(scope, body, samples)
     }
 
-    /// Whether the ends of a body that are given are as far apart as its length, roughly, or may be with some parameters; if
-    /// they are the same wrong multiple of it with all that are tried, that is reported with both lengths. A figure may be
-    /// drawn from rounded numbers.
-    fn fits(&self, scope: &mut Scope, body: usize, samples: &[Sample]) -> bool {
+    /// How far apart the ends of a body that are given are drawn, and its length, where that is the same wrong multiple with all
+    /// parameters that are tried. A figure may be drawn from rounded numbers.
+    fn misfit(&self, body: usize, samples: &[Sample]) -> Option<[f64; 2]> {
         let bar = &self.structure.bodies[body];
         let given = !self.assumed[bar.from] && !self.assumed[bar.to];
         let lengths = |sample: &Sample| [sample.drawn(self.structure, body), sample.numbers.of(&bar.length)];
@@ -155,12 +159,16 @@ impl Draft<'_> {
         };
         let first = ratio(&samples[0]);
         let same = |sample: &Sample| (ratio(sample) - first).abs() <= NEAR * first;
-        if !given || (first - 1.0).abs() <= ROUGH || !samples.iter().all(same) {
-            return true;
-        }
-        let [drawn, length] = lengths(&samples[0]).map(|length| (length * 1e4).round() / 1e4);
-        let by_default = scope.description.values.iter().any(|known| known.value.is_some());
-        let at = if by_default { "with the values of the parameters" } else { "with parameters near 1" };
+        let is_wrong = given && (first - 1.0).abs() > ROUGH && samples.iter().all(same);
+        is_wrong.then(|| lengths(&samples[0]))
+    }
+
+    /// Whether a body is drawn as long as it is; if not, that is reported with both lengths.
+    fn fits(&self, scope: &mut Scope, body: usize, samples: &[Sample]) -> bool {
+        let bar = &self.structure.bodies[body];
+        let Some(lengths) = self.misfit(body, samples) else { return true };
+        let [drawn, length] = lengths.map(shortened);
+        let at = with_parameters(scope);
         let text = format!(
             "the figure draws {} `{}` {drawn} long, and its length is {length} ({at}); move `{}` or `{}` in \
              `#[figure(…)]`",
@@ -172,6 +180,35 @@ impl Draft<'_> {
         scope.report.at(bar.span, text);
         false
     }
+
+    /// Whether bars reach as far as they must; if not, with any parameters that are tried, the loop is reported that lacks most.
+    fn reaches(&self, scope: &mut Scope, samples: &[Sample]) -> bool {
+        let open = samples.iter().map(|sample| reach::find_open_loop(self.structure, sample));
+        let Some(Some(open)) = open.collect::<Option<Vec<_>>>().map(|open| open.into_iter().next()) else {
+            return true;
+        };
+        let names: Vec<&str> = open.way.iter().map(|&point| &*self.structure.points[point].name).collect();
+        let [distance, reach, lack] = [open.distance, open.reach, open.distance - open.reach].map(shortened);
+        let at = with_parameters(scope);
+        let text = format!(
+            "the loop {} cannot close: `{}` and `{}` are {distance} apart, and the way between them is {reach} long \
+             ({at}): it lacks {lack}",
+            names.join("–"),
+            names[0],
+            names[names.len() - 1],
+        );
+        scope.report.at(self.structure.points[open.way[0]].span, text);
+        false
+    }
+}
+
+fn with_parameters(scope: &Scope) -> &'static str {
+    let by_default = scope.description.values.iter().any(|known| known.value.is_some());
+    if by_default { "with the values of the parameters" } else { "with parameters near 1" }
+}
+
+fn shortened(length: f64) -> f64 {
+    (length * 1e4).round() / 1e4
 }
 
 /// What is wrong with the figure at the first sample, where none can be drawn.

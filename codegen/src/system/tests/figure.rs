@@ -167,6 +167,23 @@ fn what_depends_on_a_place_that_is_not_given_demands_it() {
     );
 }
 
+/// Bars that do not reach from pin to pin, and one longer than the others of its loop, by what the
+/// inequality of triangles has.
+#[test]
+fn a_loop_that_cannot_close_is_told_with_what_it_lacks() {
+    let told = |attributes: &str| messages(&format!("#[gravity(9.81)] {attributes} struct S {{ m: f64 }}"));
+    let bars =
+        "#[bar(OA, mass = m, length = 1)] #[bar(AB, mass = m, length = 1)] #[bar(CB, mass = m, length = 1)]";
+    let pins = "#[pin(O = (0, 0))] #[pin(C = (4, 0))] #[figure(A = (1, 0.5), B = (3, 0.5))]";
+    let text = "the loop O–A–B–C cannot close: `O` and `C` are 4 apart, and the way between them is 3 long (with \
+                parameters near 1): it lacks 1";
+    assert_eq!(told(&format!("{bars} {pins}")), [text]);
+    let bars = "#[bar(OA, mass = m, length = 1)] #[bar(AB, mass = m, length = 4.5)] #[bar(OB, mass = m, length = 2)]";
+    let text = "the loop A–O–B cannot close: `A` and `B` are 4.5 apart, and the way between them is 3 long (with \
+                parameters near 1): it lacks 1.5";
+    assert_eq!(told(&format!("{bars} #[pin(O = (0, 0))] #[figure(A = (1, 0), B = (0, 2))]")), [text]);
+}
+
 /// Both lengths are told of a bar whose ends the figure puts somewhere else with any parameters; one drawn roughly, or with
 /// numbers that fit some parameters, is as good as before.
 #[test]

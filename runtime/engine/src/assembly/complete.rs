@@ -4,6 +4,8 @@
 
 use core::f64::consts::TAU;
 
+use nalgebra::DVector;
+
 use super::fold::settle_on_fold;
 use super::path::{Path, steps};
 use super::problem::AssemblyProblem;
@@ -76,19 +78,33 @@ fn within(assembly: &AssemblyProblem<'_>, q: &[f64], range: [f64; 2]) -> Contact
 
 /// What is wrong with the pose even if no contact is assumed closed.
 fn diagnose(assembly: &AssemblyProblem<'_>, given: &[Option<f64>]) -> StartError {
-    let Some(q) = completed(assembly, given, ContactSet::EMPTY) else {
-        let coordinates = assembly.layout().coordinates.iter().zip(given);
-        let given = coordinates.filter(|(_, given)| given.is_some()).map(|(of, _)| of.name);
-        return StartError::Unreached { given: given.collect::<Vec<_>>().join(", ") };
-    };
+    let reached = completed(assembly, given, ContactSet::EMPTY);
+    let is_reached = reached.is_some();
+    let mut q = reached.unwrap_or_else(|| with_given(given, &assembly.context.model.nominal));
+    let closed = assembly.closed(ContactSet::EMPTY);
+    approach(assembly, (&closed, &left_open(assembly, given).0), &mut q);
     let rows = assembly.rows(&q);
     let gap = rows.gap();
     let missed = |row: usize| gap[row].abs() / assembly.unit(row);
-    let worst =
-        assembly.closed(ContactSet::EMPTY).into_iter().max_by(|&a, &b| missed(a).total_cmp(&missed(b)));
+    let worst = closed.iter().copied().max_by(|&a, &b| missed(a).total_cmp(&missed(b)));
     match (worst, assembly.refuse_penetration(&q, assembly.absent(&q))) {
         (Some(row), _) if missed(row) > assembly.closed_below(&q, row) => {
-            StartError::Broken { joint: assembly.joint(row), gap: gap[row] }
+            // Of a pin or a hinge, which has a row for each axis, the distance.
+            let place = |row: usize| {
+                let name = assembly.joint(row);
+                let place = [" (x)", " (y)"].iter().find_map(|axis| name.strip_suffix(axis));
+                place.unwrap_or(&name).to_owned()
+            };
+            let joint = place(row);
+            let there = closed.iter().filter(|&&row| place(row) == joint);
+            let gaps: Vec<f64> = there.map(|&row| gap[row]).collect();
+            let gap = if let [gap] = gaps[..] { gap } else { DVector::from(gaps).norm() };
+            StartError::Broken { joint, gap }
+        }
+        _ if !is_reached => {
+            let coordinates = assembly.layout().coordinates.iter().zip(given);
+            let given = coordinates.filter(|(_, given)| given.is_some()).map(|(of, _)| of.name);
+            StartError::Unreached { given: given.collect::<Vec<_>>().join(", ") }
         }
         (_, Err(penetration)) => penetration,
         (row, Ok(())) => StartError::Broken {
@@ -111,12 +127,17 @@ fn reach(
     if all { Ok(q) } else { Err(worst(set, missed, 0.0)) }
 }
 
+/// A position with what is given.
+fn with_given(given: &[Option<f64>], q: &[f64]) -> Vec<f64> {
+    given.iter().zip(q).map(|(given, q)| given.unwrap_or(*q)).collect()
+}
+
 /// The pose with the rows of `set` as nearly closed as they can be, if a path leads there.
 fn completed(assembly: &AssemblyProblem<'_>, given: &[Option<f64>], set: ContactSet) -> Option<Vec<f64>> {
     let nominal = &assembly.context.model.nominal;
     let (open, unit) = left_open(assembly, given);
     let closed = assembly.closed(set);
-    let at = |q: &[f64]| given.iter().zip(q).map(|(given, q)| given.unwrap_or(*q)).collect::<Vec<f64>>();
+    let at = |q: &[f64]| with_given(given, q);
     if open.is_empty() || closed.is_empty() {
         return Some(at(nominal));
     }
@@ -176,6 +197,32 @@ fn left_open(assembly: &AssemblyProblem<'_>, given: &[Option<f64>]) -> (Vec<usiz
     let (layout, scales) = (assembly.layout(), &assembly.context.scales);
     let free = (0..given.len()).filter(|&i| given[i].is_none());
     free.map(|i| (i, scales.coordinate(&layout.coordinates[i]))).unzip()
+}
+
+/// Moves the coordinates left open to where the squares of the gaps sum up to the least (Marquardt,
+/// *An algorithm for least-squares estimation of nonlinear parameters*, J. SIAM 11, 1963).
+fn approach(assembly: &AssemblyProblem<'_>, (closed, open): (&[usize], &[usize]), q: &mut Vec<f64>) {
+    let (mut damping, mut gap) = (1.0, assembly.gaps(q, closed));
+    for _ in 0..4 * ITERATIONS {
+        let jacobian = assembly.jacobian(q, (closed, open));
+        let mut normal = jacobian.tr_mul(&jacobian);
+        (0..open.len()).for_each(|k| normal[(k, k)] += damping);
+        let Some(change) = normal.cholesky().map(|normal| normal.solve(&jacobian.tr_mul(&gap))) else {
+            return;
+        };
+        let mut moved = q.clone();
+        for (k, &i) in open.iter().enumerate() {
+            moved[i] -= change[k] * assembly.context.scales.coordinate(&assembly.layout().coordinates[i]);
+        }
+        let after = assembly.gaps(&moved, closed);
+        if after.norm() < gap.norm() {
+            (*q, gap, damping) = (moved, after, 0.1 * damping);
+        } else if damping < 1.0 / f64::EPSILON {
+            damping *= 10.0;
+        } else {
+            return;
+        }
+    }
 }
 
 /// The position behind moves of the given coordinates, where rows are more than coordinates left open, or not independent.

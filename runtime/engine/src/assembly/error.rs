@@ -102,11 +102,13 @@ pub enum StartError {
         distance: f64,
     },
     /// A joint or constraint is not satisfied.
-    #[error("{joint} is broken by {gap:.3e}")]
+    #[error(
+        "{joint} is broken by {gap:.3e}: nothing that is left open closes it; change the start, or lengths"
+    )]
     Broken {
         /// The joint.
         joint: String,
-        /// Its gap.
+        /// Its least gap, or the distance of its points.
         gap: f64,
     },
     /// The bars do not reach the pose from the nominal figure without a jump, or by two ways.

@@ -93,6 +93,38 @@ fn unequal_cranks_do_not_move() {
     assert_eq!(*error.cause(), RunCause::Start(expected));
 }
 
+/// Three bars of length a between pins that are 4 apart.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(OA, mass = 1, length = a)]
+#[bar(AB, mass = 1, length = a)]
+#[bar(CB, mass = 1, length = a)]
+#[pin(O = (0, 0))]
+#[pin(C = (4, 0))]
+#[figure(A = (1.25, 0.83), B = (2.75, 0.83))]
+struct Bars {
+    #[value(1.5)]
+    a: f64,
+    #[value(9.81)]
+    g: f64,
+}
+
+/// What bars lack that are too short is the distance of the pins less their lengths.
+#[test]
+fn bars_that_are_too_short_are_told_with_what_they_lack() {
+    let from = |theta: f64, a: f64| (4.0 - a * theta.cos()).hypot(a * theta.sin());
+    let nominal = |a: f64| (Pose::nominal(), a, 4.0 - 3.0 * a);
+    let given = |theta: f64, a: f64| (Pose::at("theta_OA", theta), a, from(theta, a) - 2.0 * a);
+    for (pose, a, expected) in [nominal(1.0), nominal(1.2), given(-1.0, 1.2), given(2.0, 1.5)] {
+        let simulation = Simulation::new(&Bars { a, g: 9.81 }).unwrap();
+        let error = simulation.start(pose).map(drop).unwrap_err();
+        let StartError::Broken { joint, gap } = error else { panic!("{error}") };
+        assert_eq!(joint, "pin C");
+        // By the squares of the gaps, which are flat at their least.
+        assert!((gap - expected).abs() < 1e-6, "{a}: {gap}");
+    }
+}
+
 /// The middle of a trammel's bar moves on a circle: a crank there holds nothing.
 #[derive(BarSystem)]
 #[gravity(g)]
