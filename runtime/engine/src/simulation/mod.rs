@@ -15,6 +15,9 @@ mod scene;
 mod schedule;
 mod snapshot;
 
+#[cfg(test)]
+mod tests;
+
 pub(crate) use budget::Allowance;
 pub use budget::{Budget, Exhausted};
 pub(crate) use domain::Domain;

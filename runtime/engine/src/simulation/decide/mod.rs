@@ -5,6 +5,9 @@ mod dependent;
 mod form;
 mod slips;
 
+#[cfg(test)]
+mod tests;
+
 pub(crate) use slips::LocatedSlips;
 
 use std::sync::Arc;

@@ -1,53 +1,27 @@
 //! Decisions and responses on snapshots of their own, without a run.
 
+use core::f64::consts::FRAC_PI_2;
+
+use liftoff_fixtures::{Ladder, RodOnSupports};
+
+use crate::contact::ContactError;
 use crate::contact::friction::Sense;
 use crate::event::{EventKind, Guard, Note};
-use crate::model::{ContactSet, Slip};
+use crate::model::Slip;
 use crate::prelude::*;
-use crate::simulation::awaited::Awaited;
 use crate::simulation::decide::{LocatedSlips, Question};
 use crate::simulation::respond::Next;
 use crate::simulation::snapshot::{PhaseStart, Snapshot, ZenoClosure};
+use crate::simulation::tests::given::*;
+use crate::trajectory::LoggedDecision;
 
-/// A ball over a rough floor, a wall that is there from t = 1 on, and wind behind x = 2.
-#[derive(BarSystem)]
-#[gravity(g)]
-#[particle(P, mass = m)]
-#[support(P = floor, restitution = e, friction = mu)]
-#[support(w = wall(3), facing = left, under = P, while("t > 1"))]
-#[force(P = (q, 0), while("x > 2"))]
-#[figure(P = (0, 1))]
-#[coordinate(x = x(P))]
-#[coordinate(y = y(P))]
-struct Ball {
-    m: f64,
-    g: f64,
-    e: f64,
-    mu: f64,
-    q: f64,
-}
-
-const BALL: Ball = Ball { m: 2.0, g: 10.0, e: 0.5, mu: 0.25, q: 3.0 };
-/// The places of the floor and the wall.
-const FLOOR: usize = 0;
-const WALL: usize = 1;
-
-fn set(contact: usize) -> ContactSet {
-    ContactSet::EMPTY.with(contact)
-}
-
-/// The snapshot of a simulation at its start, moved to a state (x, y, ẋ, ẏ).
+/// The snapshot of a simulation of the ball at its start.
 fn with_snapshot(
     prepare: impl FnOnce(Simulation) -> Simulation,
     state: [f64; 4],
     check: impl FnOnce(Snapshot<'_>),
 ) {
-    let start = Pose::at("x", state[0]).with("y", state[1]).with("x'", state[2]).with("y'", state[3]);
-    let simulation = Simulation::new(&BALL).unwrap().start(start).unwrap();
-    let simulation = prepare(simulation);
-    let awaited = Awaited::from_setup(&simulation);
-    let start = simulation.started().unwrap();
-    check(Snapshot::new(&simulation, &awaited, start));
+    with_start(&prepare(start(&BALL, state)), check);
 }
 
 /// The same once the run has begun, with what its first phase begins with.
@@ -56,15 +30,7 @@ fn with_phase(
     state: [f64; 4],
     check: impl FnOnce(Snapshot<'_>, &PhaseStart),
 ) {
-    with_snapshot(prepare, state, |mut ball| {
-        ball.begin().unwrap();
-        let start = ball.phase_start();
-        check(ball, &start);
-    });
-}
-
-fn kinds(snapshot: &Snapshot<'_>) -> Vec<EventKind> {
-    snapshot.transition.events.iter().map(|event| event.kind).collect()
+    with_begun(&prepare(start(&BALL, state)), check);
 }
 
 #[test]
@@ -172,6 +138,10 @@ fn conditions_arm_contacts_and_loads() {
             assert!(!ball.contacts.absent().contains(WALL));
             // The wind is heavier than friction, 3 N against 5 N: it goes on to slide.
             assert_eq!(kinds(&ball)[1..], [EventKind::Arm, EventKind::Arm]);
+            for (event, label) in ball.transition.events[1..].iter().zip(["x > 2", "t > 1"]) {
+                let Some(Note::Condition(condition)) = &event.note else { panic!("{event:?}") };
+                assert_eq!(condition.to_string(), label);
+            }
             let a = ball.accelerations(&ball.state, ball.bearing());
             assert!((a[0] - (3.0 - 5.0) / 2.0).abs() < 1e-15, "{a:?}");
         },
@@ -275,4 +245,197 @@ fn an_impact_without_restitution_leaves_nothing_to_open() {
         ball.handle(&[Guard::Gap(FLOOR)], start).unwrap();
         assert!(ball.closed().contains(FLOOR) && ball.state[3] == 0.0);
     });
+}
+
+/// What only depended on the contacts that bear opens, and those go on to bear as they did.
+#[test]
+fn contacts_that_part_open() {
+    let rod = Simulation::new(&RodOnSupports { m: 2.0, l: 3.0, g: 10.0 }).unwrap();
+    let rod = rod.start(Pose::at("theta", 0.0).with("x'", 1.0).with("y", 0.0)).unwrap();
+    with_begun(&rod, |mut now, _| {
+        let (bearing, parted) = (now.bearing(), now.closed().difference(now.bearing()));
+        now.part(parted);
+        assert_eq!((kinds(&now), now.closed()), (vec![EventKind::Start, EventKind::Open], bearing));
+        let opened = now.layout().contacts[parted.iter().next().unwrap()].supports;
+        assert_eq!(now.transition.events[1].supports, opened);
+        let borne: f64 = bearing.iter().map(|i| now.reactions[i]).sum();
+        assert!((borne - 20.0).abs() < 1e-13 && parted.iter().all(|i| now.reactions[i] == 0.0));
+    });
+}
+
+/// Joints answer to an impulse as contacts do: (5/3) m a² φ′ = −p a of an upright linkage.
+#[test]
+fn joints_hold_in_impacts() {
+    let linkage = Linkage { m: 3.0, a: 2.0, b: 5.0, g: 10.0 };
+    let still = Pose::at("phi", FRAC_PI_2).with("phi'", 0.0);
+    let struck = Simulation::new(&linkage).unwrap().start(still).unwrap().impulse("A", [7.0, 0.0], 0.5);
+    with_begun(&struck.unwrap(), |mut now, _| {
+        now.t = 0.5;
+        now.reach_time().unwrap();
+        let rate = -7.0 / (5.0 / 3.0 * 3.0 * 2.0);
+        for (found, expected) in now.state[3..].iter().zip([rate, rate, 0.0]) {
+            assert!((found - expected).abs() < 1e-14, "{:?}", now.state);
+        }
+    });
+}
+
+/// A pendulum stopped above its anchor falls off its circle: what holds at rest opens by its
+/// acceleration, and that is not in doubt.
+#[test]
+fn a_contact_that_an_impact_leaves_at_rest_opens_by_its_acceleration() {
+    let tethered = Tethered { m: 2.0, l: 5.0, d: 3.0, g: 10.0 };
+    let pose = Pose::at("x", 0.0).with("y", 5.0).with("x'", 20.0).with("y'", 0.0);
+    with_begun(&Simulation::new(&tethered).unwrap().start(pose).unwrap(), |mut now, start| {
+        (now.state[0], now.state[1], now.state[2], now.state[3]) = (3.0, 4.0, 8.0, -6.0);
+        now.handle(&[Guard::Gap(1)], start).unwrap();
+        assert_eq!(kinds(&now)[1..], [EventKind::Impact, EventKind::Taut, EventKind::Slack]);
+        assert!(now.transition.events[3].note.is_none(), "{:?}", now.transition.events[3]);
+    });
+}
+
+/// Slips that end again and again without any time between are given up after some.
+#[test]
+fn slips_that_end_without_time_are_given_up() {
+    let rod = Simulation::new(&Rod { m: 1.0, l: 1.0, g: 10.0, mu: 1.0 }).unwrap();
+    let pose = Pose::at("theta", 1.0).with("y", 0.0).with("x'", -1.0).with("theta'", 0.0);
+    with_begun(&rod.start(pose).unwrap(), |mut now, _| {
+        let (state, phase, closed) = (now.state.clone(), now.phase.clone(), now.closed());
+        let mut end = || {
+            now.state.clone_from(&state);
+            now.phase = phase.clone();
+            now.contacts.decide(closed);
+            now.cross_border().is_ok()
+        };
+        let ends = (0..8).take_while(|_| end()).count();
+        // Four, and one for each contact.
+        assert_eq!(ends, 5);
+    });
+}
+
+/// Of starts at rest on their contacts but for rounding none is struck.
+#[test]
+fn what_rounding_leaves_of_a_rate_strikes_nothing() {
+    for k in 0..20 {
+        let pose = Pose::at("theta", 0.3 + 0.1 * f64::from(k)).with("theta'", 0.1 * f64::from(k));
+        let ladder = Simulation::new(&Ladder { m: 1.0, l: 3.0, g: 10.0 }).unwrap().start(pose);
+        with_start(&ladder.unwrap(), |mut now| {
+            now.begin().unwrap();
+            assert_eq!(kinds(&now)[0], EventKind::Start, "{k}");
+            assert!(!kinds(&now).contains(&EventKind::Impact), "{k}");
+        });
+    }
+}
+
+/// Where drives alone tell the time it is that of the rates which they give.
+#[test]
+fn a_drive_tells_the_natural_time() {
+    let driven = Simulation::new(&Driven { m: 1.0, l: 2.0, w: 5.0 }).unwrap();
+    assert_eq!(driven.scales().time, 1.0);
+    assert!((driven.start(Pose::nominal()).unwrap().scales().time - 0.2).abs() < 1e-15);
+}
+
+/// A wall that is not there is not struck at a start.
+#[test]
+fn what_is_absent_is_not_struck_at_a_start() {
+    with_start(&start(&BALL, [3.0, 1.0, 1.0, 0.0]), |mut ball| {
+        assert!(ball.contacts.absent().contains(WALL));
+        ball.begin().unwrap();
+        assert!(kinds(&ball) == [EventKind::Start] && ball.state[2] == 1.0);
+    });
+}
+
+/// Friction that does not act cannot hold a motion up: where contacts without any jam, they jam.
+#[test]
+fn no_slip_ends_where_nothing_rubs() {
+    with_begun(&start(&BALL, [3.0, 1.0, 1.0, 0.0]), |mut ball, _| {
+        let source = ContactError::Jammed { contacts: vec!["w".into()] };
+        assert!(ball.unjam(&Question::about(set(WALL)), source).is_err());
+        assert!(kinds(&ball) == [EventKind::Start] && ball.state[2] == 1.0);
+    });
+}
+
+/// What has come to rest is in no flight, and no end of its impacts but the new one is awaited.
+#[test]
+fn what_has_settled_has_done_with_its_flights() {
+    with_begun(&start(&BALL, [0.0, 0.0, 0.0, 1e-8]), |mut ball, _| {
+        for k in 0..9 {
+            ball.bounces.begin(FLOOR, (f64::from(k), 0.5_f64.powi(k), 1.0));
+        }
+        let earlier = ZenoClosure { end: 7.0, error: 0.0, set: set(FLOOR) };
+        ball.bounces.settling.push(earlier);
+        ball.settle_unseen().unwrap();
+        let bounces = &ball.bounces;
+        assert!(bounces.heights.is_empty() && !bounces.sequences[FLOOR].slows());
+        assert!(bounces.settling.len() == 1 && bounces.settling[0].end < 1.0);
+    });
+}
+
+/// What comes where something touches it is struck, or closes, or is left.
+#[test]
+fn what_is_armed_where_it_is_touched_meets_what_moves() {
+    for (velocity, kinds_then, closes) in [
+        (2.0, &[EventKind::Arm, EventKind::Impact][..], true),
+        (0.0, &[EventKind::Arm], true),
+        (-2.0, &[EventKind::Arm], false),
+    ] {
+        with_begun(
+            // The wind is stronger than friction.
+            &self::start(&Ball { q: 9.0, ..BALL }, [3.0, 0.0, 1.0, 0.0]),
+            |mut ball, start| {
+                let is_wall = |k: &usize| ball.awaited.conditions[*k].to_string() == "t > 1";
+                let armed = ball.awaited.places().find(is_wall).unwrap();
+                (ball.t, ball.state[2]) = (1.0, velocity);
+                ball.handle(&[Guard::Condition(armed)], start).unwrap();
+                let happened = &kinds(&ball)[1..];
+                assert!(happened.starts_with(kinds_then), "{velocity}: {happened:?}");
+                assert_eq!(happened.contains(&EventKind::Impact), velocity > 0.0);
+                assert_eq!(ball.closed().contains(WALL), closes, "{velocity}");
+            },
+        );
+    }
+}
+
+/// A ball that comes to rest while it slides gives back the friction of its last flight,
+/// μ m v for each m v of the rebound, and what that gains is told.
+#[test]
+fn friction_that_is_taken_ahead_is_told() {
+    let [v, w] = [3.0, 1e-8];
+    with_begun(&start(&BALL, [0.0, 0.0, v, w]), |mut ball, _| {
+        ball.settle_unseen().unwrap();
+        let gained: Vec<f64> = ball
+            .transition
+            .log
+            .iter()
+            .filter_map(|it| match it.decision {
+                LoggedDecision::FrictionAhead(gained) => Some(gained),
+                _ => None,
+            })
+            .collect();
+        let expected = BALL.m * BALL.mu * v * w;
+        assert!(gained.len() == 1 && (gained[0] / expected - 1.0).abs() < 1e-7, "{gained:?} {expected}");
+    });
+}
+
+/// Newton's law may gain energy where friction reverses a slip; the impact says how much.
+#[test]
+fn an_impact_tells_what_energy_its_law_gains() {
+    let sled = Sled { m: 3.0, l: 1.0, g: 10.0, mu: 0.6, e: 0.95 };
+    let mut gains = 0;
+    for (theta, slip) in [0.2, 0.5, 0.8, 1.1, 1.4].into_iter().flat_map(|theta| [(theta, 0.3), (theta, -0.3)])
+    {
+        let pose = Pose::at("theta", theta).with("y", 1.0);
+        with_begun(&Simulation::new(&sled).unwrap().start(pose).unwrap(), |mut now, start| {
+            now.state.copy_from_slice(&[theta, 0.0, 0.0, 0.0, slip, -1.0]);
+            let before = now.energy().kinetic;
+            now.handle(&[Guard::Gap(0)], start).unwrap();
+            assert!((now.state[5] - sled.e).abs() < 1e-12, "{theta} {slip}");
+            let gained = now.energy().kinetic - before;
+            match now.transition.events[1].note {
+                Some(Note::EnergyGained(told)) => assert!((gained - told).abs() < 1e-12, "{theta} {slip}"),
+                _ => assert!(gained <= 0.0, "{theta} {slip}"),
+            }
+            gains += usize::from(gained > 0.0);
+        });
+    }
+    assert_eq!(gains, 3);
 }

@@ -9,6 +9,9 @@ mod slips;
 mod tiny;
 mod transition;
 
+#[cfg(test)]
+mod tests;
+
 pub(crate) use contacts::Contacts;
 pub(crate) use flights::{Bounces, Rise, Sequence, ZenoClosure};
 pub(crate) use transition::{Transition, split};

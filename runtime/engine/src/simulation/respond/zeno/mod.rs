@@ -152,3 +152,56 @@ impl Snapshot<'_> {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::prelude::*;
+    use crate::simulation::tests::given::*;
+
+    /// A level sled at rest, whose feet have begun to bounce a while ago with e = 1/2, the first
+    /// flights a second long, so that their impacts end two seconds later.
+    fn with_ends(ends: [f64; 2], check: impl FnOnce(Snapshot<'_>)) {
+        let sled = Sled { m: 3.0, l: 1.0, g: 10.0, mu: 0.25, e: 0.5 };
+        let sled = Simulation::new(&sled).unwrap().start(Pose::at("theta", 0.0).with("y", 0.0)).unwrap();
+        with_start(&sled.impulse("A", [1.0, 0.0], 9.0).unwrap(), |mut now| {
+            for (sequence, end) in now.bounces.sequences.iter_mut().zip(ends) {
+                for k in 0..12 {
+                    let left = 2.0 * 0.5_f64.powi(k);
+                    sequence.begin(end - left, 0.5 * left);
+                }
+            }
+            check(now);
+        });
+    }
+
+    /// Contacts whose flights end together, to a hundredth of the time that is left, end as one.
+    #[test]
+    fn contacts_that_take_turns_end_together() {
+        for (apart, both) in [(0.0, true), (0.005, true), (0.5, false)] {
+            with_ends([3.0, 3.0 + apart], |mut now| {
+                now.t = 2.0;
+                let ZenoClosure { end, error, set } = now.end_of_turns(0, (3.0, 1e-12));
+                assert_eq!((end, error, set.len()), (3.0, 1e-12, if both { 2 } else { 1 }), "{apart}");
+            });
+        }
+    }
+
+    /// Impacts are counted within one natural time, the time for which a length falls.
+    #[test]
+    fn impacts_within_a_natural_time_are_counted() {
+        let ball = start(&BALL, [1.0, 1.0, 0.0, 0.0])
+            .budget(crate::Budget { impacts: 2, ..crate::Budget::UNLIMITED });
+        let natural = ball.scales().time;
+        with_begun(&ball, |mut ball, _| {
+            let mut count = |t: f64| {
+                ball.t = t;
+                ball.count_impact().is_ok()
+            };
+            let soon = |k: f64| 9.0 + k * natural;
+            // The third within one of them is one too many; later they are counted anew.
+            assert_eq!([0.0, 0.3, 0.6].map(|k| count(soon(k))), [true, true, false]);
+            assert_eq!([1.5, 1.8, 2.1].map(|k| count(soon(k))), [true, true, false]);
+        });
+    }
+}

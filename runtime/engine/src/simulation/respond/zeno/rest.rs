@@ -112,3 +112,38 @@ impl Snapshot<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn closure(end: f64, contacts: &[usize]) -> ZenoClosure {
+        ZenoClosure { end, error: 0.0, set: contacts.iter().copied().collect() }
+    }
+
+    fn join(all: Vec<ZenoClosure>, bound: f64) -> Vec<(f64, ContactSet)> {
+        ZenoClosure::joined(all, bound).iter().map(|it| (it.end, it.set)).collect()
+    }
+
+    /// A contact of several sequences is at rest when the last of them ends.
+    #[test]
+    fn the_last_of_its_sequences_brings_a_contact_to_rest() {
+        let [early, late] = [closure(1.0, &[0, 1]), closure(2.0, &[1, 2])];
+        for all in [vec![early, late], vec![late, early]] {
+            let expected = [(2.0, [1, 2].into_iter().collect()), (1.0, ContactSet::EMPTY.with(0))];
+            assert_eq!(join(all, 1e-3), expected);
+        }
+        assert_eq!(join(vec![closure(1.0, &[1]), closure(2.0, &[1])], 1e-3).len(), 1);
+    }
+
+    /// Sequences that end at one time, as far as their ends are known, are one.
+    #[test]
+    fn sequences_that_end_together_are_one() {
+        let all = |error| vec![ZenoClosure { error, ..closure(1.0, &[0]) }, closure(1.01, &[1])];
+        assert_eq!(join(all(0.0), 0.001).len(), 2);
+        for (error, bound) in [(0.02, 0.001), (0.0, 0.02)] {
+            let both = ZenoClosure::joined(all(error), bound);
+            assert!(both.len() == 1 && both[0].set.len() == 2 && both[0].error == error, "{both:?}");
+        }
+    }
+}

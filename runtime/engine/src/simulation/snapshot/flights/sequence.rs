@@ -94,4 +94,24 @@ mod tests {
         let (end, error) = sequence.best().unwrap();
         assert!((end - 7.0).abs() < 1e-14 && error < 1e-14, "{end} {error}");
     }
+
+    /// Two feet that take turns: each flight in its turn is a tenth as fast as the one before, and the
+    /// first flights of the turns are a sequence of their own, here with q = 1/4 and an end at t = 4.
+    #[test]
+    fn the_fastest_flights_are_a_sequence_of_their_own() {
+        let mut sequence = Sequence::default();
+        for turn in 0..12 {
+            let left = 3.0 * 0.25_f64.powi(turn);
+            for k in 0..2 {
+                let begun = 4.0 - left + 0.25 * left * f64::from(k);
+                sequence.begin(begun, left * 0.1_f64.powi(k));
+            }
+        }
+        let (end, error) = sequence.of_fastest().next().unwrap();
+        assert!((end - 4.0).abs() < 1e-6 && error < 1e-6, "{end} {error}");
+        // The last turn counts once it is over.
+        let known = sequence.clone().of_fastest().next();
+        sequence.finish();
+        assert!(!sequence.slows() && sequence.best().is_none() && sequence.of_fastest().next() == known);
+    }
 }

@@ -1,0 +1,5 @@
+//! What simulations do, on small scenes.
+
+pub(crate) mod given;
+mod phases;
+mod units;
