@@ -439,3 +439,28 @@ fn an_impact_tells_what_energy_its_law_gains() {
     }
     assert_eq!(gains, 3);
 }
+
+/// Without slip Newton's law gains nothing: restitution is scaled down to what it may be, and the
+/// run's log says by how much.
+#[test]
+fn restitution_without_slip_is_scaled_to_what_gains_nothing() {
+    let rod = Gripping { m: 3.0, l: 1.0, g: 10.0, e: 0.95 };
+    let mut scaled = 0;
+    for (theta, slip) in [0.3, 0.6, 0.9, 1.2].into_iter().flat_map(|theta| [(theta, 0.5), (theta, -0.5)]) {
+        let pose = Pose::at("theta", theta).with("y", 1.0);
+        with_begun(&Simulation::new(&rod).unwrap().start(pose).unwrap(), |mut now, start| {
+            now.state.copy_from_slice(&[theta, 0.0, 0.0, 0.0, slip, -1.0]);
+            let before = now.energy().kinetic;
+            now.handle(&[Guard::Gap(0)], start).unwrap();
+            assert!(now.energy().kinetic < before * (1.0 + 1e-9), "{theta} {slip}");
+            let told = now.transition.log.iter().find_map(|it| match it.decision {
+                LoggedDecision::RestitutionScaled(factor) => Some(factor),
+                _ => None,
+            });
+            let factor = now.state[5] / rod.e;
+            assert!((factor - told.unwrap_or(1.0)).abs() < 1e-9, "{theta} {slip}: {factor} {told:?}");
+            scaled += usize::from(told.is_some());
+        });
+    }
+    assert!(0 < scaled && scaled < 8, "{scaled}");
+}

@@ -74,6 +74,22 @@ pub(crate) struct Rod {
     pub(crate) mu: f64,
 }
 
+/// A slender rod whose end does not slip on its floor.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = l)]
+#[support(A = floor, rough, restitution = e)]
+#[figure(A = (0, 0), B = (4 * l / 5, 3 * l / 5))]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+#[coordinate(theta = angle(AB), from = right)]
+pub(crate) struct Gripping {
+    pub(crate) m: f64,
+    pub(crate) l: f64,
+    pub(crate) g: f64,
+    pub(crate) e: f64,
+}
+
 /// A level sled on two rough feet, its centre at a third of its length.
 #[derive(BarSystem)]
 #[gravity(g)]
