@@ -45,6 +45,15 @@ fn a_position_is_singular_in_any_unit_of_length() {
             assert!(now.is_singular(), "{l}");
         });
     }
+    for a in [1e-3, 1.0, 1e3] {
+        let pose = Pose::at("x", a).with("y", 0.0).with("x'", a);
+        let ball = Simulation::new(&Osculating { m: 1.0, a, g: 10.0 * a }).unwrap();
+        with_begun(&ball.start(pose).unwrap(), |mut now, _| {
+            now.contacts.decide(set(0).with(1));
+            now.bear(set(0)).unwrap();
+            assert!(now.is_singular(), "{a}");
+        });
+    }
     // Three feet of a rod depend on each other everywhere.
     with_begun(&sliding(1.0), |now, _| {
         assert!(now.bearing() != now.closed() && !now.is_singular());

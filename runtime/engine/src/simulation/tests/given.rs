@@ -123,6 +123,21 @@ pub(crate) struct Overhang {
     pub(crate) g: f64,
 }
 
+/// A particle where a floor touches the top of a circle.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[particle(P, mass = m)]
+#[support(P = floor)]
+#[support(c = circle((a, -a), a), under = P)]
+#[figure(P = (a, 0))]
+#[coordinate(x = x(P))]
+#[coordinate(y = y(P))]
+pub(crate) struct Osculating {
+    pub(crate) m: f64,
+    pub(crate) a: f64,
+    pub(crate) g: f64,
+}
+
 /// A particle on a thread, beside a wall.
 #[derive(BarSystem)]
 #[gravity(g)]
