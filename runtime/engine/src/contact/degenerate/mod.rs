@@ -345,10 +345,7 @@ impl Ladder {
         let undecided = self.open_question.iter().chain(&self.pledged);
         let rubbing = self.rubbing.iter().filter(|rubbing| rubbing.mode != Mode::Open);
         let normals: Vec<usize> = rubbing.clone().map(|rubbing| rubbing.contact).collect();
-        let sticks = |mode: &Mode| matches!(mode, Mode::Stick | Mode::Guide { sense: None, .. });
-        let sticking = rubbing.filter(|rubbing| sticks(&rubbing.mode));
-        let tangents: Vec<usize> = sticking.map(|rubbing| rubbing.frictional.tangent).collect();
-        let held = self.closed.iter().chain(&normals).chain(&tangents);
+        let held = self.closed.iter().chain(&normals);
         let rows: Vec<usize> = held.chain(undecided).copied().collect();
         let is_contact = |row: &usize| *row < contacts;
         let slipping = |set: ContactSet| self.rubbing.iter().fold(set, |set, rubbing| rubbing.slip(set));
@@ -361,24 +358,29 @@ impl Ladder {
         }
     }
 
-    /// Rows that bear: independent ones among some, joints and those that bear at the lowest order before others, and rough
-    /// contacts that hold a motion along themselves, whatever their normals depend on.
+    /// Rows that bear: independent ones among some, joints and those that bear at the lowest order before others, and contacts
+    /// that do not slip and hold a motion along themselves, whatever their normals depend on.
     fn find_bearing(&self, rows: &[usize]) -> Vec<usize> {
         let is_shared = !self.unique || !(self.rubbing.is_empty() || self.open_question.is_empty());
         let least = self.first.as_ref().filter(|_| is_shared);
         let Some(least) = least.and_then(|(problem, _)| problem.least_constraint().ok()) else {
             return rows.to_vec();
         };
-        let tied = self.tied.iter().filter(|(_, contact)| rows.contains(contact));
         let first = self.first_to_bear.iter().filter(|row| rows.contains(row));
-        let all = first.chain(rows).copied().chain(tied.map(|(row, _)| *row));
-        let all: Vec<usize> = all.collect();
-        let independent = least.independent(&all);
-        let holds = |row: &usize| {
-            independent.contains(row)
-                || self.tied.iter().any(|(tangent, contact)| contact == row && independent.contains(tangent))
+        let normals: Vec<usize> = first.chain(rows).copied().collect();
+        let sticks = |it: &&Rubbing| matches!(it.mode, Mode::Stick | Mode::Guide { sense: None, .. });
+        let sticking = self.rubbing.iter().filter(sticks).map(|it| (it.frictional.tangent, it.contact));
+        let across: Vec<(usize, usize)> = self.tied.iter().copied().chain(sticking).collect();
+        let across_of = |row: &usize| {
+            let own = across.iter().filter(|(_, contact)| contact == row);
+            own.map(|(tangent, _)| *tangent).collect::<Vec<_>>()
         };
-        rows.iter().copied().filter(holds).collect()
+        let all: Vec<usize> = normals.iter().copied().chain(normals.iter().flat_map(across_of)).collect();
+        let independent = least.independent(&all);
+        let bears = |row: &usize| {
+            independent.contains(row) || across_of(row).iter().any(|tangent| independent.contains(tangent))
+        };
+        rows.iter().copied().filter(bears).collect()
     }
 
     /// The shortest reactions at order 0 of the contacts that stay closed.

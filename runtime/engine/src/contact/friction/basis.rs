@@ -26,6 +26,8 @@ struct Column {
     load: f64,
     /// Whether it may not turn negative.
     one_sided: bool,
+    /// Whether its contact sticks: it goes after others, as no other holds it across.
+    sticks: bool,
 }
 
 impl EquilibratedKkt {
@@ -57,16 +59,18 @@ impl EquilibratedKkt {
                 None => self.column_of(contact.normal),
             };
             let one_sided = !matches!(mode, Mode::Guide { .. });
-            columns.push(Column { row: contact.normal, entries, load: load(contact.normal), one_sided });
+            let (row, load, sticks) = (contact.normal, load(contact.normal), mode.sense().is_none());
+            columns.push(Column { row, entries, load, one_sided, sticks });
         }
-        let is_known = |row: usize| {
-            question.contacts.iter().any(|contact| contact.normal == row)
-                || !found.solution.tight.contains(&row)
+        // What is borne across stays as it is.
+        let is_across = |row: usize| {
+            question.contacts.iter().any(|contact| [contact.normal, contact.tangent].contains(&row))
+                || question.rows.tied.iter().any(|(tangent, _)| *tangent == row)
         };
-        let others = (0..shared.len()).filter(|row| !is_known(*row));
+        let others = found.solution.tight.iter().copied().filter(|row| !is_across(*row));
         columns.extend(others.map(|row| {
             let one_sided = question.rows.candidates.contains(&row);
-            Column { row, entries: self.column_of(row), load: load(row), one_sided }
+            Column { row, entries: self.column_of(row), load: load(row), one_sided, sticks: false }
         }));
         columns
     }
@@ -79,7 +83,11 @@ fn find_replaceable(columns: &mut [Column]) -> Option<usize> {
     let free = |i: usize| 1.0 - determined.row(i).norm_squared();
     let mut replaceable: Vec<usize> =
         (0..columns.len()).filter(|&i| columns[i].one_sided && free(i) > MARGIN * MARGIN).collect();
-    replaceable.sort_by(|&i, &j| free(j).total_cmp(&free(i)));
+    let order = |i: usize| (columns[i].sticks, -free(i));
+    replaceable.sort_by(|&i, &j| {
+        let ((sticks, a), (other, b)) = (order(i), order(j));
+        sticks.cmp(&other).then(a.total_cmp(&b))
+    });
     let without = |i: usize| {
         let mut along = &determined * determined.row(i).transpose() * -1.0;
         along[i] += 1.0;

@@ -30,6 +30,7 @@ fn what_stays_bears_the_same() {
                 entries: DVector::from_fn(n, |_, _| random.between(-1.0, 1.0)),
                 load: random.between(0.0, 1.0),
                 one_sided: random.below(4) > 0,
+                sticks: random.below(2) > 0,
             })
             .collect();
         let before = force(&columns);
@@ -64,6 +65,7 @@ fn the_feet_at_the_ends_of_a_plank_stay() {
             entries: DVector::from_row_slice(&[1.0, row as f64 - centre]),
             load: 1.0,
             one_sided: true,
+            sticks: false,
         });
         let kept = reduce(columns.collect());
         assert_eq!(kept.iter().map(|column| column.row).collect::<Vec<_>>(), [0, feet - 1]);
