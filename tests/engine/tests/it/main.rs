@@ -11,6 +11,7 @@ mod charts;
 mod closed_forms;
 mod clutches;
 mod contacts;
+mod dependent;
 mod discs;
 mod dissipation;
 mod driven;

@@ -247,8 +247,10 @@ impl Ladder {
         };
         let candidates: Vec<usize> =
             self.open_question.iter().copied().filter(|row| !known.contains(row)).collect();
-        // With a row held whose reaction was located at zero, the error of its place moves no other contact.
-        let fixed: Vec<usize> = self.closed.iter().chain(&self.pledged).chain(&known).copied().collect();
+        // With a row held whose reaction was located at zero, the error of its place moves no other contact. Beside friction it would
+        // bear what a contact at its limit does not.
+        let located = known.iter().filter(|_| self.rubbing.is_empty());
+        let fixed: Vec<usize> = self.closed.iter().chain(&self.pledged).chain(located).copied().collect();
         let choice = LcpRows { fixed: &fixed, candidates: &candidates, tied: &self.tied, trials };
         let mut problem = self.problem(equations, order);
         let mut solution = match !ROUGH || self.rubbing.is_empty() {
@@ -342,16 +344,16 @@ impl Ladder {
     /// does not hold.
     fn decision(&self, layout: &Layout) -> ContactSolution {
         let contacts = layout.contacts.len();
-        let undecided = self.open_question.iter().chain(&self.pledged);
+        let undecided: Vec<usize> = self.open_question.iter().chain(&self.pledged).copied().collect();
         let rubbing = self.rubbing.iter().filter(|rubbing| rubbing.mode != Mode::Open);
         let normals: Vec<usize> = rubbing.clone().map(|rubbing| rubbing.contact).collect();
-        let held = self.closed.iter().chain(&normals);
-        let rows: Vec<usize> = held.chain(undecided).copied().collect();
+        let held: Vec<usize> = self.closed.iter().chain(&normals).copied().collect();
+        let rows = [&held[..], &undecided].concat();
         let is_contact = |row: &usize| *row < contacts;
         let slipping = |set: ContactSet| self.rubbing.iter().fold(set, |set, rubbing| rubbing.slip(set));
         ContactSolution {
             closed: slipping(rows.iter().copied().filter(is_contact).collect()),
-            bearing: slipping(self.find_bearing(&rows).into_iter().filter(is_contact).collect()),
+            bearing: slipping(self.find_bearing(&held, &undecided).into_iter().filter(is_contact).collect()),
             reactions: self.shared(&rows, layout),
             unique: self.unique,
             alternatives: self.alternatives.clone(),
@@ -360,14 +362,15 @@ impl Ladder {
 
     /// Rows that bear: independent ones among some, joints and those that bear at the lowest order before others, and contacts
     /// that do not slip and hold a motion along themselves, whatever their normals depend on.
-    fn find_bearing(&self, rows: &[usize]) -> Vec<usize> {
+    fn find_bearing(&self, held: &[usize], undecided: &[usize]) -> Vec<usize> {
+        let rows = || held.iter().chain(undecided).copied();
         let is_shared = !self.unique || !(self.rubbing.is_empty() || self.open_question.is_empty());
         let least = self.first.as_ref().filter(|_| is_shared);
         let Some(least) = least.and_then(|(problem, _)| problem.least_constraint().ok()) else {
-            return rows.to_vec();
+            return rows().collect();
         };
-        let first = self.first_to_bear.iter().filter(|row| rows.contains(row));
-        let normals: Vec<usize> = first.chain(rows).copied().collect();
+        let first = self.first_to_bear.iter().filter(|row| held.contains(row));
+        let normals: Vec<usize> = first.chain(held).copied().collect();
         let sticks = |it: &&Rubbing| matches!(it.mode, Mode::Stick | Mode::Guide { sense: None, .. });
         let sticking = self.rubbing.iter().filter(sticks).map(|it| (it.frictional.tangent, it.contact));
         let across: Vec<(usize, usize)> = self.tied.iter().copied().chain(sticking).collect();
@@ -375,12 +378,13 @@ impl Ladder {
             let own = across.iter().filter(|(_, contact)| contact == row);
             own.map(|(tangent, _)| *tangent).collect::<Vec<_>>()
         };
-        let all: Vec<usize> = normals.iter().copied().chain(normals.iter().flat_map(across_of)).collect();
-        let independent = least.independent(&all);
+        let across_all = |rows: &[usize]| rows.iter().flat_map(across_of).collect::<Vec<_>>();
+        let [borne, left] = [across_all(&normals), across_all(undecided)];
+        let independent = least.independent(&[&normals[..], &borne, undecided, &left].concat());
         let bears = |row: &usize| {
             independent.contains(row) || across_of(row).iter().any(|tangent| independent.contains(tangent))
         };
-        rows.iter().copied().filter(bears).collect()
+        rows().filter(bears).collect()
     }
 
     /// The shortest reactions at order 0 of the contacts that stay closed.

@@ -1,0 +1,111 @@
+//! Contacts whose rows depend on each other: walls at one place, threads side by side, rough contacts beside guides, planks on many feet.
+
+use liftoff::prelude::*;
+
+/// A particle between two walls at the same place, pushed to and fro.
+#[derive(BarSystem)]
+#[liftoff(dimensionless)]
+#[particle(P, mass = m)]
+#[slider(P = horizontal(0))]
+#[support(left = wall(0), under = P, facing = right, restitution = e)]
+#[support(right = wall(0), under = P, facing = left, restitution = e)]
+#[force(F = (f * cos(t), 0), at = P)]
+#[figure(P = (0, 0))]
+struct Slot {
+    m: f64,
+    e: f64,
+    f: f64,
+}
+
+/// Where the force turns, at π/2 and 3π/2, the other wall takes over, and nothing moves.
+#[test]
+fn walls_at_one_place_take_over_from_each_other() {
+    for tolerance in [1e-5, 1e-7, 1e-9, 1e-12] {
+        for (e, f) in [(0.0, 1.0), (1.0, 1.0), (0.5, -3e4)] {
+            let slot = Slot { m: 2.0, e, f };
+            let run = Simulation::new(&slot).unwrap().tolerance(tolerance).limit(7.5).run().unwrap();
+            let [x, left, right] = ["x_P", "N(left)", "N(right)"].map(|text| run.output(text).unwrap());
+            for t in [0.3, 1.5, 1.7, 3.0, 4.6, 4.8, 7.2] {
+                let [pressed, free] = if f * f64::cos(t) > 0.0 { [&right, &left] } else { [&left, &right] };
+                assert_eq!(run.value(&x, t), 0.0, "{tolerance} {e} {t}");
+                let expected = (f * f64::cos(t)).abs();
+                assert!((run.value(pressed, t) - expected).abs() < 1e-12 * f.abs(), "{tolerance} {e} {t}");
+                assert!(run.value(free, t).abs() < 1e-12 * f.abs(), "{tolerance} {e} {t}");
+            }
+        }
+    }
+}
+
+/// A wheel on a vertical guide beside a rough rack, whose normal the guide bears as well.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[body(wheel, points(C = (0, 0), E = (r, 0)), mass = m, inertia = j, centre = (0, 0))]
+#[disc(C, radius = r)]
+#[slider(C = vertical(r))]
+#[support(rack = wall(0), under = C, facing = right, rough)]
+#[figure(C = (r, 0), E = (2 * r, 0))]
+#[coordinate(phi = angle(wheel), from = right)]
+#[coordinate(y = y(C))]
+struct Pinion {
+    m: f64,
+    j: f64,
+    r: f64,
+    g: f64,
+}
+
+/// ÿ = −g / (1 + J/(m r²)), as it rolls.
+#[test]
+fn a_rough_rack_beside_a_guide_is_rolled_on() {
+    let wheel = Pinion { m: 1.5, j: 0.02, r: 0.1, g: 9.81 };
+    let start = Pose::at("y", 0.0).with("phi", 0.0).with("y'", 0.0).with("phi'", 0.0);
+    let run = Simulation::new(&wheel).unwrap().start(start).unwrap().limit(1.0).run().unwrap();
+    let [y, phi] = ["y", "phi"].map(|text| run.output(text).unwrap());
+    let fallen = -0.5 * 9.81 / (1.0 + 0.02 / (1.5 * 0.01));
+    assert!((run.value(&y, 1.0) - fallen).abs() < 1e-9, "{}", run.value(&y, 1.0));
+    assert!((run.value(&phi, 1.0).abs() - fallen.abs() / 0.1).abs() < 1e-8);
+}
+
+/// A plank on five feet, its centre over the middle one, dragged by a growing force.
+#[derive(BarSystem)]
+#[liftoff(dimensionless)]
+#[gravity(9.81)]
+#[bar(AB, mass = 1, length = 10)]
+#[point(P0 = AB, at = 1)]
+#[point(P1 = AB, at = 3)]
+#[point(P2 = AB, at = 5)]
+#[point(P3 = AB, at = 7)]
+#[point(P4 = AB, at = 9)]
+#[support(P0 = floor, friction = 0.3, static = 0.4)]
+#[support(P1 = floor, friction = 0.3, static = 0.4)]
+#[support(P2 = floor, friction = 0.3, static = 0.4)]
+#[support(P3 = floor, friction = 0.3, static = 0.4)]
+#[support(P4 = floor, friction = 0.3, static = 0.4)]
+#[force(B = (f * t, 0))]
+#[figure(A = (0, 0), B = (10, 0))]
+#[coordinate(phi = angle(AB), from = right)]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+struct Plank {
+    f: f64,
+}
+
+/// It slips at f t = μ_s m g and slides with f t − μ m g; the feet share the weight, each a fifth.
+#[test]
+fn a_plank_on_many_feet_slides() {
+    let run = Simulation::new(&Plank { f: 1.0 }).unwrap().limit(8.0).run().unwrap();
+    let kinds: Vec<EventKind> = run.events().iter().map(|event| event.kind).collect();
+    assert_eq!(kinds, [EventKind::Start, EventKind::Slip, EventKind::End]);
+    let (begun, kinetic) = (0.4 * 9.81, 0.3 * 9.81);
+    assert!((run.events()[1].t - begun).abs() < 1e-9);
+    let span = 8.0 - begun;
+    let expected =
+        (8.0f64.powi(3) - begun.powi(3)) / 6.0 - 0.5 * begun * begun * span - 0.5 * kinetic * span * span;
+    let x = run.output("x").unwrap();
+    assert!((run.value(&x, 8.0) - expected).abs() < 1e-8, "{} {expected}", run.value(&x, 8.0));
+    for foot in ["N(P0)", "N(P1)", "N(P2)", "N(P3)", "N(P4)"] {
+        let reaction = run.output(foot).unwrap();
+        for t in [1.0, 5.0, 7.9] {
+            assert!((run.value(&reaction, t) - 9.81 / 5.0).abs() < 1e-9, "{foot} {t}");
+        }
+    }
+}
