@@ -1,5 +1,5 @@
-//! The nominal figure: a position for every point, from those given, the pins, the mirror, and, for a bar of
-//! which only one point is known, by letting it hang along gravity.
+//! The nominal figure: a position for every point, from those given, the pins, the mirror, and, for
+//! a bar of which only one point is known, by letting it hang along gravity.
 
 mod draft;
 mod frame;
@@ -24,7 +24,8 @@ type Place = [Series; 2];
 /// Distances below this are taken for zero: far above the rounding of a figure's numbers.
 pub(crate) const NEAR: f64 = 1e-9;
 
-/// By so much of a bar's length its figure may be wrong: numbers of two digits are drawn well enough.
+/// By so much of a bar's length its figure may be wrong: numbers of two digits are drawn well
+/// enough.
 const ROUGH: f64 = 0.1;
 
 /// A place for every point.
@@ -63,7 +64,8 @@ impl Figure {
         draft.settle(scope, images)
     }
 
-    /// The direction of a body, if its first two points are given; if not, that they must be is reported.
+    /// The direction of a body, if its first two points are given; if not, that they must be is
+    /// reported.
     pub fn direction(
         &mut self,
         scope: &mut Scope,
@@ -113,7 +115,8 @@ impl Draft<'_> {
         sound.then_some(Figure { positions, samples, images, assumed: self.assumed, settled, demanded })
     }
 
-    /// One point of each bar of which none is known, as long as it shares none with a bar told before.
+    /// One point of each bar of which none is known, as long as it shares none with a bar told
+    /// before.
     fn missing(&self, scope: &mut Scope) {
         let mut told: BTreeSet<usize> = BTreeSet::new();
         for (i, body) in self.structure.bodies.iter().enumerate() {
@@ -132,7 +135,8 @@ impl Draft<'_> {
         }
     }
 
-    /// Whether a body that hangs where nothing is known closes its loop; if not, that it must be placed is reported.
+    /// Whether a body that hangs where nothing is known closes its loop; if not, that it must be
+    /// placed is reported.
     fn closes(&self, scope: &mut Scope, body: usize, samples: &[Sample]) -> bool {
         let bar = &self.structure.bodies[body];
         let open = samples.iter().any(|sample| {
@@ -147,8 +151,9 @@ impl Draft<'_> {
         !open && self.fits(scope, body, samples)
     }
 
-    /// How far apart the ends of a body that are given are drawn, and its length, where that is the same wrong multiple with all
-    /// parameters that are tried. A figure may be drawn from rounded numbers.
+    /// How far apart the ends of a body that are given are drawn, and its length, where that is the
+    /// same wrong multiple with all parameters that are tried. A figure may be drawn from rounded
+    /// numbers.
     fn misfit(&self, body: usize, samples: &[Sample]) -> Option<[f64; 2]> {
         let bar = &self.structure.bodies[body];
         let given = !self.assumed[bar.from] && !self.assumed[bar.to];
@@ -181,7 +186,8 @@ impl Draft<'_> {
         false
     }
 
-    /// Whether bars reach as far as they must; if not, with any parameters that are tried, the loop is reported that lacks most.
+    /// Whether bars reach as far as they must; if not, with any parameters that are tried, the loop
+    /// is reported that lacks most.
     fn reaches(&self, scope: &mut Scope, samples: &[Sample]) -> bool {
         let open = samples.iter().map(|sample| reach::find_open_loop(self.structure, sample));
         let Some(Some(open)) = open.collect::<Option<Vec<_>>>().map(|open| open.into_iter().next()) else {

@@ -10,11 +10,11 @@
 //! 0 ≤ ġᶜ ⟂ Pᶜ ≥ 0,    then    0 ≤ ġ⁺ ⟂ P − (1 + e) Pᶜ ≥ 0
 //! ```
 //!
-//! (Glocker and Pfeiffer, *Multiple impacts with friction in rigid multibody systems*, Nonlinear Dynamics 7, 1995.)
-//! Both are the acceleration problem with u⁺ − u⁻ for a and ġ⁻ in the bias.
+//! (Glocker and Pfeiffer, *Multiple impacts with friction in rigid multibody systems*, Nonlinear
+//! Dynamics 7, 1995.) Both are the acceleration problem with u⁺ − u⁻ for a and ġ⁻ in the bias.
 //!
-//! A rough contact has besides P a tangential impulse P_t of either sign. It acts in a stage if its P grows in it, and
-//! then does not slip at the end of that stage:
+//! A rough contact has besides P a tangential impulse P_t of either sign. It acts in a stage if its
+//! P grows in it, and then does not slip at the end of that stage:
 //!
 //! ```text
 //! Newton          P > 0:      J_t u⁺ = 0,    else P_t = 0
@@ -22,18 +22,21 @@
 //! Poisson, 2      P > Pᶜ:     J_t u⁺ = 0,    else P_t = P_tᶜ
 //! ```
 //!
-//! The tangential impulse of the second stage adds to that of the first, and is what keeps the contact from slipping,
-//! not e P_tᶜ: e says nothing of the tangent. A contact with e = 0 that does not act in the second stage may slip by
-//! what the others do then. In the limit P = 0 a contact that stays closed without slip counts as one that acts.
-//! With rough contacts there may be several solutions, of which the one with the most contacts closed is taken, or none:
-//! sticking may need P < 0 where the contact slips fast. Of one approaching contact, W its Delassus matrix, this is
-//! ġ⁻ W_tt > J_t u⁻ W_nt, and the answer is [`CollisionError::Jammed`]; laws with slip are needed there, and contacts with
-//! Coulomb friction have them ([`friction`](super::friction)).
+//! The tangential impulse of the second stage adds to that of the first, and is what keeps the
+//! contact from slipping, not e P_tᶜ: e says nothing of the tangent. A contact with e = 0 that does
+//! not act in the second stage may slip by what the others do then. In the limit P = 0 a contact
+//! that stays closed without slip counts as one that acts. With rough contacts there may be several
+//! solutions, of which the one with the most contacts closed is taken, or none: sticking may need P
+//! < 0 where the contact slips fast. Of one approaching contact, W its Delassus matrix, this is ġ⁻
+//! W_tt > J_t u⁻ W_nt, and the answer is [`CollisionError::Jammed`]; laws with slip are needed
+//! there, and contacts with Coulomb friction have them ([`friction`](super::friction)).
 //!
-//! Stronge's law, e² of the work of compression, is of a single contact, and without slip the same as Poisson's.
+//! Stronge's law, e² of the work of compression, is of a single contact, and without slip the same
+//! as Poisson's.
 //!
-//! Without friction neither law gains energy: the contacts' work is Σ P (ġ⁺ + ġ⁻)/2, and with P > 0 Newton's law makes it
-//! (1 − e) P ġ⁻/2 ≤ 0 whatever the coefficients. With it either may; then every restitution is reduced by one factor.
+//! Without friction neither law gains energy: the contacts' work is Σ P (ġ⁺ + ġ⁻)/2, and with P > 0
+//! Newton's law makes it (1 − e) P ġ⁻/2 ≤ 0 whatever the coefficients. With it either may; then
+//! every restitution is reduced by one factor.
 
 use nalgebra::DVector;
 
@@ -61,8 +64,9 @@ impl From<LcpError> for CollisionError {
 }
 
 impl Collision {
-    /// The rates and impulses after the collision. Without Coulomb friction no energy is gained: where it would be, every
-    /// restitution is reduced by one factor, the largest that bisection from 1 finds. With it the outcome tells what is.
+    /// The rates and impulses after the collision. Without Coulomb friction no energy is gained:
+    /// where it would be, every restitution is reduced by one factor, the largest that bisection
+    /// from 1 finds. With it the outcome tells what is.
     pub fn solve(&self) -> Result<Outcome, CollisionError> {
         self.solve_within(usize::MAX)
     }
@@ -185,8 +189,8 @@ impl<'a> Stages<'a> {
         Self { approach: stages.known_approach(), ..stages }
     }
 
-    /// ġ⁻ without the rounding of rates that other contacts hold at zero: it is small beside the speeds of what is connected with
-    /// it, if not beside its own terms.
+    /// ġ⁻ without the rounding of rates that other contacts hold at zero: it is small beside the
+    /// speeds of what is connected with it, if not beside its own terms.
     fn known_approach(&self) -> DVector<f64> {
         let problem = self.problem(&self.collision.applied, &self.approach);
         let slack = |row: usize| problem.slack(row) / problem.scale[problem.n + row];
@@ -219,8 +223,9 @@ impl<'a> Stages<'a> {
         matches!(self.collision.rows[row], Row::Contact { law: declared, .. } if declared == law)
     }
 
-    /// The law of contacts that act at once: Moreau's where all declare it, Poisson's where one does, or where contacts depart.
-    /// A single smooth or rough contact gains as much by Stronge's law as by Poisson's.
+    /// The law of contacts that act at once: Moreau's where all declare it, Poisson's where one
+    /// does, or where contacts depart. A single smooth or rough contact gains as much by Stronge's
+    /// law as by Poisson's.
     pub(super) fn law_of(&self, acting: &[usize], departs: bool) -> Result<Law, CollisionError> {
         let any = |law: Law| acting.iter().any(|&row| self.declares(row, law));
         match acting.len() {
@@ -344,8 +349,8 @@ impl<'a> Stages<'a> {
         }
     }
 
-    /// The work of the contacts, ½ Σ P (ġ⁺ + ġ°), ġ° with the applied impulse but without the contacts', and the size of its
-    /// terms; none where that is not determined.
+    /// The work of the contacts, ½ Σ P (ġ⁺ + ġ°), ġ° with the applied impulse but without the
+    /// contacts', and the size of its terms; none where that is not determined.
     pub(super) fn work(&self, outcome: &Outcome) -> (f64, f64) {
         let Some(free) = self.free() else { return (0.0, 0.0) };
         let rows = self.collision.rows.iter().enumerate();
@@ -361,7 +366,8 @@ impl<'a> Stages<'a> {
         work.fold((0.0, 0.0), |(sum, size), (w, s)| (sum + w, size + s))
     }
 
-    /// ġ of every row after the applied impulse alone; `None` where that is not determined without the contacts.
+    /// ġ of every row after the applied impulse alone; `None` where that is not determined without
+    /// the contacts.
     fn free(&self) -> Option<DVector<f64>> {
         if self.collision.applied.amax() == 0.0 {
             return Some(self.approach.clone());

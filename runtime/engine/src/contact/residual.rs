@@ -113,7 +113,7 @@ impl Collision {
                 first.max(both(speed, outcome.impulses[row] - least))
             }
             (Row::Contact { restitution, .. }, None) => {
-                let target = speed + outcome.factor * restitution * self.approach()[row];
+                let target = speed + outcome.factor * restitution * self.approach()[row].min(0.0);
                 both(target, outcome.impulses[row])
             }
             (Row::Open | Row::TwoSided | Row::Guide | Row::Tangent { .. } | Row::Friction { .. }, _) => 0.0,

@@ -11,8 +11,9 @@
 //!
 //! Only the local error and the place of an event follow the tolerance. The other sizes are those
 //! of double precision: rows depend on each other, and forces vanish, at any tolerance alike.
-//! Everything is relative: to the terms themselves, or to the natural units of the model. Other small
-//! numbers are those of a method, and stand with it; in the core these and multiples of ε are all.
+//! Everything is relative: to the terms themselves, or to the natural units of the model. Other
+//! small numbers are those of a method, and stand with it; in the core these and multiples of ε are
+//! all.
 
 /// Roundoff of a sum of terms of size one that come from so many operations: n ε.
 pub(crate) const fn roundoff(operations: f64) -> f64 {

@@ -1,4 +1,5 @@
-//! Contacts whose rows depend on each other: walls at one place, threads side by side, rough contacts beside guides, planks on many feet.
+//! Contacts whose rows depend on each other: walls at one place, threads side by side, rough
+//! contacts beside guides, planks on many feet.
 
 use liftoff::prelude::*;
 

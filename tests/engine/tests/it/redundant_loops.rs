@@ -1,4 +1,5 @@
-//! Loops with more joints than needed: rows that depend on each other wherever the loops are closed.
+//! Loops with more joints than needed: rows that depend on each other wherever the loops are
+//! closed.
 
 use liftoff::prelude::*;
 use liftoff::{LoggedDecision, RunCause, StartError};

@@ -138,6 +138,7 @@ fn a_drive_that_only_looks_broken_runs() {
     }
 }
 
+#[allow(clippy::duplicated_attributes, reason = "two bars may be as heavy as each other")]
 /// A parallelogram whose bars all lie on one line as it passes φ = 0, where one step goes across: a
 /// blow falls within it.
 #[derive(BarSystem)]

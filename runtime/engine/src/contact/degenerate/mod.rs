@@ -7,13 +7,13 @@
 //! J₀ aₙ − g̈ₙ    = −bₙ − Σₖ₌₁ⁿ Jₖ aₙ₋ₖ
 //! ```
 //!
-//! Order 0 decides every contact but those with neither reaction nor opening; those are decided by order 1, and so on.
-//! Contacts with friction have modes (open, stick, slide), of which each order leaves those that it does not refuse; see
-//! [`super::friction`].
+//! Order 0 decides every contact but those with neither reaction nor opening; those are decided by
+//! order 1, and so on. Contacts with friction have modes (open, stick, slide), of which each order
+//! leaves those that it does not refuse; see [`super::friction`].
 //!
-//! A rough contact without reaction is different: its tangential reaction may be there, and opening would end it, so
-//! that the two are different motions from order 0 on. It stays if the first reaction that does not vanish is ≥ 0,
-//! and opens otherwise, where it then must not be pressed on.
+//! A rough contact without reaction is different: its tangential reaction may be there, and opening
+//! would end it, so that the two are different motions from order 0 on. It stays if the first
+//! reaction that does not vanish is ≥ 0, and opens otherwise, where it then must not be pressed on.
 
 mod rubbing;
 #[cfg(test)]
@@ -34,8 +34,8 @@ use crate::context::reactions_of;
 use crate::model::{Contact, ContactSet, Layout};
 use crate::system::{MOST_TIME_ORDERS, Model, TIME_ORDERS};
 
-/// Terms of order n below this part of those of order 0 in a natural time are what the rounding of a state at rest makes. What
-/// counts as rounding of terms is a thousand times less.
+/// Terms of order n below this part of those of order 0 in a natural time are what the rounding of
+/// a state at rest makes. What counts as rounding of terms is a thousand times less.
 const AT_REST: f64 = 1e-3;
 
 /// What is to be decided at a state.
@@ -148,7 +148,8 @@ pub(super) struct Ladder {
     closed: Vec<usize>,
     /// Rows not decided by the orders so far.
     open_question: Vec<usize>,
-    /// Rough contacts that bear nothing by the orders so far, closed for the sake of their tangential rows.
+    /// Rough contacts that bear nothing by the orders so far, closed for the sake of their
+    /// tangential rows.
     pledged: Vec<usize>,
     /// Tangential rows with their contacts.
     tied: Vec<(usize, usize)>,
@@ -203,8 +204,8 @@ impl Ladder {
         self.open_question.is_empty() && self.pledged.is_empty() && self.rubbing.iter().all(rubs)
     }
 
-    /// Solves order by order until all contacts are decided. Returns the rough contacts that a lower order kept closed and a
-    /// higher one opens.
+    /// Solves order by order until all contacts are decided. Returns the rough contacts that a
+    /// lower order kept closed and a higher one opens.
     fn raise_order<const ROUGH: bool>(
         &mut self,
         model: &Model,
@@ -219,8 +220,8 @@ impl Ladder {
             let acts = |row: usize| layout.contact_of(row).is_none_or(|contact| acting.contains(contact));
             let equations = Equations::along(model, state, &self.accelerations).acting(acts);
             let lifted = match self.climb::<ROUGH>(&equations, trials) {
-                // How rows that are dependent here only share the load follows from the orders above: with another share these
-                // contradict each other.
+                // How rows that are dependent here only share the load follows from the orders
+                // above: with another share these contradict each other.
                 Err(LcpError::Jammed) if !self.unique => return Ok(ContactSet::EMPTY),
                 lifted => lifted?,
             };
@@ -247,8 +248,8 @@ impl Ladder {
         };
         let candidates: Vec<usize> =
             self.open_question.iter().copied().filter(|row| !known.contains(row)).collect();
-        // With a row held whose reaction was located at zero, the error of its place moves no other contact. Beside friction it would
-        // bear what a contact at its limit does not.
+        // With a row held whose reaction was located at zero, the error of its place moves no other
+        // contact. Beside friction it would bear what a contact at its limit does not.
         let located = known.iter().filter(|_| self.rubbing.is_empty());
         let fixed: Vec<usize> = self.closed.iter().chain(&self.pledged).chain(located).copied().collect();
         let choice = LcpRows { fixed: &fixed, candidates: &candidates, tied: &self.tied, trials };
@@ -300,8 +301,9 @@ impl Ladder {
         pulled.copied().collect()
     }
 
-    /// Whether an open contact would close at once: g̈ < 0 beyond the rounding of its terms. An event is located to some 1e-11,
-    /// so that the accelerations after it are known no better, nor than what the reaction accelerates that was `located` at zero.
+    /// Whether an open contact would close at once: g̈ < 0 beyond the rounding of its terms. An
+    /// event is located to some 1e-11, so that the accelerations after it are known no better, nor
+    /// than what the reaction accelerates that was `located` at zero.
     fn is_pressed(&self, model: &Model, state: &[f64], (row, located): (usize, f64)) -> bool {
         let equations = Equations::along(model, state, &[]);
         let (jacobian, bias) = (equations.jacobian[0].row(row).transpose(), equations.bias[0][row]);
@@ -360,8 +362,9 @@ impl Ladder {
         }
     }
 
-    /// Rows that bear: independent ones among some, joints and those that bear at the lowest order before others, and contacts
-    /// that do not slip and hold a motion along themselves, whatever their normals depend on.
+    /// Rows that bear: independent ones among some, joints and those that bear at the lowest order
+    /// before others, and contacts that do not slip and hold a motion along themselves, whatever
+    /// their normals depend on.
     fn find_bearing(&self, held: &[usize], undecided: &[usize]) -> Vec<usize> {
         let rows = || held.iter().chain(undecided).copied();
         let is_shared = !self.unique || !(self.rubbing.is_empty() || self.open_question.is_empty());

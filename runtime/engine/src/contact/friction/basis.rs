@@ -1,12 +1,13 @@
-//! Of closed contacts that share their load independent ones that bear it alone, without any that would pull. Of reactions
-//! `Σ aₖ λₖ = F` with λ > 0 and more columns than their rank each null vector leads to others without one of the contacts,
+//! Of closed contacts that share their load independent ones that bear it alone, without any that
+//! would pull. Of reactions `Σ aₖ λₖ = F` with λ > 0 and more columns than their rank each null
+//! vector leads to others without one of the contacts,
 //!
 //! ```text
 //! λ − t v,    A v = 0,    t = λᵢ / vᵢ
 //! ```
 //!
-//! (Carathéodory). Contacts that the others replace best go first, so that those stay that are farthest from each other: v is the part of
-//! eᵢ in the null space of A, `vᵢ = 1 − aᵢᵀ (A Aᵀ)⁺ aᵢ`.
+//! (Carathéodory). Contacts that the others replace best go first, so that those stay that are
+//! farthest from each other: v is the part of eᵢ in the null space of A, `vᵢ = 1 − aᵢᵀ (A Aᵀ)⁺ aᵢ`.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -76,24 +77,22 @@ impl EquilibratedKkt {
     }
 }
 
-/// A contact without which the others bear as much, with their loads after it is gone; `None` where all are independent.
+/// A contact without which the others bear as much, with their loads after it is gone; `None` where
+/// all are independent.
 fn find_replaceable(columns: &mut [Column]) -> Option<usize> {
     let entries: Vec<DVector<f64>> = columns.iter().map(|column| column.entries.clone()).collect();
     let determined = range(&DMatrix::from_columns(&entries).transpose());
     let free = |i: usize| 1.0 - determined.row(i).norm_squared();
     let mut replaceable: Vec<usize> =
         (0..columns.len()).filter(|&i| columns[i].one_sided && free(i) > MARGIN * MARGIN).collect();
-    let order = |i: usize| (columns[i].sticks, -free(i));
-    replaceable.sort_by(|&i, &j| {
-        let ((sticks, a), (other, b)) = (order(i), order(j));
-        sticks.cmp(&other).then(a.total_cmp(&b))
-    });
+    replaceable.sort_by(|&i, &j| columns[i].sticks.cmp(&columns[j].sticks).then(free(j).total_cmp(&free(i))));
     let without = |i: usize| {
         let mut along = &determined * determined.row(i).transpose() * -1.0;
         along[i] += 1.0;
         along
     };
-    // How far the load of a column can be taken by others, the first of them to vanish on the way or itself.
+    // How far the load of a column can be taken by others, the first of them to vanish on the way
+    // or itself.
     let step = |along: &DVector<f64>| {
         let falls = (0..columns.len()).filter(|&k| columns[k].one_sided && along[k] > 0.0);
         falls.map(|k| (k, columns[k].load.max(0.0) / along[k])).min_by(|a, b| a.1.total_cmp(&b.1))

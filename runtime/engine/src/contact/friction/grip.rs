@@ -1,14 +1,15 @@
-//! How far contacts that share their load are from slipping: of all reactions that hold the motion, those that keep farthest
-//! within their cones,
+//! How far contacts that share their load are from slipping: of all reactions that hold the motion,
+//! those that keep farthest within their cones,
 //!
 //! ```text
 //! s → max,    Σ aₑ (xₑ + s) = Jᵀ λ,    xₑ ≥ 0
 //! ```
 //!
-//! with an edge `aₑ = J_N ± μ_s J_t` for each side of the cone of a contact that sticks, `J_N − σ μ J_t` of one that slides
-//! and J_N of one without friction. At s = 0 no reactions within the cones are left: the contacts slip together, however they
-//! have shared their load before. The dual is the kinematic theorem of limit analysis: s is the least power `Jᵀ λ · w` of a
-//! virtual velocity w with `aₑ · w ≥ 0` and `Σ aₑ · w = 1`, and the contacts slip or open with it (Drucker, *Coulomb
+//! with an edge `aₑ = J_N ± μ_s J_t` for each side of the cone of a contact that sticks, `J_N − σ μ
+//! J_t` of one that slides and J_N of one without friction. At s = 0 no reactions within the cones
+//! are left: the contacts slip together, however they have shared their load before. The dual is
+//! the kinematic theorem of limit analysis: s is the least power `Jᵀ λ · w` of a virtual velocity w
+//! with `aₑ · w ≥ 0` and `Σ aₑ · w = 1`, and the contacts slip or open with it (Drucker, *Coulomb
 //! friction, plasticity, and limit loads*, J. Appl. Mech. 21, 1954).
 
 use nalgebra::{DMatrix, DVector};
@@ -22,7 +23,8 @@ use crate::numerics::decomposition::{self, range};
 use crate::numerics::zero::{MARGIN, RANK, roundoff};
 use crate::system::System;
 
-/// A friction force below this part of the largest reaction is rounding: beside the limit of a small coefficient it would be large.
+/// A friction force below this part of the largest reaction is rounding: beside the limit of a
+/// small coefficient it would be large.
 const ROUNDED: f64 = roundoff(16.0);
 
 /// So many edges are looked at before others.
@@ -59,7 +61,8 @@ impl Grip {
         let layout = system.layout();
         let sticks = |contact: usize| closed.contains(contact) && closed.slip(contact) == Slip::Stick;
         let mut grip = Self::default();
-        // Hinges bear by their forces, which are no rows: each contact beside them has its own limit, by the reactions that move the system.
+        // Hinges bear by their forces, which are no rows: each contact beside them has its own
+        // limit, by the reactions that move the system.
         if layout.has_hinges() || !layout.frictions.iter().any(|friction| sticks(friction.contact)) {
             return grip;
         }
@@ -99,7 +102,8 @@ fn bent_rows(
     rows.connected_with(|row| layout.contact_of(row).is_some_and(sticks))
 }
 
-/// The last margin and what it followed from: contacts at rest beside others that move are looked at once.
+/// The last margin and what it followed from: contacts at rest beside others that move are looked
+/// at once.
 #[derive(Default)]
 pub(crate) struct LastMargin {
     from: Vec<f64>,
@@ -125,7 +129,8 @@ impl LastMargin {
     }
 }
 
-/// The margin of the contacts that share their load, given reactions of all closed contacts that hold the motion.
+/// The margin of the contacts that share their load, given reactions of all closed contacts that
+/// hold the motion.
 pub(crate) fn margin(system: &dyn System, state: &[f64], closed: &ContactSet, reactions: &[f64]) -> Margin {
     SharedLoad::of(system, state, closed).margin(reactions)
 }
@@ -161,7 +166,8 @@ impl<'a> SharedLoad<'a> {
         let undetermined = rows.undetermined();
         let (edges, taken) = edges(layout, closed, (rows, &undetermined), slips, reactions);
         if edges.is_empty() {
-            // At this position the motion determines all of them: none can go before its own reaction does.
+            // At this position the motion determines all of them: none can go before its own
+            // reaction does.
             return Margin {
                 value: reactions.iter().fold(0.0, |most, load| load.abs().max(most)),
                 leaving: Vec::new(),
@@ -209,7 +215,8 @@ fn edges(
         };
         taken.push(place);
         let (limit, friction) = (slips[entry].limit, reactions[layout.contacts.len() + entry]);
-        // Where R = −μ λ_N the edge J_N + μ J_t bears nothing, and moves as the contact slips forward.
+        // Where R = −μ λ_N the edge J_N + μ J_t bears nothing, and moves as the contact slips
+        // forward.
         for (sign, sense) in [(1.0, Sense::Forward), (-1.0, Sense::Backward)] {
             let column = &pressing + rows.jacobian.row(place).transpose() * (sign * limit);
             let bears = limit > 0.0 && friction.abs() > rounding;
@@ -221,7 +228,8 @@ fn edges(
     (edges, taken)
 }
 
-/// An orthonormal basis of the combinations of edges' loads that the motion determines, while other rows bear anything.
+/// An orthonormal basis of the combinations of edges' loads that the motion determines, while other
+/// rows bear anything.
 fn row_space(edges: &[DVector<f64>], others: &[DVector<f64>]) -> DMatrix<f64> {
     let mut columns = DMatrix::from_columns(edges);
     if !others.is_empty() {
@@ -231,8 +239,9 @@ fn row_space(edges: &[DVector<f64>], others: &[DVector<f64>]) -> DMatrix<f64> {
     range(&columns.transpose())
 }
 
-/// s for loads of the edges, and the velocities of the edges in the motion that follows at s = 0. `None` where s has no bound.
-/// Of many edges few bound s: the motion that these leave is that of all where it violates no other.
+/// s for loads of the edges, and the velocities of the edges in the motion that follows at s = 0.
+/// `None` where s has no bound. Of many edges few bound s: the motion that these leave is that of
+/// all where it violates no other.
 fn limit(space: &DMatrix<f64>, loads: &DVector<f64>) -> Option<(f64, DVector<f64>)> {
     let (m, size) = (space.nrows(), loads.amax());
     if size == 0.0 {
@@ -279,7 +288,8 @@ fn limit_by(space: &DMatrix<f64>, asked: &[usize], held: &DVector<f64>) -> Optio
     q.rows_mut(r, r).copy_from(&-held);
     q[2 * r + m] = -1.0;
     let basic = lemke::solve(&matrix, &q, &DVector::repeat(q.len(), 1.0))?;
-    // Where loads vanish fewer edges bear than the motion has components: the others of these are zero at the vertex.
+    // Where loads vanish fewer edges bear than the motion has components: the others of these are
+    // zero at the vertex.
     let bearing: Vec<usize> = (0..=m).filter(|&i| basic[2 * r + i]).collect();
     let moving: Vec<usize> = (0..r).filter(|&j| basic[j] || basic[r + j]).collect();
     let tight = bounds.select_rows(&bearing).select_columns(&moving);

@@ -5,7 +5,8 @@ use crate::contact::impulse::CollisionError;
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 
-/// A bar of mass m and length l, level, one end of which strikes a floor at the speed v: W = 1/m + 12 (l/2)²/(m l²) = 4/m.
+/// A bar of mass m and length l, level, one end of which strikes a floor at the speed v: W = 1/m +
+/// 12 (l/2)²/(m l²) = 4/m.
 fn bar(law: Law, e: f64) -> Collision {
     let (m, l, v) = (2.0, 3.0, 0.7);
     Collision {
@@ -103,7 +104,8 @@ fn assert_is_searched(collision: &Collision, found: &Outcome, part: f64) -> Resu
         prop_assert!(close(own, other), "{own} {other}");
     }
     let zeros = |outcome: &Outcome| outcome.opening.map(|speed| speed == 0.0);
-    // Impulses of a hundred times the rates stand for rows that all but depend on each other: rounding is beyond what counts as zero.
+    // Impulses of a hundred times the rates stand for rows that all but depend on each other:
+    // rounding is beyond what counts as zero.
     if found.impulses.amax() < 10.0 {
         prop_assert_eq!(zeros(found), zeros(&searched));
     }

@@ -22,7 +22,8 @@ fn the_bound_of_a_reaction_is_a_part_of_the_largest_one() {
     assert_eq!(bound(2e3), 1e3 * bound(2.0));
 }
 
-/// The time of a late event is known to its rounding, and its place to what the motion goes in that.
+/// The time of a late event is known to its rounding, and its place to what the motion goes in
+/// that.
 #[test]
 fn late_places_are_known_to_the_rounding_of_the_time() {
     with_start(&start(&BALL, [0.0, 1.0, 3.0, 0.0]), |mut ball| {

@@ -26,7 +26,8 @@ fn without(basis: &[DVector<f64>], vector: &DVector<f64>) -> DVector<f64> {
     basis.iter().fold(vector.clone(), |rest, unit| &rest - unit * unit.dot(&rest))
 }
 
-/// Combinations of edges' loads that the motion determines, Σ aₑ xₑ with what other rows bear taken away.
+/// Combinations of edges' loads that the motion determines, Σ aₑ xₑ with what other rows bear taken
+/// away.
 fn determined(edges: &[DVector<f64>], others: &[DVector<f64>]) -> DMatrix<f64> {
     let held = basis(others.iter().cloned());
     DMatrix::from_columns(&edges.iter().map(|edge| without(&held, edge)).collect::<Vec<_>>())
@@ -68,7 +69,8 @@ fn is_of_a_motion(a: &DMatrix<f64>, loads: &DVector<f64>, (value, v): (f64, &DVe
     assert!(without(&motions, v).amax() <= 1e-8, "{label}: no motion has {v}");
 }
 
-/// One edge of six bears, of a motion with three components: the others that vanish at the vertex belong to edges that bear nothing.
+/// One edge of six bears, of a motion with three components: the others that vanish at the vertex
+/// belong to edges that bear nothing.
 #[test]
 fn edges_without_loads_move_forward() {
     let columns = [
@@ -135,7 +137,8 @@ fn the_margin_is_that_of_the_best_vertex() {
     assert!(bounded > 250 && unbounded > 100 && negative > 20, "{bounded} {unbounded} {negative}");
 }
 
-/// Of many edges those that are asked first leave the same margin and motion as all of them at once.
+/// Of many edges those that are asked first leave the same margin and motion as all of them at
+/// once.
 #[test]
 fn many_edges_are_bounded_by_few() {
     let mut random = Random(0x1357_9BDF_0246_8ACE);
@@ -165,8 +168,8 @@ fn many_edges_are_bounded_by_few() {
     assert!(bounded > 50 && unbounded > 50, "{bounded} {unbounded}");
 }
 
-/// Two edges of a cone with what it bears between them, and one of a contact without friction, or that slides; nothing of what the
-/// motion determines.
+/// Two edges of a cone with what it bears between them, and one of a contact without friction, or
+/// that slides; nothing of what the motion determines.
 #[test]
 fn edges_of_cones_bear_the_reactions() {
     let plain = Model::of(&RodOnSupports { m: 1.0, l: 1.0, g: 1.0 }).layout();
@@ -203,7 +206,8 @@ fn edges_of_cones_bear_the_reactions() {
     ] {
         assert_eq!(edges(&layout, &closed, (&rows, &undetermined), &slips, &reactions).1, taken);
     }
-    // Without friction nothing is borne across, whatever rounding leaves there; nor what is rounding beside the largest reaction.
+    // Without friction nothing is borne across, whatever rounding leaves there; nor what is
+    // rounding beside the largest reaction.
     for (limit, across) in [(0.0, 1e-9), (1e-12, 1e-15)] {
         let reactions = [6.0, 5.0, 7.0, across, -3.5];
         let (all, _) = edges(&layout, &closed, (&rows, &[true; 4]), &[slip(limit), slip(0.5)], &reactions);

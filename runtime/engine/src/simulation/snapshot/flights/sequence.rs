@@ -95,8 +95,9 @@ mod tests {
         assert!((end - 7.0).abs() < 1e-14 && error < 1e-14, "{end} {error}");
     }
 
-    /// Two feet that take turns: each flight in its turn is a tenth as fast as the one before, and the
-    /// first flights of the turns are a sequence of their own, here with q = 1/4 and an end at t = 4.
+    /// Two feet that take turns: each flight in its turn is a tenth as fast as the one before, and
+    /// the first flights of the turns are a sequence of their own, here with q = 1/4 and an end at
+    /// t = 4.
     #[test]
     fn the_fastest_flights_are_a_sequence_of_their_own() {
         let mut sequence = Sequence::default();

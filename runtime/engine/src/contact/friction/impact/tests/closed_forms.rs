@@ -11,7 +11,8 @@ fn kinetic(collision: &Collision, u: &DVector<f64>) -> f64 {
     0.5 * u.dot(&(&collision.mass * u))
 }
 
-/// A uniform rod of unit length and mass, its lower end on the floor at θ, with the end's velocities (v, ġ).
+/// A uniform rod of unit length and mass, its lower end on the floor at θ, with the end's
+/// velocities (v, ġ).
 fn rod(degrees: f64, (slip, normal): (f64, f64), mu: f64, (e, law): (f64, Law)) -> Collision {
     let (sine, cosine) = degrees.to_radians().sin_cos();
     Collision {
@@ -24,7 +25,8 @@ fn rod(degrees: f64, (slip, normal): (f64, f64), mu: f64, (e, law): (f64, Law)) 
     }
 }
 
-/// With little inertia the rates after an impact are known to few digits; that the tip stays closed and sticks is known from its law.
+/// With little inertia the rates after an impact are known to few digits; that the tip stays closed
+/// and sticks is known from its law.
 #[test]
 fn what_ends_at_rest_is_at_rest_however_ill_conditioned_the_mass() {
     for inertia in [1e-3, 1e-7, 1e-11] {
@@ -39,7 +41,8 @@ fn what_ends_at_rest_is_at_rest_however_ill_conditioned_the_mass() {
     }
 }
 
-/// Catalogue 20: (θ, v, μ, e), and (v⁺, ġ⁺, gained) by Newton, Poisson, Stronge; to all printed digits.
+/// Catalogue 20: (θ, v, μ, e), and (v⁺, ġ⁺, gained) by Newton, Poisson, Stronge; to all printed
+/// digits.
 #[test]
 fn a_rod_strikes_a_rough_floor() {
     let laws = [Law::Newton, Law::Poisson, Law::Stronge];
@@ -92,8 +95,9 @@ fn a_rod_strikes_a_rough_floor() {
     }
 }
 
-/// Moreau's law of the same rod, by hand: of sticking, W (P, P_t) = ((1 + e) , −v), and of a slide that goes on or has turned the one
-/// whose friction opposes the slip velocity after it. Routh's path turns back at 60°, and Moreau's law stays at rest there.
+/// Moreau's law of the same rod, by hand: of sticking, W (P, P_t) = ((1 + e) , −v), and of a slide
+/// that goes on or has turned the one whose friction opposes the slip velocity after it. Routh's
+/// path turns back at 60°, and Moreau's law stays at rest there.
 #[test]
 fn moreau_relates_the_whole_impulse_to_the_slip_after_it() {
     for (degrees, slip, mu, e) in [
@@ -233,7 +237,8 @@ fn a_plank_falls_flat() {
     assert_eq!(plank(Law::Stronge, 0.2).solve().unwrap_err(), CollisionError::Several);
 }
 
-/// Impact without collision at θ = 60°, μ = 2, slip backward: the path runs down while it slips, and up once it sticks.
+/// Impact without collision at θ = 60°, μ = 2, slip backward: the path runs down while it slips,
+/// and up once it sticks.
 #[test]
 fn a_slip_in_the_paradox_ends_in_an_impact() {
     let (w_nn, w_nt, w_tt) = (1.75, -3.0 * 0.75f64.sqrt() * 0.5, 3.25);
@@ -262,8 +267,8 @@ fn a_slip_in_the_paradox_ends_in_an_impact() {
     assert_eq!(outside.tangential_impact(usize::MAX).unwrap_err(), CollisionError::Jammed);
 }
 
-/// Of two rods that slide into the paradox the one deeper in it strikes first: by W_NN − σ μ W_Nt relative to W_NN, whatever the
-/// masses.
+/// Of two rods that slide into the paradox the one deeper in it strikes first: by W_NN − σ μ W_Nt
+/// relative to W_NN, whatever the masses.
 #[test]
 fn the_slip_deepest_in_the_paradox_ends_first() {
     let rods = |mu: [f64; 2], masses: [f64; 2]| {
@@ -290,7 +295,8 @@ fn the_slip_deepest_in_the_paradox_ends_first() {
     }
 }
 
-/// An impulse from outside on a rod at rest on the floor, by each law: it sticks, and its end leaves with none.
+/// An impulse from outside on a rod at rest on the floor, by each law: it sticks, and its end
+/// leaves with none.
 #[test]
 fn an_applied_impulse_is_answered() {
     for law in [Law::Newton, Law::Poisson, Law::Stronge] {
@@ -302,7 +308,8 @@ fn an_applied_impulse_is_answered() {
     }
 }
 
-/// A rod that stands on a block on the floor, both pushed down from above: the joint passes the impulse on to the floor.
+/// A rod that stands on a block on the floor, both pushed down from above: the joint passes the
+/// impulse on to the floor.
 #[test]
 fn an_applied_impulse_passes_through_joints() {
     for law in [Law::Newton, Law::Poisson, Law::Stronge] {
@@ -325,7 +332,8 @@ fn an_applied_impulse_passes_through_joints() {
     }
 }
 
-/// What rests on another contact strikes nothing, whatever the sign of its rounding: q̇ = ±1e-33 of a block that the rod presses on.
+/// What rests on another contact strikes nothing, whatever the sign of its rounding: q̇ = ±1e-33 of
+/// a block that the rod presses on.
 #[test]
 fn rounding_does_not_strike() {
     let struck = |noise: f64| {
