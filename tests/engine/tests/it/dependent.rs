@@ -110,3 +110,37 @@ fn a_plank_on_many_feet_slides() {
         }
     }
 }
+
+/// A smooth body on four feet of one line, lifted by a growing force at 1.3 of 2.
+#[derive(BarSystem)]
+#[liftoff(dimensionless)]
+#[gravity(9.81)]
+#[body(b, points(P0 = (0, 0), P1 = (2, 0), P2 = (0.4, 0), P3 = (0.8, 0), F = (1.3, 0.02)), mass = 1, inertia = 0.4, centre = (1, 0.01))]
+#[support(P0 = floor)]
+#[support(P1 = floor)]
+#[support(P2 = floor)]
+#[support(P3 = floor)]
+#[force(lift = (0, f * t), at = F)]
+#[figure(F = (1.3, 0.02), P0 = (0, 0), P1 = (2, 0), P2 = (0.4, 0), P3 = (0.8, 0))]
+#[coordinate(phi = angle(b), from = right)]
+#[coordinate(x = x(P0))]
+#[coordinate(y = y(P0))]
+struct Lifted {
+    f: f64,
+}
+
+/// The shortest reactions of inner feet vanish long before it tips about the outer one: m g = 1.3 f t. No other foot opens then.
+#[test]
+fn a_foot_without_load_opens_no_other() {
+    for tolerance in [1e-5, 1e-9, 1e-13] {
+        let lifted = Lifted { f: 6.0 };
+        let start = Pose::at("phi", 0.0).with("x", 0.0).with("y", 0.0);
+        let simulation = Simulation::new(&lifted).unwrap().start(start).unwrap();
+        let run = simulation.tolerance(tolerance).limit(1.5).run().unwrap();
+        let opened: Vec<&Event> =
+            run.events().iter().filter(|event| event.kind != EventKind::Start).collect();
+        assert_eq!(opened.len(), 2, "{tolerance}");
+        assert!((opened[0].t - 9.81 / 7.8).abs() < 1e-6, "{tolerance} {}", opened[0].t);
+        assert_eq!(opened[0].supports, ["P1", "P2", "P3"]);
+    }
+}

@@ -32,6 +32,7 @@ use super::trials::LcpError;
 use super::{ContactError, Trials, joint_names, singular};
 use crate::context::reactions_of;
 use crate::model::{Contact, ContactSet, Layout};
+use crate::numerics::zero::MARGIN;
 use crate::system::{MOST_TIME_ORDERS, Model, TIME_ORDERS};
 
 /// Terms of order n below this part of those of order 0 in a natural time are what the rounding of
@@ -248,14 +249,11 @@ impl Ladder {
         };
         let candidates: Vec<usize> =
             self.open_question.iter().copied().filter(|row| !known.contains(row)).collect();
-        // With a row held whose reaction was located at zero, the error of its place moves no other
-        // contact. Beside friction it would bear what a contact at its limit does not.
-        let located = known.iter().filter(|_| self.rubbing.is_empty());
-        let fixed: Vec<usize> = self.closed.iter().chain(&self.pledged).chain(located).copied().collect();
+        let fixed: Vec<usize> = self.closed.iter().chain(&self.pledged).copied().collect();
         let choice = LcpRows { fixed: &fixed, candidates: &candidates, tied: &self.tied, trials };
         let mut problem = self.problem(equations, order);
         let mut solution = match !ROUGH || self.rubbing.is_empty() {
-            true => problem.solve(&choice)?,
+            true => self.solve_smooth(&problem, &choice, &known, equations)?,
             false => {
                 let contacts: Vec<Frictional> =
                     self.rubbing.iter().map(|one| one.frictional.clone()).collect();
@@ -293,6 +291,32 @@ impl Ladder {
         self.reactions.push(reactions);
         self.unique &= unique;
         Ok(lifted)
+    }
+
+    /// The solution without friction. Where rows whose reaction was located at zero hold others up, the error of its place moves
+    /// these: then they are held too, if they bear no more than that error.
+    fn solve_smooth(
+        &self,
+        problem: &EquilibratedKkt,
+        choice: &LcpRows,
+        known: &[usize],
+        equations: &Equations,
+    ) -> Result<Solution, LcpError> {
+        let free = problem.solve(choice)?;
+        if known.is_empty() {
+            return Ok(free);
+        }
+        let fixed = [choice.fixed, known].concat();
+        let Ok(held) = problem.solve(&LcpRows { fixed: &fixed, ..*choice }) else { return Ok(free) };
+        let opened =
+            choice.candidates.iter().any(|row| held.tight.contains(row) && !free.tight.contains(row));
+        let loads = DVector::from_fn(held.reactions.len(), |row, _| {
+            if known.contains(&row) { held.reactions[row] } else { 0.0 }
+        });
+        let borne = equations.jacobian[0].tr_mul(&loads);
+        let rate = equations.force.get(1).zip(self.time).map_or(0.0, |(rate, time)| rate.amax() * time);
+        let is_error = borne.amax() <= MARGIN * (equations.force[0].amax() + rate);
+        Ok(if opened && is_error { held } else { free })
     }
 
     /// Pledged contacts whose reaction falls below zero.
