@@ -64,14 +64,16 @@ fn jacobian(equations: &[&Series], values: &BTreeMap<Symbol, f64>, n: usize) -> 
         .collect()
 }
 
-/// Which of `equations` depend on those before them at every configuration.
+/// Which of `equations` depend on those before them at every configuration. Where these hold all
+/// coordinates, off the figure, any other depends on them, and that says nothing.
 fn redundant(system: &System, equations: &[&Series], n: usize) -> Vec<usize> {
     let mut common: Option<Vec<usize>> = None;
     let Some(numbers) = system.samples.first() else { return Vec::new() };
     for sample in 1..=3 {
         let q: Vec<f64> = (0..n).map(|i| 0.3 + (1.7 * (i + 1) as f64 * sample as f64).sin()).collect();
         let rows = jacobian(equations, &nominal_values(system, numbers, &q), n);
-        let found = dependent(&rows);
+        let found = dependent(&rows).into_iter().enumerate().filter(|(before, i)| i - before < n);
+        let found: Vec<usize> = found.map(|(_, i)| i).collect();
         common = Some(match common {
             None => found,
             Some(known) => known.into_iter().filter(|i| found.contains(i)).collect(),

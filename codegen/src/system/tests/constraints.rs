@@ -234,7 +234,7 @@ fn mistakes_in_supports_are_told() {
         ),
         (
             "#[support(B = floor, law = euler)]",
-            "the law of impact is `newton` (velocities), `poisson` (impulses) or `stronge` (energies) (for example `#[support(A = floor)]`)",
+            "the law of impact is `newton` (velocities), `moreau` (velocities, with friction at the end alone), `poisson` (impulses) or `stronge` (energies) (for example `#[support(A = floor)]`)",
         ),
         (
             "#[support(B = floor, while(phi > 0))]",

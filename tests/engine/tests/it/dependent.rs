@@ -129,7 +129,8 @@ struct Lifted {
     f: f64,
 }
 
-/// The shortest reactions of inner feet vanish long before it tips about the outer one: m g = 1.3 f t. No other foot opens then.
+/// The shortest reactions of inner feet vanish long before it tips about the outer one: m g = 1.3 f
+/// t. No other foot opens then.
 #[test]
 fn a_foot_without_load_opens_no_other() {
     for tolerance in [1e-5, 1e-9, 1e-13] {

@@ -170,3 +170,86 @@ fn a_trammel_with_a_crank_is_a_pendulum() {
         }
     }
 }
+
+/// A rod on four equal cranks: more rows than coordinates.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(RS, mass = m, length = 2)]
+#[point(K1 = RS, at = 0.5)]
+#[point(K2 = RS, at = 1.1)]
+#[bar(c0 = O0 -> R, mass = m, length = r)]
+#[bar(c1 = O1 -> K1, mass = m, length = r)]
+#[bar(c2 = O2 -> K2, mass = m, length = r)]
+#[bar(c3 = O3 -> S, mass = m, length = r)]
+#[pin(O0 = (0, 0))]
+#[pin(O1 = (0.5, 0))]
+#[pin(O2 = (1.1, 0))]
+#[pin(O3 = (2, 0))]
+#[figure(R = (0, -r), K1 = (0.5, -r), K2 = (1.1, -r), S = (2, -r))]
+#[coordinate(phi = angle(c0), from = down)]
+struct FourCranks {
+    m: f64,
+    r: f64,
+    g: f64,
+}
+
+/// A rod on two cranks, as heavy as four.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(RS, mass = m, length = 2)]
+#[bar(c0 = O0 -> R, mass = 2 * m, length = r)]
+#[bar(c3 = O3 -> S, mass = 2 * m, length = r)]
+#[pin(O0 = (0, 0))]
+#[pin(O3 = (2, 0))]
+#[figure(R = (0, -r), S = (2, -r))]
+#[coordinate(phi = angle(c0), from = down)]
+struct HeavyCranks {
+    m: f64,
+    r: f64,
+    g: f64,
+}
+
+#[test]
+fn four_cranks_move_as_two() {
+    let start = || Pose::at("phi", 0.5).with("phi'", 1.0);
+    let four = run(&FourCranks { m: 1.3, r: 0.5, g: 9.81 }, start());
+    let two = run(&HeavyCranks { m: 1.3, r: 0.5, g: 9.81 }, start());
+    for t in [0.5, 1.3, 2.9] {
+        let [a, b] = [&four, &two].map(|run| value(run, "phi", t));
+        assert!((a - b).abs() < 1e-9, "{t}: {a} {b}");
+    }
+}
+
+/// A rod on three equal cranks of which one is driven.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(RS, mass = m, length = 2)]
+#[point(K = RS, at = 0.7)]
+#[bar(c0 = O0 -> R, mass = m, length = r)]
+#[bar(c1 = O1 -> K, mass = m, length = r)]
+#[bar(c2 = O2 -> S, mass = m, length = r)]
+#[pin(O0 = (0, 0))]
+#[pin(O1 = (0.7, 0))]
+#[pin(O2 = (2, 0))]
+#[drive(phi = 0.5 + w * t)]
+#[figure(R = (0, -r), K = (0.7, -r), S = (2, -r))]
+#[coordinate(phi = angle(c0), from = down)]
+struct DrivenCranks {
+    m: f64,
+    r: f64,
+    w: f64,
+    g: f64,
+}
+
+/// The drive bears the weight's couple, m r g sin φ of the rod and m r g sin φ / 2 of each crank.
+#[test]
+fn one_of_three_cranks_is_driven() {
+    let (m, r, w, g) = (1.3, 0.5, 3.0, 9.81);
+    let run = run(&DrivenCranks { m, r, w, g }, Pose::at("phi", 0.5).with("phi'", w));
+    for t in [0.1, 0.7, 1.9] {
+        let phi = 0.5 + w * t;
+        assert!((value(&run, "phi", t) - phi).abs() < 1e-9, "{t}");
+        let couple = 2.5 * m * r * g * phi.sin();
+        assert!((value(&run, "drive(phi)", t) - couple).abs() < 1e-8 * couple.abs().max(1.0), "{t}");
+    }
+}

@@ -293,8 +293,9 @@ impl Ladder {
         Ok(lifted)
     }
 
-    /// The solution without friction. Where rows whose reaction was located at zero hold others up, the error of its place moves
-    /// these: then they are held too, if they bear no more than that error.
+    /// The solution without friction. Where rows whose reaction was located at zero hold others up,
+    /// the error of its place moves these: then they are held too, if they bear no more than that
+    /// error.
     fn solve_smooth(
         &self,
         problem: &EquilibratedKkt,
