@@ -281,9 +281,9 @@ fn reciprocal(x: f64) -> f64 {
     if x > 0.0 { 1.0 / x } else { 1.0 }
 }
 
-/// For each entry the largest value of its part.
+/// For each entry the largest value of its part; some parts may have no entry.
 pub(super) fn largest_in_part(parts: &[usize], values: &DVector<f64>) -> DVector<f64> {
-    let mut largest = vec![0.0; values.len()];
+    let mut largest = vec![0.0; parts.iter().max().map_or(0, |last| last + 1)];
     for (&part, &value) in parts.iter().zip(values.iter()) {
         largest[part] = f64::max(largest[part], value);
     }

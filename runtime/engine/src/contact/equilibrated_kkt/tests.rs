@@ -111,3 +111,11 @@ fn many_redundant_rows_share_a_load() {
         assert!(found.x.rows(0, 2).amax() < 1e-12, "{count}");
     }
 }
+
+/// Of a selection of rows the parts may have any number.
+#[test]
+fn parts_of_a_selection_keep_their_numbers() {
+    let largest = largest_in_part(&[7, 2, 7], &DVector::from_row_slice(&[1.0, 5.0, 3.0]));
+    assert_eq!(largest.as_slice(), [3.0, 5.0, 3.0]);
+    assert!(largest_in_part(&[], &DVector::zeros(0)).is_empty());
+}
