@@ -1,13 +1,14 @@
-//! Of closed contacts that share their load independent ones that bear it alone, without any that
-//! would pull. Of reactions `Σ aₖ λₖ = F` with λ > 0 and more columns than their rank each null
-//! vector leads to others without one of the contacts,
+//! Independent contacts that carry a shared load without pulling. The reactions satisfy
+//! `Σ aₖ λₖ = F`, λ ≥ 0. Where there are more columns than their rank, a null vector v of A leads to
+//! other reactions, in which one of them vanishes (Carathéodory):
 //!
 //! ```text
 //! λ − t v,    A v = 0,    t = λᵢ / vᵢ
 //! ```
 //!
-//! (Carathéodory). Contacts that the others replace best go first, so that those stay that are
-//! farthest from each other: v is the part of eᵢ in the null space of A, `vᵢ = 1 − aᵢᵀ (A Aᵀ)⁺ aᵢ`.
+//! v is the projection of eᵢ on the null space of A, `vᵢ = 1 − aᵢᵀ (A Aᵀ)⁺ aᵢ`. The others replace
+//! the contact with the largest vᵢ best; it is left out first. So the feet at the ends of a plank
+//! remain.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -27,7 +28,7 @@ struct Column {
     load: f64,
     /// Whether it may not turn negative.
     one_sided: bool,
-    /// Whether its contact sticks: it goes after others, as no other holds it across.
+    /// Whether its contact sticks. It is left out last: others may not hold across.
     sticks: bool,
 }
 
@@ -77,8 +78,8 @@ impl EquilibratedKkt {
     }
 }
 
-/// A contact without which the others bear as much, with their loads after it is gone; `None` where
-/// all are independent.
+/// The place of a contact that the others replace, whose load they take; `None` where all are
+/// independent.
 fn find_replaceable(columns: &mut [Column]) -> Option<usize> {
     let entries: Vec<DVector<f64>> = columns.iter().map(|column| column.entries.clone()).collect();
     let determined = range(&DMatrix::from_columns(&entries).transpose());
