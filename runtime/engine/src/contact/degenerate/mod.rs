@@ -387,9 +387,8 @@ impl Ladder {
         }
     }
 
-    /// Rows that bear: independent ones among some, joints and those that bear at the lowest order
-    /// before others, and contacts that do not slip and hold a motion along themselves, whatever
-    /// their normals depend on.
+    /// Rows that bear: independent ones, joints and those that bear at the lowest order first. A
+    /// rough contact whose normal joints hold bears across.
     fn find_bearing(&self, held: &[usize], undecided: &[usize]) -> Vec<usize> {
         let rows = || held.iter().chain(undecided).copied();
         let is_shared = !self.unique || !(self.rubbing.is_empty() || self.open_question.is_empty());
@@ -398,21 +397,18 @@ impl Ladder {
             return rows().collect();
         };
         let first = self.first_to_bear.iter().filter(|row| held.contains(row));
-        let normals: Vec<usize> = first.chain(held).copied().collect();
         let sticks = |it: &&Rubbing| matches!(it.mode, Mode::Stick | Mode::Guide { sense: None, .. });
-        let sticking = self.rubbing.iter().filter(sticks).map(|it| (it.frictional.tangent, it.contact));
-        let across: Vec<(usize, usize)> = self.tied.iter().copied().chain(sticking).collect();
-        let across_of = |row: &usize| {
-            let own = across.iter().filter(|(_, contact)| contact == row);
-            own.map(|(tangent, _)| *tangent).collect::<Vec<_>>()
+        let across = self.rubbing.iter().filter(sticks).map(|it| it.frictional.tangent);
+        let all: Vec<usize> =
+            first.chain(held).copied().chain(across).chain(undecided.iter().copied()).collect();
+        let independent = least.independent(&all);
+        let joints: Vec<usize> =
+            held.iter().copied().filter(|row| *row >= self.layout.contacts.len()).collect();
+        let rolls = |row: usize| {
+            let is_rough = self.tied.iter().any(|(_, contact)| *contact == row);
+            is_rough && !least.independent(&[&joints[..], &[row]].concat()).contains(&row)
         };
-        let across_all = |rows: &[usize]| rows.iter().flat_map(across_of).collect::<Vec<_>>();
-        let [borne, left] = [across_all(&normals), across_all(undecided)];
-        let independent = least.independent(&[&normals[..], &borne, undecided, &left].concat());
-        let bears = |row: &usize| {
-            independent.contains(row) || across_of(row).iter().any(|tangent| independent.contains(tangent))
-        };
-        rows().filter(bears).collect()
+        rows().filter(|&row| independent.contains(&row) || rolls(row)).collect()
     }
 
     /// The shortest reactions at order 0 of the contacts that stay closed.
