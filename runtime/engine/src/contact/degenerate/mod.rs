@@ -293,9 +293,9 @@ impl Ladder {
         Ok(lifted)
     }
 
-    /// The solution without friction. A reaction that was located at zero is zero but for the error of
-    /// the place, and that error accelerates contacts that depend on this one. Where it opens one of
-    /// them, the located contact is held in this order, if it bears no more than the error.
+    /// The solution without friction. A reaction that was located at zero is zero but for the error
+    /// of the place, and that error accelerates contacts that depend on this one. Where it opens
+    /// one of them, the located contact is held in this order, if it bears no more than the error.
     fn solve_smooth(
         &self,
         problem: &EquilibratedKkt,

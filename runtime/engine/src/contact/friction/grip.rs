@@ -240,8 +240,8 @@ fn row_space(edges: &[DVector<f64>], others: &[DVector<f64>]) -> DMatrix<f64> {
 }
 
 /// s for loads of the edges, and the velocities of the edges in the motion that follows at s = 0.
-/// `None` where s has no bound. A few edges are solved for first; an edge that their motion violates
-/// is added.
+/// `None` where s has no bound. A few edges are solved for first; an edge that their motion
+/// violates is added.
 fn limit(space: &DMatrix<f64>, loads: &DVector<f64>) -> Option<(f64, DVector<f64>)> {
     let (m, size) = (space.nrows(), loads.amax());
     if size == 0.0 {
