@@ -304,20 +304,20 @@ impl Ladder {
         equations: &Equations,
     ) -> Result<Solution, LcpError> {
         let free = problem.solve(choice)?;
-        if known.is_empty() {
+        let mut opened = choice.candidates.iter().filter(|row| !free.tight.contains(row)).peekable();
+        if known.is_empty() || opened.peek().is_none() {
             return Ok(free);
         }
         let fixed = [choice.fixed, known].concat();
         let Ok(held) = problem.solve(&LcpRows { fixed: &fixed, ..*choice }) else { return Ok(free) };
-        let opened =
-            choice.candidates.iter().any(|row| held.tight.contains(row) && !free.tight.contains(row));
+        let leans = opened.any(|row| held.tight.contains(row));
         let loads = DVector::from_fn(held.reactions.len(), |row, _| {
             if known.contains(&row) { held.reactions[row] } else { 0.0 }
         });
         let borne = equations.jacobian[0].tr_mul(&loads);
         let rate = equations.force.get(1).zip(self.time).map_or(0.0, |(rate, time)| rate.amax() * time);
         let is_error = borne.amax() <= MARGIN * (equations.force[0].amax() + rate);
-        Ok(if opened && is_error { held } else { free })
+        Ok(if leans && is_error { held } else { free })
     }
 
     /// Pledged contacts whose reaction falls below zero.
@@ -397,8 +397,8 @@ impl Ladder {
             return rows().collect();
         };
         let first = self.first_to_bear.iter().filter(|row| held.contains(row));
-        let sticks = |it: &&Rubbing| matches!(it.mode, Mode::Stick | Mode::Guide { sense: None, .. });
-        let across = self.rubbing.iter().filter(sticks).map(|it| it.frictional.tangent);
+        let sticking = self.rubbing.iter().filter(|it| it.mode.holds_tangent());
+        let across = sticking.map(|it| it.frictional.tangent);
         let all: Vec<usize> =
             first.chain(held).copied().chain(across).chain(undecided.iter().copied()).collect();
         let independent = least.independent(&all);

@@ -5,12 +5,12 @@
 //! s → max,    Σ aₑ (xₑ + s) = Jᵀ λ,    xₑ ≥ 0
 //! ```
 //!
-//! with an edge `aₑ = J_N ± μ_s J_t` for each side of the cone of a contact that sticks, `J_N − σ μ
-//! J_t` of one that slides and J_N of one without friction. At s = 0 no reactions within the cones
-//! are left: the contacts slip together, however they have shared their load before. The dual is
-//! the kinematic theorem of limit analysis: s is the least power `Jᵀ λ · w` of a virtual velocity w
-//! with `aₑ · w ≥ 0` and `Σ aₑ · w = 1`, and the contacts slip or open with it (Drucker, *Coulomb
-//! friction, plasticity, and limit loads*, J. Appl. Mech. 21, 1954).
+//! with an edge `aₑ = J_N ± μ_s J_t` for each side of the cone of a contact that sticks,
+//! `J_N − σ μ J_t` of one that slides and J_N of one without friction. At s = 0 no reactions within
+//! the cones are left: the contacts slip together, however they have shared their load before. The
+//! dual is the kinematic theorem of limit analysis: s is the least power `Jᵀ λ · w` of a virtual
+//! velocity w with `aₑ · w ≥ 0` and `Σ aₑ · w = 1`, and the contacts slip or open with it (Drucker,
+//! *Coulomb friction, plasticity, and limit loads*, J. Appl. Mech. 21, 1954).
 
 use nalgebra::{DMatrix, DVector};
 

@@ -99,7 +99,7 @@ impl Mode {
     }
 
     /// Whether the tangent's row is.
-    pub(super) fn holds_tangent(self) -> bool {
+    pub(in crate::contact) fn holds_tangent(self) -> bool {
         matches!(self, Self::Stick | Self::Guide { sense: None, .. } | Self::Part(None))
     }
 

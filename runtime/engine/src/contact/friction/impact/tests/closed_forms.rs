@@ -115,14 +115,11 @@ fn moreau_relates_the_whole_impulse_to_the_slip_after_it() {
         let stick = ((tt * returned + nt * slip) / determinant, (-nt * returned - nn * slip) / determinant);
         let slides = [1.0, -1.0].map(|sense| {
             let normal = returned / (nn - sense * mu * nt);
-            (sense, normal, -sense * mu * normal)
+            let friction = -sense * mu * normal;
+            (sense, [normal, friction, slip + nt * normal + tt * friction])
         });
-        let after = |(_, normal, friction): (f64, f64, f64)| slip + nt * normal + tt * friction;
-        let sliding = slides.into_iter().find(|it| it.0 * after(*it) > 0.0);
-        let (normal, friction, v) = match sliding {
-            Some(it) => (it.1, it.2, after(it)),
-            None => (stick.0, stick.1, 0.0),
-        };
+        let sliding = slides.into_iter().find(|(sense, [_, _, v])| sense * v > 0.0);
+        let [normal, friction, v] = sliding.map_or([stick.0, stick.1, 0.0], |(_, found)| found);
         assert!(friction.abs() <= mu * normal + 1e-15);
         let outcome = collision.solve().unwrap();
         assert_eq!((outcome.law, outcome.method), (Law::Moreau, Method::AtOnce));
