@@ -111,6 +111,80 @@ fn a_plank_on_many_feet_slides() {
     }
 }
 
+/// A plank on six feet, pulled along and up at s.
+#[derive(BarSystem)]
+#[liftoff(dimensionless)]
+#[liftoff(sets = 0)]
+#[gravity(9.81)]
+#[bar(AB, mass = 1, length = 10)]
+#[point(S = AB, at = s)]
+#[point(P0 = AB, at = 1)]
+#[point(P1 = AB, at = 2)]
+#[point(P2 = AB, at = 4)]
+#[point(P3 = AB, at = 5)]
+#[point(P4 = AB, at = 8)]
+#[point(P5 = AB, at = 9)]
+#[support(P0 = floor, friction = 0.5)]
+#[support(P1 = floor, friction = 0.5)]
+#[support(P2 = floor, friction = 0.5)]
+#[support(P3 = floor, friction = 0.5)]
+#[support(P4 = floor, friction = 0.5)]
+#[support(P5 = floor, friction = 0.5)]
+#[force(S = (c * t, f * t))]
+#[figure(A = (0, 0), B = (10, 0), S = (5, 0))]
+#[coordinate(phi = angle(AB), from = right)]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+struct Raised {
+    s: f64,
+    c: f64,
+    f: f64,
+}
+
+/// The same on the outermost feet.
+#[derive(BarSystem)]
+#[liftoff(dimensionless)]
+#[liftoff(sets = 0)]
+#[gravity(9.81)]
+#[bar(AB, mass = 1, length = 10)]
+#[point(S = AB, at = s)]
+#[point(P0 = AB, at = 1)]
+#[point(P5 = AB, at = 9)]
+#[support(P0 = floor, friction = 0.5)]
+#[support(P5 = floor, friction = 0.5)]
+#[force(S = (c * t, f * t))]
+#[figure(A = (0, 0), B = (10, 0), S = (5, 0))]
+#[coordinate(phi = angle(AB), from = right)]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+struct RaisedByEnds {
+    s: f64,
+    c: f64,
+    f: f64,
+}
+
+/// The feet between the outermost change nothing: the plank is lifted, or tips about either end and
+/// slips on it later.
+#[test]
+fn a_plank_is_lifted_from_many_feet_as_from_two() {
+    for (s, c, f) in [(5.0, 0.0, 6.0), (10.0, 0.0, 6.0), (3.0, 0.0, 6.0), (7.0, 1.0, 6.0), (0.0, -2.0, 5.0)] {
+        let run = Simulation::new(&Raised { s, c, f }).unwrap().limit(4.0).run().unwrap();
+        let ends = Simulation::new(&RaisedByEnds { s, c, f }).unwrap().limit(4.0).run().unwrap();
+        let list_events = |trajectory: &Trajectory| -> Vec<(EventKind, f64)> {
+            trajectory.events().iter().map(|event| (event.kind, event.t)).collect()
+        };
+        let (events, expected) = (list_events(&run), list_events(&ends));
+        assert_eq!(events.len(), expected.len(), "{s} {c} {f}: {events:?} {expected:?}");
+        for (one, other) in events.iter().zip(&expected) {
+            assert!(one.0 == other.0 && (one.1 - other.1).abs() < 1e-8, "{s} {c} {f}: {one:?} {other:?}");
+        }
+        for text in ["phi", "x", "y"] {
+            let [value, expected] = [&run, &ends].map(|run| run.value(&run.output(text).unwrap(), 4.0));
+            assert!((value - expected).abs() < 1e-7 * expected.abs().max(1.0), "{s} {c} {f}: {text}");
+        }
+    }
+}
+
 /// A smooth body on four feet of one line, lifted by a growing force at 1.3 of 2.
 #[derive(BarSystem)]
 #[liftoff(dimensionless)]

@@ -19,7 +19,7 @@ use crate::numerics::zero::SOLVED;
 const CHANGES: usize = 10;
 
 /// A combination of the balanced multipliers of rows, (row, part).
-type Edge = Vec<(usize, f64)>;
+pub(super) type Edge = Vec<(usize, f64)>;
 
 impl Problem<'_> {
     /// The motion of modes whose equations are singular, if reactions exist that meet the conditions on them.
@@ -36,7 +36,7 @@ impl Problem<'_> {
         let n = self.kkt.n;
         let (_, determined) = equations.least_norm(&equations.right, n).ok_or(LcpError::Singular)?;
         let (edges, signed): (Vec<Edge>, Vec<bool>) = self.edges(chosen, closed);
-        let place = |row: usize| closed.rows.iter().position(|&other| other == row);
+        let place = |row: usize| closed.place(row);
         let mut matrix = DMatrix::zeros(equations.index.len(), n + edges.len());
         matrix.columns_mut(0, n).copy_from(&equations.matrix.columns(0, n));
         for (k, edge) in edges.iter().enumerate() {
@@ -84,7 +84,7 @@ impl Problem<'_> {
     }
 
     /// The edges of all multipliers with whether each has a sign.
-    fn edges(&self, chosen: &[&Choice], closed: &Closed) -> (Vec<Edge>, Vec<bool>) {
+    pub(super) fn edges(&self, chosen: &[&Choice], closed: &Closed) -> (Vec<Edge>, Vec<bool>) {
         let mut edges = Vec::new();
         let mut taken = Vec::new();
         for (unit, choice) in self.units.iter().zip(chosen) {

@@ -214,11 +214,13 @@ impl Problem<'_> {
         let Decision { chosen, trial, solutions, taken, reason, complete } = decision;
         let modes = self.modes(&chosen);
         let contacts = self.question.contacts.iter().zip(&self.units).zip(&modes);
+        let solution = self.finish(&modes, &trial);
+        let inside = (!solution.unique).then(|| self.move_inside(&chosen, &trial)).flatten();
+        let borne = inside.as_ref().unwrap_or(&trial);
         let next = contacts.map(|((contact, unit), mode)| Frictional {
-            choices: self.left_open(unit, *mode, &trial),
+            choices: self.left_open(unit, *mode, borne),
             ..contact.clone()
         });
-        let solution = self.finish(&modes, &trial);
         FrictionSolution {
             next: next.collect(),
             determined: solution.unique || trial.determined && self.is_determined(&modes),

@@ -79,6 +79,13 @@ pub(super) struct Closed {
     pub(super) loads: Vec<(usize, f64)>,
 }
 
+impl Closed {
+    /// The place of a row that is closed.
+    pub(super) fn place(&self, row: usize) -> Option<usize> {
+        self.rows.iter().position(|&other| other == row)
+    }
+}
+
 /// Balanced accelerations and multipliers of all rows.
 #[derive(Debug, Clone)]
 pub(super) struct Trial {
@@ -255,7 +262,7 @@ impl EquilibratedKkt {
         let index: Vec<usize> = (0..self.n).chain(closed.rows.iter().map(|row| self.n + row)).collect();
         let mut matrix = self.matrix.select_rows(&index).select_columns(&index);
         for &(normal, tangent, factor) in &closed.bends {
-            let place = closed.rows.iter().position(|&row| row == normal).ok_or(LcpError::Singular)?;
+            let place = closed.place(normal).ok_or(LcpError::Singular)?;
             let share = factor * self.ratio(normal, tangent);
             for i in 0..self.n {
                 matrix[(i, self.n + place)] += share * self.matrix[(i, self.n + tangent)];

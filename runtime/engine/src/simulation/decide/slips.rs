@@ -1,7 +1,7 @@
 //! Contacts with friction: what is known of their slips before a decision.
 
 use super::Question;
-use crate::contact::friction::{Reason, Sense, Slip as KnownSlip};
+use crate::contact::friction::{Margin, Reason, Sense, Slip as KnownSlip};
 use crate::model::{ContactSet, Slip};
 use crate::simulation::snapshot::Snapshot;
 
@@ -84,11 +84,12 @@ impl Snapshot<'_> {
         located.leaving.iter().map(|(contact, _)| *contact).filter(rubs).collect()
     }
 
-    /// The contacts that share their load and slip now, however they do.
-    pub(in crate::simulation) fn leaving_together(&self) -> Vec<(usize, Sense)> {
-        let (reactions, _) = self.reactions_at(&self.state, self.bearing());
-        let Some(rough) = self.setup.parts.laws.rough else { return Vec::new() };
-        (rough.margin)(self.setup.context.system(), &self.state, &self.closed(), &reactions).leaving
+    /// How far the contacts that share their load are from slipping, however they share it.
+    pub(in crate::simulation) fn shared_margin(&self) -> Margin {
+        let Some(rough) = self.setup.parts.laws.rough else { return Margin::default() };
+        let (mut reactions, bound) = self.reactions_at(&self.state, self.bearing());
+        reactions.iter_mut().filter(|load| load.abs() <= bound).for_each(|load| *load = 0.0);
+        (rough.margin)(self.setup.context.system(), &self.state, &self.closed(), &reactions)
     }
 
     /// What is known of the slip of each touching contact with friction: what was located, how it

@@ -1,6 +1,6 @@
 //! What the guards at zero say of contacts and conditions.
 
-use crate::contact::friction::Sense;
+use crate::contact::friction::{Margin, Sense};
 use crate::event::detection::Guard;
 use crate::model::{ContactSet, Slip};
 use crate::simulation::awaited::Role;
@@ -49,8 +49,9 @@ impl Snapshot<'_> {
                 Guard::Slip(rub) => located.slips.stop(rub.contact),
                 Guard::Grip => {
                     located.shares = true;
-                    let leaving = self.leaving_together();
+                    let Margin { leaving, unloaded, .. } = self.shared_margin();
                     leaving.into_iter().for_each(|(contact, sense)| located.slips.leave(contact, sense));
+                    located.unloaded = located.unloaded.union(unloaded);
                 }
                 Guard::Condition(condition) => match self.awaited.role(condition) {
                     Role::Stop => located.stops.push(condition),
