@@ -258,11 +258,12 @@ impl Ladder {
                 let contacts: Vec<Frictional> =
                     self.rubbing.iter().map(|one| one.frictional.clone()).collect();
                 let question = Question { rows: choice, contacts: &contacts };
-                let found = problem.solve_with_friction(&question).map_err(LcpError::from)?;
+                let mut found = problem.solve_with_friction(&question).map_err(LcpError::from)?;
                 if order == 0 && (found.solutions.len() > 1 || !found.complete || !found.determined) {
                     self.alternatives = Some(self.alternatives_of(&found, &candidates));
                 }
                 if order == 0 && !found.solution.unique {
+                    found.solution.reactions = problem.share_with_friction(&question, &found);
                     self.first_to_bear = problem.order_bearing(&question, &found);
                 }
                 for ((rubbing, mode), next) in self.rubbing.iter_mut().zip(found.modes).zip(found.next) {

@@ -33,14 +33,13 @@ struct Column {
 }
 
 impl EquilibratedKkt {
-    /// The closed rows of a motion whose reactions are not unique, those that bear it alone first.
+    /// The closed rows of a motion whose reactions are shared, those that bear it alone first.
     pub(in crate::contact) fn order_bearing(
         &self,
         question: &Question,
         found: &FrictionSolution,
     ) -> Vec<usize> {
-        let shared = self.share_with_friction(question, found);
-        let mut kept = self.columns(question, found, &shared);
+        let mut kept = self.columns(question, found);
         let mut removed = Vec::new();
         while let Some(place) = find_replaceable(&mut kept) {
             removed.push(kept.remove(place).row);
@@ -48,8 +47,8 @@ impl EquilibratedKkt {
         kept.iter().map(|column| column.row).chain(removed.into_iter().rev()).collect()
     }
 
-    fn columns(&self, question: &Question, found: &FrictionSolution, shared: &DVector<f64>) -> Vec<Column> {
-        let load = |row: usize| shared[row] / self.scale[self.n + row];
+    fn columns(&self, question: &Question, found: &FrictionSolution) -> Vec<Column> {
+        let load = |row: usize| found.solution.reactions[row] / self.scale[self.n + row];
         let mut columns = Vec::new();
         for (contact, mode) in question.contacts.iter().zip(&found.modes).filter(|(_, mode)| mode.is_closed())
         {
