@@ -163,6 +163,36 @@ struct RaisedByEnds {
     f: f64,
 }
 
+/// A plank on six feet, which do not slip, pulled along and up at s.
+#[derive(BarSystem)]
+#[liftoff(dimensionless)]
+#[liftoff(sets = 0)]
+#[gravity(9.81)]
+#[bar(AB, mass = 1, length = 10)]
+#[point(S = AB, at = s)]
+#[point(P0 = AB, at = 1)]
+#[point(P1 = AB, at = 2)]
+#[point(P2 = AB, at = 4)]
+#[point(P3 = AB, at = 5)]
+#[point(P4 = AB, at = 8)]
+#[point(P5 = AB, at = 9)]
+#[support(P0 = floor, rough)]
+#[support(P1 = floor, rough)]
+#[support(P2 = floor, rough)]
+#[support(P3 = floor, rough)]
+#[support(P4 = floor, rough)]
+#[support(P5 = floor, rough)]
+#[force(S = (c * t, f * t))]
+#[figure(A = (0, 0), B = (10, 0), S = (5, 0))]
+#[coordinate(phi = angle(AB), from = right)]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+struct Rough {
+    s: f64,
+    c: f64,
+    f: f64,
+}
+
 /// The feet between the outermost change nothing: the plank is lifted, or tips about either end and
 /// slips on it later.
 #[test]
@@ -182,6 +212,28 @@ fn a_plank_is_lifted_from_many_feet_as_from_two() {
             let [value, expected] = [&run, &ends].map(|run| run.value(&run.output(text).unwrap(), 4.0));
             assert!((value - expected).abs() < 1e-7 * expected.abs().max(1.0), "{s} {c} {f}: {text}");
         }
+    }
+}
+
+/// Six rough feet hold and lift as the outermost two: the plank tips about P0 or P5, φ̈ by the moments
+/// about it, or rises with the surplus of the force.
+#[test]
+fn a_plank_is_lifted_from_many_rough_feet() {
+    let inertia = |r: f64| 100.0 / 12.0 + r * r;
+    // The lever of the force and of the weight about the foot that stays.
+    for (s, foot) in [(10.0, Some(1.0)), (3.0, Some(9.0)), (5.0, None)] {
+        let run = Simulation::new(&Rough { s, c: 0.0, f: 6.0 }).unwrap().limit(1.9).run().unwrap();
+        let begun = 9.81 / 6.0 * foot.map_or(1.0, |foot| (5.0 - foot) / (s - foot));
+        let [_, opened @ .., _] = run.events() else { unreachable!("a start and an end") };
+        let opens = |event: &Event| event.kind == EventKind::Open && (event.t - begun).abs() < 1e-9;
+        assert!(!opened.is_empty() && opened.iter().all(opens), "{s}");
+        let t = begun + 1e-3;
+        let (text, rate) = match foot {
+            Some(foot) => ("phi''", 6.0 * (s - foot) / inertia(5.0 - foot)),
+            None => ("y''", 6.0),
+        };
+        let found = run.value(&run.output(text).unwrap(), t);
+        assert!((found - rate * 1e-3).abs() < 1e-8, "{s}: {found} {}", rate * 1e-3);
     }
 }
 

@@ -32,7 +32,7 @@ use super::trials::LcpError;
 use super::{ContactError, Trials, joint_names, singular};
 use crate::context::reactions_of;
 use crate::model::{Contact, ContactSet, Layout};
-use crate::numerics::zero::MARGIN;
+use crate::numerics::zero::{MARGIN, SOLVED};
 use crate::system::{MOST_TIME_ORDERS, Model, TIME_ORDERS};
 
 /// Terms of order n below this part of those of order 0 in a natural time are what the rounding of
@@ -109,7 +109,7 @@ fn decide_by<const ROUGH: bool>(
             off.extend(lifted.iter().map(|row| (row, ladder.reactions[0][row])));
             continue;
         }
-        if off.iter().any(|&it| ladder.is_pressed(model, state, it)) {
+        if ladder.find_pressed(model, state, &off).is_some() {
             return Err(named(LcpError::Jammed));
         }
         return Ok(ladder.decision(model.layout()));
@@ -253,7 +253,15 @@ impl Ladder {
         let choice = LcpRows { fixed: &fixed, candidates: &candidates, tied: &self.tied, trials };
         let mut problem = self.problem(equations, order);
         let mut solution = match !ROUGH || self.rubbing.is_empty() {
-            true => self.solve_smooth(&problem, &choice, &known, equations)?,
+            true => {
+                let found = self.solve_smooth(&problem, &choice, &known, equations)?;
+                let shared = (order == 0).then(|| self.share_rough(&problem, &found)).flatten();
+                if let Some(shared) = &shared {
+                    let question = Question { rows: choice, contacts: &[] };
+                    self.first_to_bear = problem.order_bearing(&question, &[], shared);
+                }
+                shared.unwrap_or(found)
+            }
             false => {
                 let contacts: Vec<Frictional> =
                     self.rubbing.iter().map(|one| one.frictional.clone()).collect();
@@ -264,7 +272,7 @@ impl Ladder {
                 }
                 if order == 0 && !found.solution.unique {
                     found.solution.reactions = problem.share_with_friction(&question, &found);
-                    self.first_to_bear = problem.order_bearing(&question, &found);
+                    self.first_to_bear = problem.order_bearing(&question, &found.modes, &found.solution);
                 }
                 for ((rubbing, mode), next) in self.rubbing.iter_mut().zip(found.modes).zip(found.next) {
                     rubbing.mode = mode;
@@ -321,23 +329,55 @@ impl Ladder {
         Ok(if leans && is_error { held } else { free })
     }
 
+    /// The same with redundant rough contacts that bear their shares of the load: without any they
+    /// would be pledged, and the sign of what they bear at the next order is that of no share.
+    fn share_rough(&self, problem: &EquilibratedKkt, found: &Solution) -> Option<Solution> {
+        let is_rough = |row: &usize| self.tied.iter().any(|(_, contact)| contact == row);
+        if found.unique || !found.degenerate.iter().any(is_rough) {
+            return None;
+        }
+        let one_sided = |row: usize| found.degenerate.contains(&row) || found.bearing.contains(&row);
+        let reactions = problem.share(found, &one_sided);
+        let bears = |row: &usize| {
+            is_rough(row) && reactions[*row] > problem.scale[problem.n + row] * problem.slack(*row)
+        };
+        let (borne, degenerate): (Vec<usize>, Vec<usize>) =
+            found.degenerate.iter().partition(|row| bears(row));
+        let bearing = [&found.bearing[..], &borne[..]].concat();
+        Some(Solution { reactions, bearing, degenerate, ..found.clone() })
+    }
+
     /// Pledged contacts whose reaction falls below zero.
     fn lifted(&self, solution: &Solution) -> ContactSet {
         let pulled = self.pledged.iter().filter(|row| solution.pulling.contains(row));
         pulled.copied().collect()
     }
 
-    /// Whether an open contact would close at once: g̈ < 0 beyond the rounding of its terms. An
-    /// event is located to some 1e-11, so that the accelerations after it are known no better, nor
-    /// than what the reaction accelerates that was `located` at zero.
-    fn is_pressed(&self, model: &Model, state: &[f64], (row, located): (usize, f64)) -> bool {
+    /// An open contact that would close at once: g̈ < 0 beyond the rounding of its terms. An event
+    /// is located to some 1e-11, so that the accelerations after it are known no better, nor than
+    /// what those reactions accelerate that were located at zero, and what rounding leaves of the
+    /// forces that balance each other.
+    fn find_pressed(&self, model: &Model, state: &[f64], off: &[(usize, f64)]) -> Option<usize> {
+        if off.is_empty() {
+            return None;
+        }
         let equations = Equations::along(model, state, &[]);
-        let (jacobian, bias) = (equations.jacobian[0].row(row).transpose(), equations.bias[0][row]);
-        let terms = jacobian.component_mul(&self.accelerations[0]);
-        let compliance =
-            Cholesky::new(equations.mass[0].clone()).map(|mass| jacobian.dot(&mass.solve(&jacobian)));
-        let error = 2.0 * compliance.unwrap_or(0.0) * located.max(0.0);
-        terms.sum() + bias + error < -1e-9 * (terms.abs().sum() + bias.abs())
+        let (jacobian, bias) = (&equations.jacobian[0], &equations.bias[0]);
+        let compliance = Cholesky::new(equations.mass[0].clone());
+        let compute_error = |gap: &DVector<f64>| {
+            let Some(mass) = &compliance else { return 0.0 };
+            let response = mass.solve(gap);
+            let moved = jacobian * &response;
+            let located = off.iter().map(|&(row, load)| moved[row].abs() * load.max(0.0));
+            2.0 * located.sum::<f64>() + SOLVED * response.abs().dot(&equations.force[0].abs())
+        };
+        let is_pressed = |row: usize| {
+            let gap = jacobian.row(row).transpose();
+            let terms = gap.component_mul(&self.accelerations[0]);
+            let error = compute_error(&gap) + 1e-9 * (terms.abs().sum() + bias[row].abs());
+            terms.sum() + bias[row] < -error
+        };
+        off.iter().map(|(row, _)| *row).find(|row| is_pressed(*row))
     }
 
     pub(super) fn problem(&self, equations: &Equations, order: usize) -> EquilibratedKkt {

@@ -12,9 +12,9 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::decision::FrictionSolution;
 use super::modes::Mode;
 use super::problem::Question;
+use crate::contact::complementarity::Solution;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
 use crate::numerics::decomposition::range;
 use crate::numerics::zero::MARGIN;
@@ -34,12 +34,14 @@ struct Column {
 
 impl EquilibratedKkt {
     /// The closed rows of a motion whose reactions are shared, those that bear it alone first.
+    /// `modes` are those of the contacts with friction.
     pub(in crate::contact) fn order_bearing(
         &self,
         question: &Question,
-        found: &FrictionSolution,
+        modes: &[Mode],
+        found: &Solution,
     ) -> Vec<usize> {
-        let mut kept = self.columns(question, found);
+        let mut kept = self.columns(question, modes, found);
         let mut removed = Vec::new();
         while let Some(place) = find_replaceable(&mut kept) {
             removed.push(kept.remove(place).row);
@@ -47,11 +49,10 @@ impl EquilibratedKkt {
         kept.iter().map(|column| column.row).chain(removed.into_iter().rev()).collect()
     }
 
-    fn columns(&self, question: &Question, found: &FrictionSolution) -> Vec<Column> {
-        let load = |row: usize| found.solution.reactions[row] / self.scale[self.n + row];
+    fn columns(&self, question: &Question, modes: &[Mode], found: &Solution) -> Vec<Column> {
+        let load = |row: usize| found.reactions[row] / self.scale[self.n + row];
         let mut columns = Vec::new();
-        for (contact, mode) in question.contacts.iter().zip(&found.modes).filter(|(_, mode)| mode.is_closed())
-        {
+        for (contact, mode) in question.contacts.iter().zip(modes).filter(|(_, mode)| mode.is_closed()) {
             let side = mode.side();
             let entries = match mode.sense() {
                 Some(sense) => {
@@ -68,10 +69,11 @@ impl EquilibratedKkt {
             question.contacts.iter().any(|contact| [contact.normal, contact.tangent].contains(&row))
                 || question.rows.tied.iter().any(|(tangent, _)| *tangent == row)
         };
-        let others = found.solution.tight.iter().copied().filter(|row| !is_across(*row));
+        let others = found.tight.iter().copied().filter(|row| !is_across(*row));
         columns.extend(others.map(|row| {
             let one_sided = question.rows.candidates.contains(&row);
-            Column { row, entries: self.column_of(row), load: load(row), one_sided, sticks: false }
+            let sticks = question.rows.is_rough(row);
+            Column { row, entries: self.column_of(row), load: load(row), one_sided, sticks }
         }));
         columns
     }
