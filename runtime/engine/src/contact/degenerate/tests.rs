@@ -35,15 +35,15 @@ fn rows_that_take_no_part_are_zero() {
 /// known of its terms.
 #[test]
 fn a_contact_is_pressed_beyond_the_rounding_of_its_terms() {
-    let model = Model::of(&RodOnSupports { m: 1.0, l: 2.0, g: 1.0 });
     let (turn, rate) = (0.3_f64, 1.7);
-    let layout = model.layout();
     let touching = ContactSet::EMPTY.with(0);
     let turned = rate * rate * turn.sin();
     for unit in [1e-8, 1.0, 1e8] {
+        let model = Model::of(&RodOnSupports { m: 1.0, l: 2.0, g: unit * unit });
         let state = [turn, 0.0, 0.0, rate * unit, 0.0, 0.0];
         for (part, pressed) in [(1.0, false), (0.0, false), (-1e-10, false), (-1e-8, true), (-1.0, true)] {
-            let mut ladder = Ladder::new(layout, &ContactProblem { touching, ..ContactProblem::default() });
+            let mut ladder =
+                Ladder::new(model.layout(), &ContactProblem { touching, ..ContactProblem::default() });
             // The two terms cancel but for a part of them.
             let a = -turned * (1.0 - 2.0 * part) * unit * unit;
             ladder.accelerations = vec![DVector::from_row_slice(&[0.0, 0.0, a])];
