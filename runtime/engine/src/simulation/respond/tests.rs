@@ -169,6 +169,21 @@ fn a_flight_too_low_to_be_seen_settles_at_its_end() {
     );
 }
 
+/// Where its reaction was located at zero its g̈ < 0 is the error of that place.
+#[test]
+fn what_has_just_lifted_off_does_not_settle() {
+    with_snapshot(
+        |it| it,
+        [0.0, 0.0, 0.0, 1e-8],
+        |mut ball| {
+            ball.begin().unwrap();
+            ball.onset.lifted = set(FLOOR);
+            ball.settle_unseen().unwrap();
+            assert!(ball.closed().is_empty() && ball.bounces.settling.is_empty());
+        },
+    );
+}
+
 #[test]
 fn a_stop_ends_before_the_impact() {
     with_phase(

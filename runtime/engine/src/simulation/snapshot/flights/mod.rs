@@ -124,10 +124,11 @@ impl Snapshot<'_> {
     }
 
     /// Open contacts within the bound of their gaps, above their bars, that do not approach their
-    /// supports but will fall back.
+    /// supports but will fall back. Of one that lifts off with its reaction at zero g̈ is as well
+    /// known as the place of that zero, and grows.
     pub(in crate::simulation) fn find_rising(&self) -> Vec<Rise> {
         let (gaps, n) = (self.gaps(), self.layout().coordinates.len());
-        let near = self.find_near(&gaps).difference(self.closed());
+        let near = self.find_near(&gaps).difference(self.closed()).difference(self.onset.lifted);
         if near.is_empty() {
             return Vec::new();
         }
