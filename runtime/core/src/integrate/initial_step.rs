@@ -17,7 +17,7 @@ pub(super) fn initial_step<S: Scalar, const N: usize>(
     order: f64,
 ) -> Option<f64> {
     let scale = tolerance.scale(y, y);
-    let size = if tolerance.relative() > 0.0 { 1.0 / tolerance.relative() } else { norm(y, &scale).max(1.0) };
+    let size = tolerance.measure(y);
     let first = norm(slope, &scale) / size;
     if first == 0.0 {
         return None;

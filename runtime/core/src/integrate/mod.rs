@@ -10,6 +10,7 @@ mod dense;
 mod dop853;
 mod explicit;
 mod gauss;
+mod growth;
 mod initial_step;
 #[cfg(feature = "std")]
 mod radau;

@@ -53,6 +53,11 @@ impl<const N: usize> Tolerance<N> {
         self.relative
     }
 
+    /// The size of a state in units of the tolerance.
+    pub(super) fn measure<S: Scalar>(&self, y: &[S; N]) -> f64 {
+        if self.relative > 0.0 { 1.0 / self.relative } else { norm(y, &self.scale(y, y)).max(1.0) }
+    }
+
     /// The absolute parts.
     pub(super) const fn absolute(&self) -> &[f64; N] {
         &self.absolute

@@ -14,6 +14,7 @@ impl Pair<SLOPES> for DormandPrince {
     const A: &'static [&'static [Weight]] = &A;
     const B: &'static [Weight] = B;
     const ORDER: f64 = 8.0;
+    const ERROR_CONSTANT: f64 = 1.175e-7;
     const ERROR_HAS_END: bool = false;
     const TERMS: usize = 8;
     const DENSE_EVALUATIONS: u64 = 3;

@@ -6,7 +6,9 @@ mod pair;
 pub use pair::{Pair, Trial};
 
 use super::controller::Controller;
+use super::growth::{compute_reach, estimate_growth};
 use super::rhs_cache::{RhsCache, planned_step};
+use super::tolerance::norm;
 use super::{Dense, StepError, StepState, Stepper, is_finite};
 use crate::scalar::Scalar;
 use core::marker::PhantomData;
@@ -14,12 +16,21 @@ use core::marker::PhantomData;
 /// β of the PI term, that of DOPRI5 by Hairer, Nørsett, Wanner.
 const BETA: f64 = 0.04;
 
+/// An error below this part of the tolerance does not tell how fast grows what it is of.
+const UNSEEN: f64 = 1e-2;
+/// After so many steps with such errors growth is looked for, after one where a step moves the state
+/// by less than a part of its size.
+const MANY: u32 = 3;
+const SLOW: f64 = 1e-2;
+
 /// An integration by the pair `P` with `L` slopes, that at the end of the step among them.
 pub struct Explicit<F, P, S, const N: usize, const L: usize> {
     f: F,
     step_state: StepState<S, N>,
     controller: Controller,
     rhs: RhsCache<S, N>,
+    /// How many steps in a row had an error of which growth is not seen; the one that begins is one.
+    unseen: u32,
     last: Last<S, N, L>,
     pair: PhantomData<P>,
 }
@@ -50,7 +61,7 @@ where
             is_dense: false,
         };
         let controller = Controller::new(P::ORDER, BETA);
-        Self { f, step_state, controller, rhs: RhsCache::UNKNOWN, last, pair: PhantomData }
+        Self { f, step_state, controller, rhs: RhsCache::UNKNOWN, unseen: 1, last, pair: PhantomData }
     }
 
     /// The error of a trial in units of the tolerance, with the slope at its end where it is acceptable; NaN if state
@@ -78,6 +89,20 @@ where
         trial.slopes[L - 1] = (self.f)(&trial.y1);
     }
 
+    /// The step that is `wanted`, or the longest over which what grows from below the tolerance is
+    /// followed.
+    fn follow_growth(&mut self, wanted: S, slope: &[S; N]) -> S {
+        let StepState { tolerance, state, .. } = &self.step_state;
+        let moves = || wanted.to_f64() * norm(slope, &tolerance.scale(state, state));
+        let is_slow = || moves() < SLOW * tolerance.measure(state);
+        if self.unseen == 0 || self.unseen < MANY && !is_slow() {
+            return wanted;
+        }
+        let reach = compute_reach(tolerance.relative(), (P::ORDER, P::ERROR_CONSTANT));
+        let growth = estimate_growth(&self.f, &mut self.step_state, slope);
+        if wanted.to_f64() * growth > reach { S::from_f64(reach / growth) } else { wanted }
+    }
+
     fn accept(&mut self, trial: Trial<S, N, L>, t1: S, next: S) {
         let StepState { time, state, .. } = self.step_state;
         (self.last.times, self.last.y0, self.last.is_dense) = ([time, t1], state, false);
@@ -102,10 +127,11 @@ where
     }
 
     /// As many evaluations of f as the pair has stages, that at the start left out and that at the end with them; of a
-    /// rejected trial the one at the end only if its error needs it.
+    /// rejected trial the one at the end only if its error needs it; one for each entry where growth is looked for.
     fn step(&mut self) -> Result<(), StepError> {
         let slope = self.rhs.get(&self.f, &mut self.step_state)?;
-        let mut wanted = planned_step(&self.f, &mut self.step_state, &slope, P::ORDER);
+        let planned = planned_step(&self.f, &mut self.step_state, &slope, P::ORDER);
+        let mut wanted = self.follow_growth(planned, &slope);
         let mut finite = true;
         loop {
             let (h, t1) = self.step_state.fit(wanted, finite)?;
@@ -114,6 +140,7 @@ where
             let err = self.judge(&mut trial, h);
             if err <= 1.0 {
                 let next = h * S::from_f64(self.controller.accepted(err));
+                self.unseen = if err < UNSEEN { self.unseen.saturating_add(1) } else { 0 };
                 self.accept(trial, t1, next);
                 return Ok(());
             }

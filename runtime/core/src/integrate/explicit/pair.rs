@@ -12,6 +12,8 @@ pub trait Pair<const L: usize> {
     const B: &'static [Weight];
     /// The error estimate is O(hᵖ) with this p.
     const ORDER: f64;
+    /// The largest |e^z − R(z)|/zᵖ⁺¹ for 0 < z ≤ 1, with y₁ = R(h λ) y₀ for y′ = λ y.
+    const ERROR_CONSTANT: f64;
     /// Whether the error estimate takes f at the end of the step.
     const ERROR_HAS_END: bool;
     /// Coefficients of the dense output.

@@ -10,7 +10,6 @@ mod control;
 mod dense;
 mod factors;
 mod full;
-mod growth;
 mod lu;
 mod newton;
 mod system;

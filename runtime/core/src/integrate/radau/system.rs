@@ -3,8 +3,8 @@
 use super::coefficients::DEFECT;
 use super::factors::Factors;
 use super::full::Full;
-use super::growth::compute_growth;
 use super::newton::{Criterion, Newton, NewtonFailure, Stages};
+use crate::integrate::growth::{compute_growth, compute_reach};
 use crate::integrate::tolerance::norm;
 use crate::integrate::{StepState, Tolerance, is_finite};
 
@@ -17,10 +17,8 @@ const MARGIN: f64 = 10.0;
 /// So many steps are made with the Jacobian of every stage once one Jacobian did not serve all three.
 const TURNING: u32 = 20;
 
-/// h λ of a step over which what grows as e^(λ t) is followed: to 4e-8 in any case, which keeps a
-/// fall from 1e-15 right to 1e-6 of its time and leaves to the error estimate what a tighter
-/// tolerance can see; and not beyond the expansion of the error.
-const REACH: [f64; 2] = [0.25, 1.0];
+/// e^z − R(z) = −z⁶/7200 + O(z⁷) (Hairer & Wanner II, IV.3, on Padé approximations).
+const ERROR_CONSTANT: f64 = 1.0 / 7200.0;
 
 /// ∂f/∂y.
 type Exact<'a, const N: usize> = Box<dyn Fn(&[f64; N]) -> [[f64; N]; N] + 'a>;
@@ -116,7 +114,8 @@ impl<'a, const N: usize> System<'a, N> {
     /// The Jacobian where there is none, or the last one served badly or keeps a step short.
     /// Returns the step that is `wanted`, or the longest over which what grows is followed.
     pub(super) fn update_jacobian(&mut self, step_state: &mut StepState<f64, N>, wanted: f64) -> f64 {
-        let (jumps, reach) = (step_state.jumps(), compute_reach(step_state.tolerance.relative()));
+        let (jumps, reach) =
+            (step_state.jumps(), compute_reach(step_state.tolerance.relative(), (5.0, ERROR_CONSTANT)));
         let serves = self.turning == 0 && self.newton.contraction <= FAST && wanted * self.growth <= reach;
         if !((self.fresh || serves) && self.known.is_some_and(|(_, at)| at == jumps)) {
             step_state.counts.jacobians += 1;
@@ -137,12 +136,6 @@ impl<'a, const N: usize> System<'a, N> {
         let finite = self.known.as_ref().filter(|(jacobian, _)| jacobian.iter().all(is_finite));
         self.factors = finite.and_then(|(jacobian, _)| Factors::new(h, jacobian, unit));
     }
-}
-
-/// h λ of a step over which what grows as e^(λ t) grows right to the tolerance: e^z − R(z) =
-/// −z⁶/7200 + O(z⁷) (Hairer & Wanner II, IV.3, on Padé approximations), within [`REACH`].
-fn compute_reach(relative: f64) -> f64 {
-    (7200.0 * relative).powf(1.0 / 6.0).clamp(REACH[0], REACH[1])
 }
 
 /// The tolerance, not below rounding.

@@ -74,7 +74,7 @@ impl StepSize {
 /// How often the state changes by its own size in a unit of time, by its first two coefficients.
 pub(super) fn rate<const N: usize>([y, slope, bend]: &[[f64; N]; 3], tolerance: &Tolerance<N>) -> f64 {
     let scale = tolerance.scale(y, y);
-    let size = if tolerance.relative() > 0.0 { 1.0 / tolerance.relative() } else { norm(y, &scale).max(1.0) };
+    let size = tolerance.measure(y);
     let second = (2.0 * norm(bend, &scale) / size).sqrt();
     (norm(slope, &scale) / size).max(second)
 }

@@ -1,6 +1,7 @@
 //! What every method does: with tolerances and units, at poles, edges, equilibria and ends.
 
 pub(super) mod fields;
+mod growth;
 pub(super) mod jets;
 pub(super) mod orders;
 

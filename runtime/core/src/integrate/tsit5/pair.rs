@@ -13,6 +13,7 @@ impl Pair<SLOPES> for Tsitouras {
     const A: &'static [&'static [Weight]] = &A;
     const B: &'static [Weight] = B;
     const ORDER: f64 = 5.0;
+    const ERROR_CONSTANT: f64 = 1.83e-4;
     const ERROR_HAS_END: bool = true;
     const TERMS: usize = 5;
     const DENSE_EVALUATIONS: u64 = 0;

@@ -30,8 +30,10 @@ fn error_follows_the_tolerance() {
         // Some hundred steps of error tol each, stretched along the orbit; SciPy's DOP853: 240 tol.
         assert!(worst < 1e3 * tol, "{worst:e} at {tol:e}");
         let spent = 2 + 15 * counts.accepted + 11 * counts.rejected;
-        // A trial rejected for its end alone costs one more; here there is none.
-        assert_eq!(counts.evaluations, spent);
+        // A trial rejected for its end alone costs one more; here there is none. Where errors are tiny
+        // growth is looked for, four evaluations each.
+        let looked = counts.evaluations - spent;
+        assert!(looked % 4 == 0 && looked < spent / 20, "{looked}");
     }
 }
 

@@ -1,7 +1,5 @@
-//! Coefficients, orders, and the linear algebra; [`stiff`] springs, [`growth`] from below the
-//! tolerance.
+//! Coefficients, orders, and the linear algebra; [`stiff`] springs.
 
-mod growth;
 mod stiff;
 
 use nalgebra::{Complex, SMatrix};

@@ -1,15 +1,57 @@
 //! How fast a motion grows at most: the largest real part of the eigenvalues of a Jacobian, by
 //! Francis's QR steps (Golub & Van Loan, *Matrix Computations*, 4th ed., 7.4, 7.5).
 //!
-//! Radau's R(z) has a pole at z = γ and vanishes at infinity: a step too long for what grows turns
-//! or damps it. What grows from below the tolerance is not seen in an error estimate.
+//! R(z) of a Runge–Kutta method is e^z for small z only: a step too long for what grows makes it
+//! grow too slowly, turns or damps it. What grows from below the tolerance is not seen in an error
+//! estimate.
 
+use super::{StepState, is_finite};
+#[cfg(not(feature = "std"))]
+use crate::scalar::Elementary as _;
+use crate::scalar::Scalar;
 use core::ops::Range;
 
 /// So many steps without an eigenvalue; the last subdiagonal entry then counts as none.
 const MOST: u32 = 60;
 /// Steps in a row with the same kind of shift.
 const USUAL: u32 = 10;
+
+/// The error of R(z), relative to e^z, within which what grows is followed in any case: it keeps a
+/// fall from 1e-15 right to 1e-6 of its time, and leaves to the error estimate what a tighter
+/// tolerance can see.
+const FOLLOWED: f64 = 4e-8;
+
+/// h λ ≤ 1 of a step over which what grows as e^(λ t) grows right to the tolerance, where
+/// |e^z − R(z)| is at most so many times z^(p + 1) for z ≤ 1.
+pub(super) fn compute_reach(relative: f64, (order, error_constant): (f64, f64)) -> f64 {
+    (relative.max(FOLLOWED) / error_constant).powf(1.0 / (order + 1.0)).min(1.0)
+}
+
+/// The part of the size of an entry over which a slope is a difference: √ε.
+const DIFFERENCE: f64 = 1.5e-8;
+
+/// The growth at the state, where f is `slope`, by differences: an evaluation of f for each entry.
+/// Zero where f is not finite beside it.
+pub(super) fn estimate_growth<S: Scalar, const N: usize>(
+    f: &impl Fn(&[S; N]) -> [S; N],
+    step_state: &mut StepState<S, N>,
+    slope: &[S; N],
+) -> f64 {
+    let StepState { tolerance, state, counts, .. } = step_state;
+    let (scale, size) = (tolerance.scale(state, state), tolerance.measure(state));
+    let mut jacobian = [[0.0; N]; N];
+    // An entry that only fills up the state has an infinite scale.
+    for j in (0..N).filter(|j| scale[*j] < f64::INFINITY) {
+        let mut beside = *state;
+        beside[j] = state[j] + S::from_f64(DIFFERENCE * size * scale[j]);
+        let (step, moved) = ((beside[j] - state[j]).to_f64(), f(&beside));
+        counts.evaluations += 1;
+        for (i, row) in jacobian.iter_mut().enumerate() {
+            row[j] = (moved[i] - slope[i]).to_f64() / step;
+        }
+    }
+    if jacobian.iter().all(is_finite) { compute_growth(&jacobian, &scale) } else { 0.0 }
+}
 
 /// The largest real part of the eigenvalues, or zero; `unit`: that of each entry of the state.
 pub(super) fn compute_growth<const N: usize>(jacobian: &[[f64; N]; N], unit: &[f64; N]) -> f64 {
@@ -41,11 +83,15 @@ pub(super) fn compute_growth<const N: usize>(jacobian: &[[f64; N]; N], unit: &[f
     growth
 }
 
-/// Where the last block begins whose subdiagonal entries do not vanish.
+/// Where the last block begins whose subdiagonal entries do not vanish: beside the diagonal, or where
+/// that is rounding, as it is of vibrations, beside the entries next to them.
 fn find_block<const N: usize>(a: &[[f64; N]; N], end: usize) -> usize {
+    let subdiagonal = |k: usize| if (1..end).contains(&k) { a[k][k - 1].abs() } else { 0.0 };
     let vanishes = |k: &usize| {
-        let beside = a[k - 1][k - 1].abs() + a[*k][*k].abs();
-        a[*k][k - 1].abs() <= f64::EPSILON * beside
+        let diagonal = a[k - 1][k - 1].abs() + a[*k][*k].abs();
+        let around = subdiagonal(k - 1) + subdiagonal(k + 1);
+        let beside = if diagonal > f64::EPSILON * around { diagonal } else { around };
+        subdiagonal(*k) <= f64::EPSILON * beside
     };
     (1..end).rev().find(vanishes).unwrap_or(0)
 }
