@@ -92,6 +92,23 @@ fn no_method_takes_another_turn() {
     }
 }
 
+/// Also of the angles that the closed form has eliminated.
+#[test]
+fn accelerations_are_those_of_the_upright_start() {
+    for (model, angles) in ANGLES {
+        for (lambda, delta) in [(0.1, 1e-4), (0.5, 1e-8), (0.9, 1e-12)] {
+            let run = release((model, angles), [lambda, delta], USUAL);
+            let (sin, cos) = (FRAC_PI_2 - delta).sin_cos();
+            let expected = -1.5 * GRAVITY * cos / (1.0 + 6.0 * lambda * sin * sin);
+            for angle in angles {
+                let found = run.value(&run.output(&format!("{angle}''")).unwrap(), 0.0);
+                let place = format!("{model} at {lambda}, {delta:e}: {angle}");
+                assert!((found / expected - 1.0).abs() < 1e-12, "{place}: {found:e}, not {expected:e}");
+            }
+        }
+    }
+}
+
 /// When the bars, released at φ = π/2 − δ, have fallen to φ = π/2 − ψ, with every foot on the
 /// floor: by energy φ̇² (1/3 + 2 λ sin² φ) l² = g l (cos δ − cos ψ), and Simpson's rule over u, ψ =
 /// δ cosh u.

@@ -6,7 +6,7 @@ mod tests;
 use std::cell::{OnceCell, RefCell};
 use std::sync::Arc;
 
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 use smallvec::smallvec;
 
 use crate::contact::friction::Grip;
@@ -127,7 +127,8 @@ impl PhasePoint {
         self.phase.energy(&self.reduced)
     }
 
-    /// Kept accelerations come from the phase's own equations, which lose no digits by cancellation; the others follow.
+    /// Kept accelerations come from the phase's own equations, which lose no digits by cancellation;
+    /// the others follow by the rows that they were eliminated with.
     fn solution(&self) -> &Solution {
         self.solution.get_or_init(|| {
             let (system, info) = (self.phase.system(), self.phase.info());
@@ -141,6 +142,9 @@ impl PhasePoint {
                 for place in info.places_of_rates() {
                     accelerations[coordinate_of(&*self.phase, place)] = own[place];
                 }
+                if let Some(others) = self.compute_eliminated(&accelerations) {
+                    others.into_iter().for_each(|(coordinate, a)| accelerations[coordinate] = a);
+                }
             }
             if self.is_redundant() {
                 multipliers = shortest_reactions(
@@ -153,6 +157,34 @@ impl PhasePoint {
             }
             Solution { accelerations, multipliers }
         })
+    }
+
+    /// Accelerations of the coordinates that are not kept, from J q̈ + J̇ q̇ + ∂²g/∂t² = 0 of the rows
+    /// that hold: rows may differ by little, as of a bar that is all but upright, and entries of J
+    /// have all digits. None where these rows are not as many.
+    fn compute_eliminated(&self, accelerations: &[f64]) -> Option<Vec<(usize, f64)>> {
+        let (system, info) = (self.phase.system(), self.phase.info());
+        let layout = system.layout();
+        let mut known = Numbers::from_slice(accelerations);
+        let kept: Vec<usize> = info.places_of_rates().map(|k| coordinate_of(&*self.phase, k)).collect();
+        let eliminated: Vec<usize> = (0..known.len()).filter(|i| !kept.contains(i)).collect();
+        let rows: Vec<usize> = (0..layout.rows()).filter(|row| layout.is_closed(*row, &info.set)).collect();
+        if eliminated.is_empty() || rows.len() != eliminated.len() {
+            return None;
+        }
+        eliminated.iter().for_each(|&i| known[i] = 0.0);
+        let equations = system.equations(&self.state);
+        let mut jacobian =
+            DMatrix::from_fn(rows.len(), rows.len(), |k, i| equations.jacobian(rows[k])[eliminated[i]]);
+        let mut rest = DVector::from_fn(rows.len(), |k, _| -equations.gap_acceleration(rows[k], &known));
+        for (k, mut row) in jacobian.row_iter_mut().enumerate() {
+            let unit = row.amax();
+            row /= unit;
+            rest[k] /= unit;
+        }
+        let is_solved = jacobian.full_piv_lu().solve_mut(&mut rest);
+        let is_known = is_solved && rest.iter().all(|a| a.is_finite());
+        is_known.then(|| eliminated.into_iter().zip(rest.iter().copied()).collect())
     }
 }
 
