@@ -18,9 +18,15 @@ const ANGLES: [(&str, &[&str]); 3] = [
 ];
 
 /// At rest at φ = π/2 − δ, with a bar of mass λ outside and one of 1 − λ inside.
-fn release(
-    (model, angles): (&str, &[&str]),
-    [lambda, delta]: [f64; 2],
+fn release((model, angles): (&str, &[&str]), [lambda, delta]: [f64; 2], by: (MethodId, f64)) -> Trajectory {
+    release_from(model, lambda, angles.iter().map(|angle| (*angle, FRAC_PI_2 - delta)), by)
+}
+
+/// The same at angles of their own.
+fn release_from<'a>(
+    model: &str,
+    lambda: f64,
+    angles: impl Iterator<Item = (&'a str, f64)>,
     (method, tolerance): (MethodId, f64),
 ) -> Trajectory {
     let models = models();
@@ -29,12 +35,12 @@ fn release(
     let masses = [("m1", 1.0 - lambda), ("m2", lambda)];
     spec.parameters.retain(|(name, _)| name != "m1" && name != "m2");
     spec.parameters.extend(masses.map(|(name, mass)| (name.to_owned(), mass)));
-    spec.start = angles.iter().map(|angle| ((*angle).to_owned(), FRAC_PI_2 - delta)).collect();
+    spec.start = angles.map(|(angle, phi)| (angle.to_owned(), phi)).collect();
     spec.energy_of.clear();
     (spec.limit, spec.tolerance) = (Some(60.0), tolerance);
     model
         .run_by(RunOptions::by(method), &spec)
-        .unwrap_or_else(|error| panic!("{} at {lambda}, {delta:e}: {error}", model.name()))
+        .unwrap_or_else(|error| panic!("{} at {lambda}, {:?}: {error}", model.name(), spec.start))
 }
 
 fn events(run: &Trajectory) -> Vec<(EventKind, Vec<&'static str>)> {
@@ -105,6 +111,30 @@ fn accelerations_are_those_of_the_upright_start() {
                 let place = format!("{model} at {lambda}, {delta:e}: {angle}");
                 assert!((found / expected - 1.0).abs() < 1e-12, "{place}: {found:e}, not {expected:e}");
             }
+        }
+    }
+}
+
+/// A rounding of one half of the start: left and right part as (2/δ)^(σₐ/σₛ), the growth of the
+/// antisymmetric motion during the fall, whatever the method.
+#[test]
+fn halves_part_as_roundings_grow() {
+    for (lambda, delta) in [(0.5_f64, 1e-2), (0.5, 1e-4), (0.5, 1e-6), (0.75, 1e-3), (0.9, 1e-2)] {
+        let upright: f64 = FRAC_PI_2 - delta;
+        let ratio = ((1.0 / 3.0 + 2.0 * lambda) / (1.0 / 12.0 + lambda - lambda * lambda)).sqrt();
+        // Half of a difference is antisymmetric.
+        let expected = 0.5 * (upright.next_up() - upright) * (2.0 / delta).powf(ratio);
+        for method in [MethodId::Taylor, MethodId::Radau, MethodId::Dop853] {
+            let halves = [("phi_ab", upright), ("phi_bc", upright)];
+            let others = [("phi_cd", upright.next_up()), ("phi_de", upright.next_up())];
+            let angles = halves.into_iter().chain(others);
+            let run = release_from("zigzag-full", lambda, angles, (method, 1e-12));
+            let opens = run.events()[1].t;
+            let [left, right] =
+                ["phi_bc", "phi_cd"].map(|angle| run.value(&run.output(angle).unwrap(), opens));
+            // The rates change while the bars fall.
+            let part = (left - right).abs() / expected;
+            assert!((0.2..3.0).contains(&part), "{lambda}, {delta:e}, by {}: {part}", method.name());
         }
     }
 }
