@@ -23,6 +23,7 @@ pub(crate) struct PhasePoint {
     reduced: Numbers,
     state: Numbers,
     solution: OnceCell<Solution>,
+    accelerations: OnceCell<Numbers>,
     redundant: OnceCell<bool>,
     /// The dual of the last shares of a load, from which the next ones are near.
     dual: RefCell<Option<DVector<f64>>>,
@@ -46,6 +47,7 @@ impl PhasePoint {
             reduced,
             state,
             solution: OnceCell::new(),
+            accelerations: OnceCell::new(),
             redundant: OnceCell::new(),
             dual: RefCell::default(),
             dissipated: f64::NAN,
@@ -59,6 +61,7 @@ impl PhasePoint {
         write(&mut self.reduced);
         self.t = t;
         self.solution.take();
+        self.accelerations.take();
         self.redundant.take();
         self.follow();
     }
@@ -90,9 +93,24 @@ impl PhasePoint {
         &self.state
     }
 
-    /// Accelerations of all coordinates.
+    /// Accelerations of all coordinates. Kept ones come from the phase's own equations, which lose
+    /// no digits by cancellation; the others follow by the rows that they were eliminated with.
     pub(crate) fn accelerations(&self) -> &[f64] {
-        &self.solution().accelerations
+        self.accelerations.get_or_init(|| {
+            let info = self.phase.info();
+            let mut accelerations = self.solution().accelerations.clone();
+            if info.form == Form::Closed {
+                let mut own: Numbers = smallvec![0.0; info.entries];
+                self.phase.derivative(&self.reduced, &mut own);
+                for place in info.places_of_rates() {
+                    accelerations[coordinate_of(&*self.phase, place)] = own[place];
+                }
+                if let Some(others) = self.compute_eliminated(&accelerations) {
+                    others.into_iter().for_each(|(coordinate, a)| accelerations[coordinate] = a);
+                }
+            }
+            accelerations
+        })
     }
 
     /// Multipliers of all rows, zero where open.
@@ -127,8 +145,7 @@ impl PhasePoint {
         self.phase.energy(&self.reduced)
     }
 
-    /// Kept accelerations come from the phase's own equations, which lose no digits by cancellation;
-    /// the others follow by the rows that they were eliminated with.
+    /// What the full equations with the bearing contacts closed have, multipliers shared.
     fn solution(&self) -> &Solution {
         self.solution.get_or_init(|| {
             let (system, info) = (self.phase.system(), self.phase.info());
@@ -136,16 +153,6 @@ impl PhasePoint {
             let mut accelerations: Numbers = smallvec![0.0; layout.coordinates.len()];
             let mut multipliers: Numbers = smallvec![0.0; layout.rows()];
             system.solve(&self.state, info.set, &mut accelerations, &mut multipliers);
-            if info.form == Form::Closed {
-                let mut own: Numbers = smallvec![0.0; info.entries];
-                self.phase.derivative(&self.reduced, &mut own);
-                for place in info.places_of_rates() {
-                    accelerations[coordinate_of(&*self.phase, place)] = own[place];
-                }
-                if let Some(others) = self.compute_eliminated(&accelerations) {
-                    others.into_iter().for_each(|(coordinate, a)| accelerations[coordinate] = a);
-                }
-            }
             if self.is_redundant() {
                 multipliers = shortest_reactions(
                     system,
