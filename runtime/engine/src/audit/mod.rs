@@ -96,9 +96,14 @@ impl Trajectory {
     /// Looks at the ends and in the middle of all steps whether the motion satisfies what every motion does.
     pub fn audit(&self) -> Audit {
         let mut audit = Audit::default();
-        let mut passed = self.phases.first().map_or(ContactSet::EMPTY, |phase| self.below_at_start(phase));
+        let mut passed = ContactSet::EMPTY;
+        // A start may lie below edges, round whose ends it has gone; what is armed, below its ground.
+        let edges = self.layout().contacts.iter().enumerate().filter(|(_, contact)| contact.foot.is_some());
+        let mut fresh: ContactSet = edges.map(|(i, _)| i).collect();
         for (k, phase) in self.phases.iter().enumerate() {
+            passed = passed.union(self.find_below_at_start(phase).intersection(fresh));
             self.look_into((phase, self.ended_by(k)), &mut passed, &mut audit);
+            fresh = phase.removed;
         }
         for pair in self.phases.windows(2) {
             self.look_between([&pair[0], &pair[1]], &mut audit);

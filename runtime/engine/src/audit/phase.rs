@@ -17,7 +17,7 @@ const ROUNDING: f64 = roundoff(16.0);
 const HALVINGS: usize = 40;
 
 impl Trajectory {
-    /// `passed`: open contacts that lie below their bar, having come from beyond its end.
+    /// `passed`: open contacts that have not come back from below.
     pub(super) fn look_into(
         &self,
         (phase, ended_by): (&RecordedPhase, &[Guard]),
@@ -43,14 +43,12 @@ impl Trajectory {
         self.look_at_energy(phase, &times, audit);
     }
 
-    /// Open contacts below their edges at the start, which is accepted only where they have gone
-    /// round an end.
-    pub(super) fn below_at_start(&self, phase: &RecordedPhase) -> ContactSet {
+    /// Open contacts below their grounds at the start of a phase.
+    pub(super) fn find_below_at_start(&self, phase: &RecordedPhase) -> ContactSet {
         let margin = Bounds::of(self.tolerance, 1).gap() * self.context.scales.length;
         let (gaps, _) = self.gaps_and_feet(&phase.at(phase.t0), margin);
-        let (layout, closed) = (self.layout(), phase.segment().set);
-        let below =
-            |i: &usize| layout.contacts[*i].foot.is_some() && gaps[*i] < -margin && !closed.contains(*i);
+        let closed = phase.segment().set;
+        let below = |i: &usize| gaps[*i] < -margin && !closed.contains(*i);
         (0..gaps.len()).filter(below).collect()
     }
 

@@ -108,11 +108,6 @@ impl Switches {
         let holds = |i: &usize| self.0[*i].conditions[0].holds(context, &point);
         (0..self.0.len()).filter(|i| !holds(i)).collect()
     }
-
-    /// The contacts that come and go.
-    pub(crate) fn contacts(&self) -> ContactSet {
-        self.0.iter().filter_map(Switch::contact).collect()
-    }
 }
 
 impl Deref for Switches {

@@ -10,10 +10,8 @@ pub(crate) struct ContactStatus<'a> {
     pub(crate) closed: ContactSet,
     pub(crate) held: ContactSet,
     pub(crate) removed: ContactSet,
-    /// Open contacts whose foot is not under the bar.
-    pub(crate) off: ContactSet,
-    /// Open contacts below their bars, which they have come to from beyond the ends.
-    pub(crate) passed: ContactSet,
+    /// Open contacts that close only after they have come back, if they are not above.
+    pub(crate) below: ContactSet,
     /// Closed contacts whose reaction or slip velocity is zero, or whose friction force is at its
     /// limit, and that have just been decided to go on as they are.
     pub(crate) kept: ContactSet,

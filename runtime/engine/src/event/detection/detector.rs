@@ -152,10 +152,10 @@ impl<'a> EventDetector<'a> {
         relative.min(LOW * lowest / length)
     }
 
-    /// Corners below their bars, which they have come to from beyond the ends.
-    pub(crate) fn passed(&self) -> ContactSet {
-        let passed = self.list.iter().filter(|watch| watch.kind.is_below_bar_past_end());
-        passed.filter_map(|watch| watch.tracking.guard.contact()).collect()
+    /// Open contacts that close only after they have come back.
+    pub(crate) fn below(&self) -> ContactSet {
+        let below = self.list.iter().filter(|watch| watch.kind.is_below());
+        below.filter_map(|watch| watch.tracking.guard.contact()).collect()
     }
 
     /// Everything in (0, 1] up to the first event. On the last step a guard that has fallen to zero

@@ -81,7 +81,7 @@ impl<'a> Driver<'a> {
                 self.now.refuse_seam(ended)?;
             }
             let start = self.now.phase_start();
-            let outcome = self.advance(&start);
+            let outcome = self.advance();
             next = self.follow(outcome, &start)?;
         }
         Ok(())
@@ -149,7 +149,7 @@ impl<'a> Driver<'a> {
     fn follow(&mut self, outcome: Outcome, start: &PhaseStart) -> Result<Next, RunCause> {
         let logged = self.trajectory.log.len();
         let (counts, work, memory) = (outcome.counts, outcome.work, outcome.memory);
-        let end = self.take(outcome, start)?;
+        let end = self.take(outcome)?;
         if self.stalled > 4 + 2 * self.setup.layout().contacts.len() {
             self.now.refuse_singular()?;
             return Err(self.stalled_by(&end));
@@ -188,8 +188,8 @@ impl<'a> Driver<'a> {
     }
 
     /// Takes over what a phase has brought, and says how it ended.
-    fn take(&mut self, outcome: Outcome, start: &PhaseStart) -> Result<Termination, RunCause> {
-        let Outcome { mut recorded, touches, log, end, t, state, ended, reactions, counts, passed, .. } =
+    fn take(&mut self, outcome: Outcome) -> Result<Termination, RunCause> {
+        let Outcome { mut recorded, touches, log, end, t, state, ended, reactions, counts, below, .. } =
             outcome;
         if let (Some(recorded), Termination::Event(guards)) = (&mut recorded, &end) {
             let parted: ContactSet = guards
@@ -210,7 +210,7 @@ impl<'a> Driver<'a> {
             (self.stalled, self.now.bounces.wedged) = (0, 0);
         }
         (self.now.t, self.now.state, self.now.reactions, self.ended) = (t, state, reactions, Some(ended));
-        self.now.contacts.set_below(passed);
+        self.now.contacts.set_below(below);
         self.trajectory.end = t;
         self.trajectory.statistics.add(counts);
         self.trajectory.log.extend(log);
@@ -221,7 +221,7 @@ impl<'a> Driver<'a> {
             let contacts = &self.now.contacts;
             recorded.is_struck = onset.is_struck;
             recorded.held = contacts.held();
-            recorded.removed = contacts.absent().union(start.sunk).union(contacts.waiting());
+            recorded.removed = contacts.absent().union(contacts.waiting());
             let guards = if let Termination::Event(guards) = &end { guards.clone() } else { Vec::new() };
             self.keep(recorded, guards);
         } else {

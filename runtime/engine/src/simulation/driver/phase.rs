@@ -3,27 +3,25 @@
 use super::Driver;
 use crate::contact::friction::Grip;
 use crate::event::detection::{Bounds, ContactStatus, EventDetector, Signals};
-use crate::model::ContactSet;
 use crate::simulation::Simulation;
 use crate::simulation::awaited::Role;
 use crate::simulation::phase_run::{Limits, Outcome, PhaseRun, Progress};
-use crate::simulation::snapshot::PhaseStart;
 
 /// Order of the first derivative of a gap that does not vanish where its contact opens with its
 /// reaction at zero: g = ġ = g̈ = 0 < g⃛.
 const LIFTOFF_ORDER: usize = 3;
 
 impl Driver<'_> {
-    pub(super) fn advance(&mut self, start: &PhaseStart) -> Outcome {
-        self.integrate(start.off, false)
+    pub(super) fn advance(&mut self) -> Outcome {
+        self.integrate(false)
     }
 
     /// The phase that follows, before no observer.
     pub(super) fn try_phase(&mut self) -> Outcome {
-        self.integrate(self.now.find_beyond_end(), true)
+        self.integrate(true)
     }
 
-    fn integrate(&mut self, off: ContactSet, is_trial: bool) -> Outcome {
+    fn integrate(&mut self, is_trial: bool) -> Outcome {
         let Simulation { context, tolerance, method, rules, parts, cancel, .. } = self.setup;
         let horizon = if self.has_seen_enough() { self.now.t } else { self.now.next_time() };
         let (now, mut nobody) = (&self.now, ());
@@ -33,8 +31,7 @@ impl Driver<'_> {
             closed: now.closed(),
             held: now.contacts.held(),
             removed: now.contacts.absent(),
-            off,
-            passed: now.contacts.below(),
+            below: now.contacts.below().union(now.find_beyond_end()),
             kept: now.onset.kept,
             grip: parts.laws.rough.map_or_else(Grip::default, |rough| {
                 (rough.grip)(context.system(), &now.state, &now.closed())

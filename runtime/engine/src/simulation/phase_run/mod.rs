@@ -90,8 +90,8 @@ pub(crate) struct Outcome {
     pub(crate) ended: Vec<f64>,
     pub(crate) reactions: Vec<f64>,
     pub(crate) counts: Counts,
-    /// Open contacts below their bars, which they have come to from beyond the ends.
-    pub(crate) passed: ContactSet,
+    /// Open contacts that close only after they have come back.
+    pub(crate) below: ContactSet,
     /// What loads, dampers and drives have done.
     pub(crate) work: Work,
     /// Bytes of what was recorded.
@@ -271,7 +271,7 @@ impl PhaseRun<'_> {
             ended,
             reactions,
             counts,
-            passed: self.detector.passed(),
+            below: self.detector.below(),
             work: self.progress.work,
             memory,
         }

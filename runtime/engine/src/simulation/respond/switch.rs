@@ -99,6 +99,7 @@ impl Snapshot<'_> {
         }
         if !armed.is_empty() {
             self.contacts.arm(armed);
+            self.contacts.set_below(self.contacts.below().union(self.find_below(armed)));
             self.refuse_vanishing()?;
             self.record(EventKind::Arm, armed, notes[0].clone());
             let equations = self.setup.context.system().equations(&self.state);

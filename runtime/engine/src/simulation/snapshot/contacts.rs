@@ -8,8 +8,8 @@
 //!      └──────────────── remove ───────────────┘
 //! ```
 //!
-//! A drive waits for what it drives to come. A corner is below its bar where it has come there
-//! from beyond the end; it closes only after it has come back.
+//! A drive waits for what it drives to come. A contact is below its ground where it has come there
+//! from beyond the end of its bar, or has been armed there; it closes only after it has come back.
 
 use crate::model::{ContactSet, Layout};
 
@@ -21,7 +21,7 @@ pub(crate) enum ContactState {
     Absent,
     /// A drive that has not taken hold.
     Waiting,
-    /// Open and below its bar, where it has come to from beyond the end.
+    /// Open and below its ground.
     Below,
     /// Open.
     Open,
@@ -80,7 +80,7 @@ impl Contacts {
         self.absent
     }
 
-    /// The open ones below their bars.
+    /// The open ones below their grounds.
     pub(crate) fn below(&self) -> ContactSet {
         self.below
     }
@@ -99,6 +99,7 @@ impl Contacts {
     pub(crate) fn decide(&mut self, closed: ContactSet) {
         debug_assert!(closed.intersection(self.absent).is_empty(), "closed contacts are there");
         self.closed = closed;
+        self.below = self.below.difference(closed);
     }
 
     /// The drives of a set take hold.
@@ -134,7 +135,7 @@ impl Contacts {
         self.absent = self.absent.difference(set);
     }
 
-    /// The open corners that are below their bars from now on.
+    /// The open contacts that are below their grounds from now on.
     pub(crate) fn set_below(&mut self, set: ContactSet) {
         self.below = set;
     }

@@ -19,9 +19,9 @@ impl Snapshot<'_> {
         log: &[LogEntry],
     ) -> Result<(), RunCause> {
         let context = &self.setup.context;
-        // Contacts that do not exist, drives that do not hold, and those below their bars.
+        // Contacts that do not exist, drives that do not hold, and what has not come back.
         let absent = self.contacts.absent().union(self.contacts.waiting()).union(self.contacts.below());
-        let place = Place { context, set: self.closed(), absent: absent.union(start.sunk), t: self.t };
+        let place = Place { context, set: self.closed(), absent, t: self.t };
         let bounds = Bounds::of(self.setup.tolerance, counts.accepted + counts.rejected).past(log);
         let kept = energy_finding(context, self.t, [&start.energy, &self.energy()], (work, &bounds));
         refuse(place.gaps(&self.state, &bounds).chain([kept]))

@@ -73,11 +73,6 @@ pub(crate) struct Onset {
 pub(crate) struct PhaseStart {
     pub(super) state: Vec<f64>,
     pub(super) energy: Energy<f64>,
-    /// Open contacts beyond the ends of their bars, or below their grounds where they had been
-    /// armed.
-    pub(super) off: ContactSet,
-    /// Of these, those that come and go.
-    pub(super) sunk: ContactSet,
 }
 
 /// What has been computed for a state, which is often asked for again.
@@ -106,7 +101,9 @@ impl<'a> Snapshot<'a> {
             transition: Transition::default(),
             memory: RefCell::default(),
         };
-        snapshot.contacts.set_below(snapshot.find_below());
+        let edges = layout.contacts.iter().enumerate().filter(|(_, contact)| contact.foot.is_some());
+        let below = snapshot.find_below(edges.map(|(i, _)| i).collect());
+        snapshot.contacts.set_below(below);
         snapshot.log_depth(start.depth);
         snapshot
     }
@@ -167,8 +164,7 @@ impl<'a> Snapshot<'a> {
         a
     }
 
-    /// Open contacts whose foot is at the end of its bar or beyond, or that were armed below their
-    /// ground.
+    /// Open contacts whose foot is at the end of its bar or beyond.
     pub(super) fn find_beyond_end(&self) -> ContactSet {
         let context = &self.setup.context;
         let contacts = self.layout().contacts.iter().enumerate();
@@ -176,33 +172,20 @@ impl<'a> Snapshot<'a> {
             .filter_map(|(i, contact)| Some((i, contact.foot?)))
             .filter(|(i, _)| !self.closed().contains(*i))
             .peekable();
-        if open.peek().is_none() && self.setup.rules.switches.is_empty() {
+        if open.peek().is_none() {
             return ContactSet::EMPTY;
         }
         let mut feet: Numbers = smallvec![0.0; 2 * self.layout().feet()];
         context.system().feet(&self.state, &mut feet);
         let bound = self.relative_bound() * context.scales.length;
         let is_off = |(_, k): &(usize, usize)| feet[2 * k..2 * k + 2].iter().any(|margin| *margin <= bound);
-        let off: ContactSet = open.filter(is_off).map(|(i, _)| i).collect();
-        off.union(self.find_sunk())
+        open.filter(is_off).map(|(i, _)| i).collect()
     }
 
-    /// Open contacts that have been armed below their grounds.
-    pub(super) fn find_sunk(&self) -> ContactSet {
-        let switches = &self.setup.rules.switches;
-        if switches.is_empty() {
-            return ContactSet::EMPTY;
-        }
-        let aside = self.closed().union(self.contacts.absent()).union(self.layout().drives());
+    /// Contacts of a set that lie below their grounds.
+    pub(super) fn find_below(&self, set: ContactSet) -> ContactSet {
         let (gaps, bound) = (self.gaps(), self.gap_bounds());
-        switches.contacts().difference(aside).iter().filter(|&i| gaps[i] < -bound(i)).collect()
-    }
-
-    /// Open corners that lie below their bars.
-    fn find_below(&self) -> ContactSet {
-        let (gaps, bound) = (self.gaps(), self.gap_bounds());
-        let below = |i: &usize| self.layout().contacts[*i].foot.is_some() && gaps[*i] < -bound(*i);
-        (0..gaps.len()).filter(below).collect()
+        set.iter().filter(|&i| gaps[i] < -bound(i)).collect()
     }
 
     pub(super) fn restitution(&self, contact: usize) -> f64 {
@@ -211,9 +194,7 @@ impl<'a> Snapshot<'a> {
 
     /// What the phase that follows begins with.
     pub(super) fn phase_start(&self) -> PhaseStart {
-        let off = self.find_beyond_end();
-        let sunk = off.intersection(self.setup.rules.switches.contacts());
-        PhaseStart { state: self.state.clone(), energy: self.energy(), off, sunk }
+        PhaseStart { state: self.state.clone(), energy: self.energy() }
     }
 
     /// Rounding accumulated over the distance that the coordinates have travelled at their rates.

@@ -17,13 +17,9 @@ pub(super) struct GapGuard {
     contact: usize,
     /// The foot of its corner.
     foot: Option<usize>,
-    /// A corner beyond the end of its bar, which does not close before it has come back.
-    beyond_bar_end: bool,
-    /// A corner below its bar, which it has come to from beyond the end: it closes only after it
-    /// has come back.
-    below_bar_past_end: bool,
-    /// Where in the step it has gone below beyond the end.
-    passes: Option<f64>,
+    /// Where in the step it is below from: it closes only after it has come back. That is at the
+    /// start, or where it has fallen beyond the end of its bar.
+    below: Option<f64>,
     /// If it is zero at the start of the phase, the order of its first nonzero derivative.
     order: Option<usize>,
     /// Since it has lifted off with its reaction at zero, while it is low.
@@ -36,9 +32,7 @@ impl GapGuard {
         Self {
             contact,
             foot,
-            beyond_bar_end: status.off.contains(contact),
-            below_bar_past_end: status.passed.contains(contact),
-            passes: None,
+            below: status.below.contains(contact).then_some(0.0),
             order,
             flight: order.and_then(LowFlight::begin),
         }
@@ -51,15 +45,14 @@ impl GapGuard {
     }
 
     /// The first time that it closes with the foot of its corner, if it has one, under the bar. One
-    /// that is negative beyond the end of the bar is watched again once it has come back, as is one
-    /// that starts there at zero and does not come under the bar as it falls.
+    /// that is below is watched again once it has come back, as is one that starts at zero beyond
+    /// the end of the bar and does not come under the bar as it falls.
     fn find_closure(
         &mut self,
         tracking: &Tracking,
         step: &SampledStep<'_>,
         findings: &mut Findings,
     ) -> Result<Option<f64>, GuardError> {
-        self.passes = None;
         let contact = self.contact;
         let value = |theta: f64| step.gap(contact, theta);
         let (source, bound) = tracking.trace(self, step, &value);
@@ -70,12 +63,13 @@ impl GapGuard {
             (roundoff(16.0) * terms.max(step.scales.bounds.length)).min(0.5 * bound)
         };
         let sink = || source.first_root(0.0, Start::Free, (bound, rounding()));
-        let is_off = tracking.at_root
-            && self.beyond_bar_end
-            && !sink()?.is_some_and(|theta| step.margin(self.foot, theta) > step.scales.end());
-        let is_below =
-            (self.below_bar_past_end || self.beyond_bar_end) && !tracking.at_root && source.first() < -bound;
-        let (mut from, mut below, mut advance) = (0.0, is_off || is_below, Advance::BEGUN);
+        let is_below = self.below == Some(0.0)
+            && match tracking.at_root {
+                true => !sink()?.is_some_and(|theta| step.margin(self.foot, theta) > step.scales.end()),
+                false => source.first() < -bound,
+            };
+        self.below = is_below.then_some(0.0);
+        let (mut from, mut below, mut advance) = (0.0, is_below, Advance::BEGUN);
         while from < 1.0 {
             if below {
                 match source.first_root(from, Start::Root, (0.0, bound))? {
@@ -95,12 +89,12 @@ impl GapGuard {
             let landing =
                 |flight: &LowFlight| flight.find_landing(contact, step, (&value, fall.unwrap_or(1.0)));
             let lands = self.flight.as_ref().map_or(Ok(None), landing)?;
-            let is_unseen = tracking.at_root && !is_off && fall == Some(0.0);
+            let is_unseen = tracking.at_root && !is_below && fall == Some(0.0);
             match if lands.is_none() && is_unseen { sink()? } else { lands.or(fall) } {
                 Some(theta) if step.is_under_bar(self.foot, theta) => return Ok(Some(theta)),
                 Some(theta) if theta < 1.0 => {
                     (from, below) = (advance.behind(theta, from), true);
-                    self.passes = self.passes.or(Some(theta));
+                    self.below = self.below.or(Some(theta));
                 }
                 _ => return Ok(None),
             }
@@ -142,15 +136,12 @@ impl Kind for GapGuard {
     }
 
     fn end_step(&mut self, tracking: &Tracking, step: &SampledStep<'_>, end: f64) {
-        let passes = self.passes.take();
-        self.below_bar_past_end = self.foot.is_some() && !tracking.is_above(self, step, end) && {
-            let value = self.value(step, end);
-            let deep = value < -tracking.bound(self, step, &[]);
-            let came = self.below_bar_past_end
-                || self.beyond_bar_end && deep
-                || passes.is_some_and(|theta| theta <= end);
-            value < 0.0 && (came || step.margin(self.foot, end) <= step.scales.end())
-        };
+        let was_below = self.below.is_some_and(|from| from <= end);
+        let is_below = (was_below || self.foot.is_some())
+            && !tracking.is_above(self, step, end)
+            && self.value(step, end) <= tracking.bound(self, step, &[])
+            && (was_below || step.margin(self.foot, end) <= step.scales.end());
+        self.below = is_below.then_some(0.0);
     }
 
     fn leave_step(&mut self, _: &Tracking, step: &SampledStep<'_>) {
@@ -159,8 +150,8 @@ impl Kind for GapGuard {
         self.flight = self.flight.filter(is_low).map(|flight| flight.follow(self.contact, step));
     }
 
-    fn is_below_bar_past_end(&self) -> bool {
-        self.below_bar_past_end
+    fn is_below(&self) -> bool {
+        self.below.is_some()
     }
 
     fn may_have_crossed(&self, scales: &Scales<'_>, _: &[f64], gaps: &[f64]) -> bool {

@@ -71,8 +71,8 @@ pub(crate) trait Kind {
     /// Takes note of what the next step needs to know of this one.
     fn leave_step(&mut self, _: &Tracking, _: &SampledStep<'_>) {}
 
-    /// Whether it is a corner below its bar, which it has come to from beyond the end.
-    fn is_below_bar_past_end(&self) -> bool {
+    /// Whether it is the gap of a contact that closes only after it has come back.
+    fn is_below(&self) -> bool {
         false
     }
 

@@ -58,14 +58,9 @@ fn a_corner_closes_under_its_bar_only() {
 #[test]
 fn a_corner_that_has_passed_its_bar_comes_back_first() {
     let below = |t: f64| (t - 0.35) * (0.85 - t);
-    for is_off in [true, false] {
-        let status = match is_off {
-            true => ContactStatus { off: set(&[CORNER]), ..alone(CORNER) },
-            false => ContactStatus { passed: set(&[CORNER]), ..alone(CORNER) },
-        };
-        let found = closes(&corner(below, |_| 1.0, 0), status);
-        assert!(found.is_some_and(|at| (at - 0.85).abs() < 1e-11), "{is_off} {found:?}");
-    }
+    let status = ContactStatus { below: set(&[CORNER]), ..alone(CORNER) };
+    let found = closes(&corner(below, |_| 1.0, 0), status);
+    assert!(found.is_some_and(|at| (at - 0.85).abs() < 1e-11), "{found:?}");
     assert_eq!(corner(below, |_| 1.0, 0).first(alone(CORNER), &[1.0]), Some(0.0));
 }
 
@@ -79,17 +74,10 @@ fn a_corner_within_its_bound_is_not_below_its_bar() {
             shown.gaps[CORNER] = 0.5 - t + part * bound;
             shown
         });
-        for off in [true, false] {
-            let corner = set(&[CORNER]);
-            let status = match off {
-                true => ContactStatus { off: corner, ..alone(CORNER) },
-                false => ContactStatus { passed: corner, ..alone(CORNER) },
-            };
-            let at = scene.first(status, &[0.5, 1.0]).expect("it closes");
-            // What is below zero as the step begins has closed at once.
-            let expected = 0.5 + part.max(0.0) * bound;
-            assert!((at - expected).abs() < 1e-12, "{off} {part} {at}");
-        }
+        let at = scene.first(ContactStatus { below: set(&[CORNER]), ..alone(CORNER) }, &[0.5, 1.0]);
+        // What is below zero as the step begins has closed at once.
+        let expected = 0.5 + part.max(0.0) * bound;
+        assert!(at.is_some_and(|at| (at - expected).abs() < 1e-12), "{part} {at:?}");
     }
 }
 
@@ -106,7 +94,7 @@ fn corners_below_their_bars_are_told() {
         for (to, passed) in ends {
             let dense = scene.dense([from, to]);
             assert!(detector.examine(&scene.view(&dense), false).unwrap().first.is_none(), "{to}");
-            assert_eq!(detector.passed(), if passed { set(&[CORNER]) } else { ContactSet::EMPTY }, "{to}");
+            assert_eq!(detector.below(), if passed { set(&[CORNER]) } else { ContactSet::EMPTY }, "{to}");
             from = to;
         }
     }
@@ -154,12 +142,12 @@ fn what_came_back_has_not_passed() {
         let mut detector = scene.begun(alone(CORNER), (&[], false));
         let (first, _) = scene.follow(&mut detector, &[0.5, 1.0]).unwrap();
         assert!(first.is_some_and(|(at, _)| (at - falls).abs() < 1e-11), "{falls}");
-        assert_eq!(detector.passed(), ContactSet::EMPTY, "{falls}");
+        assert_eq!(detector.below(), ContactSet::EMPTY, "{falls}");
     }
     let scene = corner(|t| -1.0 - t, |_| 1.0, 0);
-    for (off, passed) in [(ContactSet::EMPTY, false), (set(&[CORNER]), true)] {
-        let mut detector = scene.begun(ContactStatus { off, ..alone(CORNER) }, (&[], false));
+    for below in [ContactSet::EMPTY, set(&[CORNER])] {
+        let mut detector = scene.begun(ContactStatus { below, ..alone(CORNER) }, (&[], false));
         scene.follow(&mut detector, &[1.0]).unwrap();
-        assert_eq!(detector.passed(), if passed { off } else { ContactSet::EMPTY });
+        assert_eq!(detector.below(), below);
     }
 }

@@ -25,18 +25,18 @@ fn a_gap_remembers_where_it_has_passed_its_bar() {
     scene.look(|step| {
         let found = guard.find_event(&tracking, step, &mut Findings::default());
         assert_eq!(found, Some(Ok(None)));
-        let passes = guard.passes.expect("it passes");
-        assert!((passes - 0.25).abs() < 1e-12, "{passes}");
+        let from = guard.below.expect("it passes");
+        assert!((from - 0.25).abs() < 1e-12, "{from}");
         guard.end_step(&tracking, step, 1.0);
-        assert!(guard.is_below_bar_past_end() && guard.passes.is_none());
+        assert_eq!(guard.below, Some(0.0));
         // In a step that proves it above it has come back.
         tracking.is_clear = true;
         guard.end_step(&tracking, step, 1.0);
         tracking.is_clear = false;
-        assert!(!guard.is_below_bar_past_end());
+        assert!(!guard.is_below());
         // Seen below beside the end of its bar.
         guard.end_step(&tracking, step, 0.375);
-        assert!(guard.is_below_bar_past_end());
+        assert!(guard.is_below());
     });
     // Under its bar it may be zero at the end of a run.
     assert!(scene.look(|step| guard.may_arrive(step)));
