@@ -398,6 +398,12 @@ impl Layout {
         guides.map(|(i, _)| i).collect()
     }
 
+    /// The contacts with a foot on a bar.
+    pub fn edges(&self) -> ContactSet {
+        let edges = self.contacts.iter().enumerate().filter(|(_, contact)| contact.foot.is_some());
+        edges.map(|(i, _)| i).collect()
+    }
+
     /// The drives on conditions, which hold both ways while they are closed.
     pub fn drives(&self) -> ContactSet {
         let drives = self.contacts.iter().enumerate().filter(|(_, contact)| contact.kind.is_drive());

@@ -6,7 +6,7 @@ use nalgebra::DMatrix;
 
 use super::Start;
 use crate::assembly::StartError;
-use crate::context::{CLOSED, RunContext};
+use crate::context::{CLOSED, RunContext, reduce};
 use crate::integration::chart;
 use crate::integration::phase_point::coordinate_of;
 use crate::model::{Energy, Form};
@@ -17,15 +17,9 @@ use crate::system::Phase;
 pub(crate) fn on_energy_of(context: &RunContext, start: &Start, level: &Start) -> Result<Start, StartError> {
     let phase = |state: &[f64]| chart::at(context, start.touching, state, (CLOSED, CLOSED)).1;
     let at_level = phase(&level.state);
-    let energy = at_level.energy(&reduced(&*at_level, &level.state));
+    let energy = at_level.energy(&reduce(&*at_level, &level.state));
     let search = EnergyLevel { context, start, level, energy };
     Ok(Start { state: search.state(&*phase(&start.state))?, ..*start })
-}
-
-fn reduced(phase: &dyn Phase, state: &[f64]) -> Vec<f64> {
-    let mut reduced = vec![0.0; phase.info().entries];
-    phase.restrict(state, &mut reduced);
-    reduced
 }
 
 struct EnergyLevel<'a> {
@@ -39,13 +33,13 @@ struct EnergyLevel<'a> {
 impl EnergyLevel<'_> {
     /// The start's state with its rates on the level.
     fn state(&self, phase: &dyn Phase) -> Result<Vec<f64>, StartError> {
-        let (info, reduced) = (phase.info(), reduced(phase, &self.start.state));
+        let (info, reduced) = (phase.info(), reduce(phase, &self.start.state));
         let (imposed, motion) = match (info.form, info.rates) {
             (Form::Closed, 1) => (vec![0.0], vec![1.0]),
             (Form::Closed, degrees) => return Err(StartError::Degrees { degrees }),
             (Form::Projected, n) => (self.imposed(n), self.unit_motion(n)?),
         };
-        let with_rates = |scale: f64| -> Vec<f64> {
+        let with_rates = |scale: f64| {
             let mut y = reduced.clone();
             for (k, place) in info.places_of_rates().enumerate() {
                 y[place] = scale.mul_add(motion[k], imposed[k]);

@@ -97,8 +97,7 @@ pub(crate) fn find_below(
     t: f64,
 ) -> ContactSet {
     let layout = context.layout();
-    let edges = layout.contacts.iter().enumerate();
-    let edges: ContactSet = edges.filter(|(_, contact)| contact.foot.is_some()).map(|(i, _)| i).collect();
+    let edges = layout.edges();
     if edges.is_empty() {
         return edges;
     }
@@ -159,8 +158,7 @@ fn lifted(
     (touching, departing): (ContactSet, ContactSet),
 ) -> Result<Option<Vec<f64>>, StartError> {
     let context = assembly.context;
-    let mut gaps = vec![0.0; context.layout().contacts.len()];
-    context.system().gaps(state, &mut gaps);
+    let gaps = context.gaps(state);
     let below: ContactSet = departing.iter().filter(|&i| gaps[i] < 0.0).collect();
     let Some(deepest) = below.iter().min_by(|&a, &b| gaps[a].total_cmp(&gaps[b])) else { return Ok(None) };
     let mut lifted = state.to_vec();

@@ -59,12 +59,6 @@ impl<'a> AssemblyProblem<'a> {
         self.layout().state_at(&values, self.t)
     }
 
-    fn feet(&self, state: &[f64]) -> Vec<f64> {
-        let mut feet = vec![0.0; 2 * self.layout().feet()];
-        self.context.system().feet(state, &mut feet);
-        feet
-    }
-
     /// M and all rows at a position, at rest.
     pub(super) fn rows(&self, positions: &[f64]) -> Rc<Equations<f64>> {
         let mut last = self.last.borrow_mut();
@@ -143,13 +137,11 @@ impl<'a> AssemblyProblem<'a> {
 
     /// Corners beyond the ends of their bars or below these, and contacts that are not there.
     pub(super) fn absent(&self, positions: &[f64]) -> ContactSet {
-        let feet = if self.layout().feet() == 0 { Vec::new() } else { self.feet(&self.at_rest(positions)) };
-        let beyond = |x: &f64| *x < -CLOSED * self.context.scales.length;
-        let off = |i: &usize| {
-            let foot = self.layout().contacts[*i].foot;
-            foot.is_some_and(|k| feet[2 * k..2 * k + 2].iter().any(beyond))
+        let outside = -CLOSED * self.context.scales.length;
+        let off = match self.layout().feet() {
+            0 => ContactSet::EMPTY,
+            _ => self.context.find_beyond_end(&self.at_rest(positions), outside),
         };
-        let off: ContactSet = (0..self.layout().contacts.len()).filter(off).collect();
         let state = self.layout().state_at(&[positions, &self.rates[..]].concat(), self.t);
         off.union(self.below).union(self.switches.disarmed(self.context, &state, self.t))
     }
@@ -212,7 +204,8 @@ impl<'a> AssemblyProblem<'a> {
     }
 
     pub(super) fn refuse_feet_off_bars(&self, state: &[f64], touching: ContactSet) -> Result<(), StartError> {
-        let feet = self.feet(state);
+        let mut feet = vec![0.0; 2 * self.layout().feet()];
+        self.context.system().feet(state, &mut feet);
         for i in touching.iter() {
             let Some(foot) = self.layout().contacts[i].foot else { continue };
             let ends = [("first", feet[2 * foot]), ("last", feet[2 * foot + 1])];

@@ -16,7 +16,6 @@ use crate::model::{ContactSet, Form};
 use crate::numerics::decomposition::svd;
 use crate::numerics::zero::roundoff;
 use crate::system::Phase;
-use smallvec::smallvec;
 
 /// Corrections, each of which squares the error.
 const CORRECTIONS: usize = 3;
@@ -53,8 +52,7 @@ fn image_of(context: &RunContext, phase: &dyn Phase, state: &[f64]) -> Option<Nu
         return None;
     }
     let (_, image) = chart::image(phase, state);
-    let mut gaps: Numbers = smallvec![0.0; context.layout().contacts.len()];
-    context.system().gaps(&image, &mut gaps);
+    let gaps = context.gaps(&image);
     let bound = CLOSED * context.scales.length;
     let closed = phase.info().set.iter().all(|contact| gaps[contact].abs() <= bound);
     (closed && image.iter().all(|x| x.is_finite())).then_some(image)

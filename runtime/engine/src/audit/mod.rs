@@ -98,8 +98,7 @@ impl Trajectory {
         let mut audit = Audit::default();
         let mut passed = ContactSet::EMPTY;
         // A start may lie below edges, round whose ends it has gone; what is armed, below its ground.
-        let edges = self.layout().contacts.iter().enumerate().filter(|(_, contact)| contact.foot.is_some());
-        let mut fresh: ContactSet = edges.map(|(i, _)| i).collect();
+        let mut fresh = self.layout().edges();
         for (k, phase) in self.phases.iter().enumerate() {
             passed = passed.union(self.find_below_at_start(phase).intersection(fresh));
             self.look_into((phase, self.ended_by(k)), &mut passed, &mut audit);

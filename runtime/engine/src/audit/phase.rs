@@ -46,7 +46,7 @@ impl Trajectory {
     /// Open contacts below their grounds at the start of a phase.
     pub(super) fn find_below_at_start(&self, phase: &RecordedPhase) -> ContactSet {
         let margin = Bounds::of(self.tolerance, 1).gap() * self.context.scales.length;
-        let (gaps, _) = self.gaps_and_feet(&phase.at(phase.t0), margin);
+        let gaps = self.context.gaps(phase.at(phase.t0).state());
         let closed = phase.segment().set;
         let below = |i: &usize| gaps[*i] < -margin && !closed.contains(*i);
         (0..gaps.len()).filter(below).collect()
@@ -54,7 +54,9 @@ impl Trajectory {
 
     fn pass(&self, phase: &RecordedPhase, [before, t]: [f64; 2], passed: &mut ContactSet) {
         let margin = Bounds::of(self.tolerance, 1).gap() * self.context.scales.length;
-        let (gaps, off) = self.gaps_and_feet(&phase.at(t), margin);
+        let point = phase.at(t);
+        let (gaps, off) =
+            (self.context.gaps(point.state()), self.context.find_beyond_end(point.state(), margin));
         let closed = phase.segment().set;
         for i in 0..gaps.len() {
             let is_below = gaps[i] < -margin && !closed.contains(i);
@@ -66,33 +68,18 @@ impl Trajectory {
         }
     }
 
-    /// Gaps, and the contacts whose feet are at the ends of their bars or beyond.
-    fn gaps_and_feet(&self, point: &PhasePoint, margin: f64) -> (Vec<f64>, ContactSet) {
-        let layout = self.layout();
-        let (mut feet, mut gaps) = (vec![0.0; 2 * layout.feet()], vec![0.0; layout.contacts.len()]);
-        self.context.system().feet(point.state(), &mut feet);
-        self.context.system().gaps(point.state(), &mut gaps);
-        let off = |i: &usize| {
-            let foot = layout.contacts[*i].foot;
-            foot.is_some_and(|k| feet[2 * k..2 * k + 2].iter().any(|x| *x <= margin))
-        };
-        let off = (0..gaps.len()).filter(off).collect();
-        (gaps, off)
-    }
-
     /// Whether the foot of a gap that has become negative between two times was off its bar where it did.
     fn sank_off(&self, phase: &RecordedPhase, contact: usize, [before, t]: [f64; 2], margin: f64) -> bool {
         if self.layout().contacts[contact].foot.is_none() {
             return false;
         }
-        let at = |t: f64| self.gaps_and_feet(&phase.at(t), margin);
         let (mut above, mut below) = (before, t);
         for _ in 0..HALVINGS {
             let middle = 0.5 * (above + below);
-            let gap = at(middle).0[contact];
+            let gap = self.context.gaps(phase.at(middle).state())[contact];
             *if gap < 0.0 { &mut below } else { &mut above } = middle;
         }
-        at(below).1.contains(contact)
+        self.context.find_beyond_end(phase.at(below).state(), margin).contains(contact)
     }
 
     /// The largest pull of a contact that can only push, or only pull the other way. Where reactions are not unique, those given

@@ -2,10 +2,9 @@
 
 use super::finding::SMALL;
 use super::{Bounds, Finding, Quantity};
-use crate::context::{Numbers, ROUNDINGS, RunContext};
+use crate::context::{ROUNDINGS, RunContext};
 use crate::integration::chart::nan_max;
 use crate::model::ContactSet;
-use smallvec::smallvec;
 
 /// Where gaps are flat, positions within the bound of a gap leave J unknown by the root of that: about this part of the bound of
 /// rates.
@@ -67,8 +66,7 @@ impl Place<'_> {
         if !(0..contacts).any(|i| open(&i)) {
             return None;
         }
-        let mut gaps: Numbers = smallvec![0.0; contacts];
-        self.context.system().gaps(state, &mut gaps);
+        let gaps = self.context.gaps(state);
         worst((0..contacts).filter(open).map(|i| -gaps[i] / length))
     }
 }

@@ -8,7 +8,7 @@
 pub(crate) mod slider;
 
 use super::{ContactProblem, ContactSolution};
-use crate::context::{Numbers, RunContext, reactions_of};
+use crate::context::{Numbers, RunContext, reactions_of, reduce};
 use crate::model::ContactSet;
 use crate::numerics::zero::{MARGIN, SOLVED};
 use crate::system::Phase;
@@ -64,8 +64,7 @@ pub(crate) fn decide(
 /// Reactions of a closed form at `y + h ẏ`.
 fn reduced_reactions(phase: &dyn Phase, state: &[f64], h: f64) -> Option<Numbers> {
     let info = phase.info();
-    let [mut y, mut rates]: [Numbers; 2] = [(); 2].map(|()| smallvec![0.0; info.entries]);
-    phase.restrict(state, &mut y);
+    let (mut y, mut rates): (_, Numbers) = (reduce(phase, state), smallvec![0.0; info.entries]);
     phase.derivative(&y, &mut rates);
     y.iter_mut().zip(&rates).for_each(|(y, rate)| *y += h * rate);
     let mut reactions: Numbers = smallvec![0.0; phase.system().layout().reactions()];

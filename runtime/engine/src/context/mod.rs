@@ -10,7 +10,7 @@ pub(crate) use slip::{Slips, slips};
 
 use std::sync::Arc;
 
-use smallvec::SmallVec;
+use smallvec::{SmallVec, smallvec};
 
 use crate::model::{ContactSet, DependentAngle, Form, Layout};
 use crate::numerics::zero::roundoff;
@@ -118,6 +118,22 @@ impl RunContext {
         Arc::clone(&self.model.system).phase(set, form)
     }
 
+    /// The gaps of all contacts in a state.
+    pub(crate) fn gaps(&self, state: &[f64]) -> Numbers {
+        let mut gaps: Numbers = smallvec![0.0; self.layout().contacts.len()];
+        self.system().gaps(state, &mut gaps);
+        gaps
+    }
+
+    /// The contacts whose feet are on their bars by no more than a margin in a state, or beyond the ends of these.
+    pub(crate) fn find_beyond_end(&self, state: &[f64], margin: f64) -> ContactSet {
+        let mut feet: Numbers = smallvec![0.0; 2 * self.layout().feet()];
+        self.system().feet(state, &mut feet);
+        let is_beyond = |foot: usize| feet[2 * foot..2 * foot + 2].iter().any(|inside| *inside <= margin);
+        let contacts = self.layout().contacts.iter().enumerate();
+        contacts.filter(|(_, contact)| contact.foot.is_some_and(is_beyond)).map(|(i, _)| i).collect()
+    }
+
     /// A state in which what is switched acts as in another.
     pub(crate) fn switched_as(&self, state: &[f64], other: &[f64]) -> Numbers {
         let mut switched: Numbers = state.into();
@@ -125,6 +141,13 @@ impl RunContext {
         switched[switches..].copy_from_slice(&other[switches..]);
         switched
     }
+}
+
+/// The reduced state of a phase.
+pub(crate) fn reduce(phase: &dyn Phase, state: &[f64]) -> Numbers {
+    let mut reduced: Numbers = smallvec![0.0; phase.info().entries];
+    phase.restrict(state, &mut reduced);
+    reduced
 }
 
 /// Reactions of all contacts, then the friction forces, of the multipliers of all rows.

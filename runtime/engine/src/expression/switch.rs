@@ -2,10 +2,8 @@
 
 use core::ops::Deref;
 
-use smallvec::smallvec;
-
 use super::{Condition, Variable};
-use crate::context::{Numbers, RunContext};
+use crate::context::{RunContext, reduce};
 use crate::error::ModelError;
 use crate::integration::phase_point::PhasePoint;
 use crate::model::{ContactSet, Form, Layout, QuantityKind};
@@ -102,8 +100,7 @@ impl Switches {
             return Vec::new();
         }
         let phase = context.phase(ContactSet::EMPTY, Form::Projected);
-        let mut reduced: Numbers = smallvec![0.0; phase.info().entries];
-        phase.restrict(state, &mut reduced);
+        let reduced = reduce(&*phase, state);
         let point = PhasePoint::new(phase, ContactSet::EMPTY, t, reduced);
         let holds = |i: &usize| self.0[*i].conditions[0].holds(context, &point);
         (0..self.0.len()).filter(|i| !holds(i)).collect()

@@ -13,7 +13,7 @@
 //! branches meet, as those of sin α = sin β at cos α = 0, positions within δ leave the Jacobian, and with it the rates, unknown
 //! by √δ; rates are compared to within √δ.
 
-use crate::context::{Numbers, ROUNDINGS, RunContext};
+use crate::context::{Numbers, ROUNDINGS, RunContext, reduce};
 use crate::integration::form_selection::{eliminates, least_pivot};
 use crate::model::{ContactSet, Form};
 use crate::system::Phase;
@@ -67,9 +67,7 @@ fn image_of(phase: &dyn Phase, state: &[f64], tolerance: f64) -> Result<Numbers,
 
 /// restrict(state) and embed(restrict(state)), however small the pivots.
 pub(crate) fn image(phase: &dyn Phase, state: &[f64]) -> (Numbers, Numbers) {
-    let (mut reduced, mut image): (Numbers, Numbers) =
-        (smallvec![0.0; phase.info().entries], smallvec![0.0; state.len()]);
-    phase.restrict(state, &mut reduced);
+    let (reduced, mut image): (_, Numbers) = (reduce(phase, state), smallvec![0.0; state.len()]);
     phase.embed(&reduced, &mut image);
     (reduced, image)
 }

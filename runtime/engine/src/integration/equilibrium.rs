@@ -10,7 +10,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::context::{Numbers, RunContext};
+use crate::context::{Numbers, RunContext, reduce};
 use crate::model::Form;
 use crate::numerics::zero::roundoff;
 use crate::system::Phase;
@@ -31,8 +31,7 @@ pub(crate) fn is_equilibrium(context: &RunContext, phase: &dyn Phase, state: &[f
         return false;
     }
     let info = phase.info();
-    let mut reduced: Numbers = smallvec![0.0; info.entries];
-    phase.restrict(state, &mut reduced);
+    let reduced = reduce(phase, state);
     let derivative = |y: &[f64]| {
         let mut derivative: Numbers = smallvec![0.0; y.len()];
         phase.derivative(y, &mut derivative);

@@ -1,7 +1,7 @@
 //! Where the equations of a model hold: a distance that is driven is above zero, f(t) > 0, and a coefficient of friction is not
 //! negative, μ(v) ≥ 0.
 
-use crate::context::RunContext;
+use crate::context::{RunContext, reduce};
 use crate::error::ModelError;
 use crate::expression::Condition;
 use crate::expression::resolve::contact_of;
@@ -49,9 +49,8 @@ impl Domain {
         let (layout, nominal) = (context.layout(), &context.model.nominal);
         let at_rest: Vec<f64> = nominal.iter().copied().chain(nominal.iter().map(|_| 0.0)).collect();
         let phase = context.phase(ContactSet::EMPTY, Form::Projected);
-        let mut reduced = vec![0.0; phase.info().entries];
-        phase.restrict(&layout.state_at(&at_rest, 0.0), &mut reduced);
-        let point = PhasePoint::new(phase, ContactSet::EMPTY, 0.0, reduced.into());
+        let reduced = reduce(&*phase, &layout.state_at(&at_rest, 0.0));
+        let point = PhasePoint::new(phase, ContactSet::EMPTY, 0.0, reduced);
         match self.left.difference(context, &point).0 {
             value if value > 0.0 => Ok(()),
             value => Err(ModelError::DrivenDistance {

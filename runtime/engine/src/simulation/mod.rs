@@ -28,11 +28,9 @@ pub use scene::Scene;
 use core::sync::atomic::AtomicBool;
 use std::sync::Arc;
 
-use smallvec::smallvec;
-
 use crate::EventKind;
 use crate::assembly::{Pose, Start, StartError, on_energy_of, start};
-use crate::context::{Numbers, RunContext, Scales, scales_of};
+use crate::context::{RunContext, Scales, reduce, scales_of};
 use crate::error::{ModelError, NameError, OutputError, ScheduleError, SupportError};
 use crate::event::EventFilter;
 use crate::expression::resolve::{contact_of, unknown_support};
@@ -221,8 +219,7 @@ impl Simulation {
             full[self.layout().switch(i)] = f64::from(u8::from(phase.acting.contains(&i)));
         }
         let equations = self.context.phase(phase.bearing, phase.form);
-        let mut reduced: Numbers = smallvec![0.0; equations.info().entries];
-        equations.restrict(&full, &mut reduced);
+        let reduced = reduce(&*equations, &full);
         let point = PhasePoint::new(equations, phase.set, t, reduced);
         outputs.iter().map(|output| output.evaluate(&self.context, &point)).collect()
     }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::context::Numbers;
+use crate::context::{Numbers, reduce};
 use crate::error::NameError;
 use crate::expression::resolve::contact_set;
 use crate::integration::phase_point::{PhasePoint, coordinate_of};
@@ -131,9 +131,7 @@ impl PhaseHandle {
     }
 
     fn reduced(&self, state: &[f64]) -> Numbers {
-        let mut y: Numbers = smallvec::smallvec![0.0; self.phase.info().entries];
-        self.phase.restrict(&self.full(state), &mut y);
-        y
+        reduce(&*self.phase, &self.full(state))
     }
 
     fn embedded(&self, y: &[f64]) -> Vec<f64> {

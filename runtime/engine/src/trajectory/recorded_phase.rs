@@ -2,10 +2,8 @@
 
 use std::sync::Arc;
 
-use smallvec::smallvec;
-
 use super::Segment;
-use crate::context::{Numbers, RunContext};
+use crate::context::{Numbers, RunContext, reduce};
 use crate::event::supports;
 use crate::integration::chart;
 use crate::integration::method::Choice;
@@ -54,8 +52,7 @@ impl RecordedPhase {
 
     /// A phase of no duration in a full state.
     pub(crate) fn still((phase, closed): (Arc<dyn Phase>, ContactSet), t: f64, state: &[f64]) -> Self {
-        let mut start: Numbers = smallvec![0.0; phase.info().entries];
-        phase.restrict(state, &mut start);
+        let start = reduce(&*phase, state);
         Self::new((phase, closed), t, start)
     }
 
@@ -121,8 +118,7 @@ impl RecordedPhase {
         if !(positions <= NEAR && rates <= NEAR) {
             return point;
         }
-        let mut reduced: Numbers = smallvec![0.0; info.entries];
-        self.phase.restrict(&state, &mut reduced);
+        let reduced = reduce(&*self.phase, &state);
         PhasePoint::new(Arc::clone(&self.phase), self.closed, point.t(), reduced)
     }
 

@@ -11,7 +11,7 @@
 //! is off by (t/R)³/6, R the time in which the motion moves by a natural unit, the other branch by t/R. What the projection
 //! has left to correct, and the gaps between the points, the singular position among them, say whether there is such a branch.
 
-use crate::context::RunContext;
+use crate::context::{RunContext, reduce};
 use crate::integration::chart::nan_max;
 use crate::model::ContactSet;
 use crate::numerics::legendre::{POINTS, Series, X};
@@ -74,8 +74,7 @@ impl Bridge {
         };
         let coefficients =
             (0..crate::numerics::legendre::TERMS).flat_map(|k| entries.iter().map(move |&entry| (k, entry)));
-        let mut end = vec![0.0; entries.len()];
-        phase.restrict(&self.state, &mut end);
+        let end = reduce(phase, &self.state);
         DenseOutput::series(self.t, &end, coefficients.map(|(k, entry)| term(k, entry)))
     }
 }

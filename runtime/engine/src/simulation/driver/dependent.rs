@@ -11,7 +11,7 @@ impl Driver<'_> {
         let mut tried = Vec::new();
         while !tried.contains(&self.now.bearing()) && self.now.is_singular() {
             tried.push(self.now.bearing());
-            let Outcome { end, counts, state, .. } = self.try_phase();
+            let Outcome { end, counts, state, .. } = self.integrate(true);
             self.trajectory.statistics.add(counts);
             self.spend(counts, 0)?;
             let Termination::Event(_) = end else { return Ok(()) };

@@ -81,7 +81,7 @@ impl<'a> Driver<'a> {
                 self.now.refuse_seam(ended)?;
             }
             let start = self.now.phase_start();
-            let outcome = self.advance();
+            let outcome = self.integrate(false);
             next = self.follow(outcome, &start)?;
         }
         Ok(())

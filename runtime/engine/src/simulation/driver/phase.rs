@@ -12,16 +12,8 @@ use crate::simulation::phase_run::{Limits, Outcome, PhaseRun, Progress};
 const LIFTOFF_ORDER: usize = 3;
 
 impl Driver<'_> {
-    pub(super) fn advance(&mut self) -> Outcome {
-        self.integrate(false)
-    }
-
-    /// The phase that follows, before no observer.
-    pub(super) fn try_phase(&mut self) -> Outcome {
-        self.integrate(true)
-    }
-
-    fn integrate(&mut self, is_trial: bool) -> Outcome {
+    /// Integrates it, on trial before no observer.
+    pub(super) fn integrate(&mut self, is_trial: bool) -> Outcome {
         let Simulation { context, tolerance, method, rules, parts, cancel, .. } = self.setup;
         let horizon = if self.has_seen_enough() { self.now.t } else { self.now.next_time() };
         let (now, mut nobody) = (&self.now, ());

@@ -71,18 +71,18 @@ impl<'a> PhaseRun<'a> {
         {
             return Ok(end);
         }
-        while recording.t1() < self.horizon {
+        while recording.phase.t1 < self.horizon {
             if self.limits.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
                 return Ok(Termination::Cancelled);
             }
             let Counts { accepted, rejected, .. } = stepper.counts();
-            if let Some(of) = self.limits.allowance.exceeded_by(accepted + rejected, recording.memory()) {
+            if let Some(of) = self.limits.allowance.exceeded_by(accepted + rejected, recording.memory) {
                 return Ok(Termination::Exhausted(of));
             }
             if accepted.is_power_of_two() {
                 self.note_energy(stepper.state());
             }
-            let before = recording.t1();
+            let before = recording.phase.t1;
             if let Some(jump) = self.step(recording, stepper)? {
                 if self.step_back(recording, stepper) {
                     continue;
@@ -102,7 +102,7 @@ impl<'a> PhaseRun<'a> {
                     Some(end) => return Ok(end),
                 },
             }
-            let t1 = recording.t1();
+            let t1 = recording.phase.t1;
             let h = t1 - before;
             if stagnation.note(h / self.context.scales.time) {
                 if let Some(singular) = self.singular(stepper.state()) {
@@ -172,7 +172,7 @@ impl<'a> PhaseRun<'a> {
         touches: &mut Vec<Touch>,
     ) -> Result<Option<Vec<Guard>>, StepError> {
         if !self.is_within_domain(stepper.state()) {
-            return Err(StepError::NotFinite { t: recording.t1() });
+            return Err(StepError::NotFinite { t: recording.phase.t1 });
         }
         let own = stepper.guards();
         let is_fitted = own.is_none() && self.has_affine_guards();
@@ -213,9 +213,7 @@ impl<'a> PhaseRun<'a> {
 
     /// The error that says so if the accelerations are nearly undetermined at this state, before which the steps shrink.
     fn singular(&self, end: &[f64]) -> Option<ContactError> {
-        let mut state = vec![0.0; self.state.len()];
-        self.phase.embed(end, &mut state);
-        refuse_singular(&self.context.model, &state, self.phase.info().set).err()
+        refuse_singular(&self.context.model, &self.embedded(end), self.phase.info().set).err()
     }
 
     /// Counts a step over which a guard was not resolved. If steps so much shorter do not resolve it either, it is taken for
@@ -242,7 +240,7 @@ impl<'a> PhaseRun<'a> {
         recording: &mut Recording,
         stepper: &mut dyn PhaseStepper,
     ) -> Result<Option<Finding>, StepError> {
-        stepper.allow_step(recording.t1() - recording.t0());
+        stepper.allow_step(recording.phase.t1 - recording.phase.t0);
         stepper.step()?;
         let (info, mut jump) = (self.phase.info(), None);
         if info.form == Form::Projected {
@@ -274,12 +272,13 @@ impl<'a> PhaseRun<'a> {
     /// Takes note of the work of the last step, and shows it to the observer.
     pub(super) fn show(&mut self, recording: &Recording) {
         self.add_work(recording);
-        self.observer.step(&LastStep { context: self.context, recorded: recording.recorded() });
+        self.observer.step(&LastStep { context: self.context, recorded: &recording.phase });
     }
 
     fn add_work(&mut self, recording: &Recording) {
         if !self.context.is_conservative() {
-            recording.add_work(self.context, &mut self.progress.work);
+            let times = recording.phase.last_times();
+            self.progress.work.add(self.context, &recording.phase, times);
         }
     }
 
@@ -368,12 +367,14 @@ impl<'a> PhaseRun<'a> {
             let (contact, since) = (self.context.layout().contacts[contact].label, self.t);
             self.note_once(at(end), LoggedDecision::LandingUnresolved { contact, since });
         }
-        recording.end_at(if end < 1.0 { at(end) } else { t1 });
+        recording.phase.t1 = if end < 1.0 { at(end) } else { t1 };
         let known = touches.len();
         touches.extend(touched.into_iter().map(|(theta, guard)| {
-            let (state, energy, reactions, gaps) = recording.shown_at(self.context, at(theta));
-            let undecided = self.detector.is_undecided(guard, &reactions, &gaps);
-            Touch { t: at(theta), guard, undecided, state, energy, reactions }
+            let (t, point) = (at(theta), recording.phase.at(at(theta)));
+            let (energy, reactions) = (point.energy(), point.reactions().to_vec());
+            let undecided = self.detector.is_undecided(guard, &reactions, &self.context.gaps(point.state()));
+            let state = self.context.layout().public_state(point.state()).to_vec();
+            Touch { t, guard, undecided, state, energy, reactions }
         }));
         for touch in &touches[known..] {
             if !matches!(touch.guard, Guard::Foot { .. } | Guard::Condition(_)) {
@@ -386,7 +387,7 @@ impl<'a> PhaseRun<'a> {
         } else if !powers.is_some_and(|powers| self.progress.work.add_sampled(self.context, &powers, h)) {
             self.add_work(recording);
         }
-        self.observer.step(&LastStep { context: self.context, recorded: recording.recorded() });
+        self.observer.step(&LastStep { context: self.context, recorded: &recording.phase });
         Ok(first.map(|(_, guards)| guards))
     }
 

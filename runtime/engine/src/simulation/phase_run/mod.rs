@@ -12,7 +12,7 @@ use std::sync::atomic::AtomicBool;
 
 use crate::audit::Finding;
 use crate::contact::ContactError;
-use crate::context::{Numbers, RunContext, Scales};
+use crate::context::{Numbers, RunContext, Scales, reduce};
 use crate::event::detection::{Broken, EventDetector, Guard, KnownAffineGuards, Signals, StepView};
 use crate::integrate::{Counts, StepError};
 use crate::integration::method::{Method, Problem, StartedStepper, Switches};
@@ -147,8 +147,7 @@ impl PhaseRun<'_> {
     /// Integrates up to the first event.
     pub(crate) fn run(mut self, method: &dyn Method) -> Outcome {
         let phase = Arc::clone(&self.phase);
-        let mut start: Numbers = smallvec![0.0; phase.info().entries];
-        phase.restrict(&self.state, &mut start);
+        let mut start = reduce(&*phase, &self.state);
         self.detector.begin(&StepView::new(&phase, self.context, &DenseOutput::still(self.t, &start)));
         let mut loops = (phase.info().form == Form::Projected)
             .then(|| SingularityMonitor::of(phase.info().set, self.context, self.tolerance))
@@ -166,7 +165,7 @@ impl PhaseRun<'_> {
             if self.tolerance >= tolerance {
                 break end;
             }
-            recording.reduced(recording.t1(), &mut start);
+            recording.phase.reduced(recording.phase.t1, &mut start);
         };
         self.finish((end, counts), recording, loops, touches)
     }
@@ -183,16 +182,16 @@ impl PhaseRun<'_> {
         let phase = Arc::clone(&self.phase);
         let least = if loops.is_some() { ROUNDED } else { 0.0 };
         let absolute = absolute_tolerance(&*phase, &self.context.scales, (self.tolerance, least));
-        let Some(begun) = self.begin(&*phase, method, (recording.t1(), start, &absolute)) else {
+        let Some(begun) = self.begin(&*phase, method, (recording.phase.t1, start, &absolute)) else {
             return (Termination::Failed(StepError::Floor { t: self.t, h: 0.0 }), Counts::default());
         };
         let StartedStepper { choice, mut stepper, switches } = begun;
-        recording.choose(choice);
+        recording.phase.choice = choice;
         let end = self.advance(recording, &mut *stepper, loops, touches);
-        self.log_switches(&switches, recording.t1());
+        self.log_switches(&switches, recording.phase.t1);
         let failed = |error: StepError| {
             let mut last: Numbers = smallvec![0.0; phase.info().entries];
-            recording.reduced(recording.t1(), &mut last);
+            recording.phase.reduced(recording.phase.t1, &mut last);
             let otherwise = || self.break_near(error).unwrap_or(Termination::Failed(error));
             if self.is_at_border(&last) { Termination::Paradox } else { otherwise() }
         };
@@ -239,9 +238,9 @@ impl PhaseRun<'_> {
         mut loops: Option<SingularityMonitor>,
         touches: Vec<Touch>,
     ) -> Outcome {
-        let (phase, t) = (Arc::clone(&self.phase), recording.t1());
+        let (phase, t) = (Arc::clone(&self.phase), recording.phase.t1);
         let mut reduced: Numbers = smallvec![0.0; phase.info().entries];
-        recording.reduced(t, &mut reduced);
+        recording.phase.reduced(t, &mut reduced);
         let mut state = core::mem::take(&mut self.state);
         phase.embed(&reduced, &mut state);
         let ended = state.clone();
@@ -258,9 +257,9 @@ impl PhaseRun<'_> {
             (end, _) => end,
         };
         // What an event at the very end of the run leaves is kept as a phase of no duration.
-        let kept = t > recording.t0() || matches!(end, Termination::Horizon);
+        let kept = t > recording.phase.t0 || matches!(end, Termination::Horizon);
         let memory = if kept { recording.whole_memory() } else { 0 };
-        let recorded = kept.then(|| recording.into_recorded());
+        let recorded = kept.then(|| recording.phase);
         Outcome {
             recorded,
             touches,

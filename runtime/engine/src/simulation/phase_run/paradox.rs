@@ -48,8 +48,6 @@ impl PhaseRun<'_> {
         let (set, rough) = (self.phase.info().set, self.parts.laws.rough?);
         let system = self.context.system();
         system.layout().sliding(&set).next()?;
-        let mut state = vec![0.0; self.state.len()];
-        self.phase.embed(reduced, &mut state);
-        (rough.least_hold)(system, &state, &set)
+        (rough.least_hold)(system, &self.embedded(reduced), &set)
     }
 }

@@ -2,6 +2,7 @@
 
 use super::record::Recording;
 use super::{PhaseRun, Termination, Touch};
+use crate::context::reduce;
 use crate::event::detection::{Guard, StepView};
 use crate::integrate::StepError;
 use crate::integration::singular::{Bridge, Forecast, SingularityMonitor};
@@ -22,7 +23,7 @@ impl PhaseRun<'_> {
         loops: &mut SingularityMonitor,
         touches: &mut Vec<Touch>,
     ) -> Result<Option<Termination>, StepError> {
-        if recording.t1() > recording.t0() {
+        if recording.phase.t1 > recording.phase.t0 {
             return self.pass_singular(recording, stepper, loops, touches);
         }
         match loops.begin(self.context, self.t, &self.state) {
@@ -40,11 +41,11 @@ impl PhaseRun<'_> {
         loops: &mut SingularityMonitor,
         touches: &mut Vec<Touch>,
     ) -> Result<Option<Termination>, StepError> {
-        let t = recording.t1();
+        let t = recording.phase.t1;
         let next = stepper.next_step().unwrap_or(f64::INFINITY);
         let state = self.embedded(stepper.state());
         if !loops.keeps_energy(self.context, &state) {
-            recording.end_at(recording.last().map_or(t, |step| step.t0));
+            recording.phase.t1 = recording.last().map_or(t, |step| step.t0);
             return Ok(Some(Termination::Loop(loops.singular(self.context, &state))));
         }
         let forecast = loops.note(self.context, (t, next), &state);
@@ -68,7 +69,7 @@ impl PhaseRun<'_> {
         (loops, mut forecast): (&mut SingularityMonitor, Forecast),
         touches: &mut Vec<Touch>,
     ) -> Result<Option<Termination>, StepError> {
-        let t = recording.t1();
+        let t = recording.phase.t1;
         let state = self.embedded(stepper.state());
         while let Forecast::Here(passage) = forecast {
             if let Some(bridge) = loops.cross(self.context, (t, passage), &state) {
@@ -118,25 +119,24 @@ impl PhaseRun<'_> {
             self.progress.log.push(LogEntry { t: ts, decision: LoggedDecision::SingularPosition });
         }
         if let Some((theta, guards)) = first {
-            recording.end_at(t0 + theta * (t1 - t0));
-            touches.retain(|touch| touch.t < recording.t1());
+            recording.phase.t1 = t0 + theta * (t1 - t0);
+            touches.retain(|touch| touch.t < recording.phase.t1);
             self.show(recording);
             return Ok(Some(Termination::Event(guards)));
         }
-        recording.end_at(t1.min(self.horizon));
+        recording.phase.t1 = t1.min(self.horizon);
         self.show(recording);
-        if recording.t1() >= self.horizon {
+        if recording.phase.t1 >= self.horizon {
             self.progress.bridged = true;
             return Ok(Some(Termination::Horizon));
         }
-        let mut reduced = vec![0.0; recording.start.len()];
-        self.phase.restrict(&bridge.state, &mut reduced);
-        stepper.jump(t1, &reduced, BEYOND * (t1 - t0));
+        stepper.jump(t1, &reduce(&*self.phase, &bridge.state), BEYOND * (t1 - t0));
         stepper.set_end(self.horizon);
         Ok(None)
     }
 
-    fn embedded(&self, reduced: &[f64]) -> Vec<f64> {
+    /// The full state of a reduced one.
+    pub(super) fn embedded(&self, reduced: &[f64]) -> Vec<f64> {
         let mut state = vec![0.0; self.state.len()];
         self.phase.embed(reduced, &mut state);
         state

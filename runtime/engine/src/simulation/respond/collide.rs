@@ -230,7 +230,7 @@ impl Snapshot<'_> {
             return;
         }
         let (context, layout) = (&self.setup.context, self.layout());
-        let scales = context.scales.moving_at(layout, &self.state[context.rates()]);
+        let scales = context.scales.moving_at(layout, self.rates());
         let a = self.accelerations(&self.state, self.bearing());
         let equations = context.system().equations(&self.state);
         let rounded = |i: usize| {

@@ -47,10 +47,9 @@ impl Snapshot<'_> {
     pub(super) fn differs(&self, set: ContactSet) -> bool {
         let (layout, scales) = (self.layout(), &self.setup.context.scales);
         let equations = self.setup.context.system().equations(&self.state);
-        let n = layout.coordinates.len();
         // Where it comes smoothly, the time is that of a double root, known to half of the digits.
         let least = self.relative_bound().max(MARGIN);
         let bound = |i: usize| least * layout.unit(i, scales.length) / scales.time;
-        set.iter().any(|i| equations.gap_rate(i, &self.state[n..2 * n]).abs() > bound(i))
+        set.iter().any(|i| equations.gap_rate(i, self.rates()).abs() > bound(i))
     }
 }

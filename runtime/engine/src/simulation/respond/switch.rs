@@ -136,7 +136,6 @@ impl Snapshot<'_> {
     /// Those of a set with ġ below a speed.
     fn slower(&self, set: ContactSet, speed: f64) -> ContactSet {
         let equations = self.setup.context.system().equations(&self.state);
-        let n = self.layout().coordinates.len();
-        set.iter().filter(|&i| equations.gap_rate(i, &self.state[n..2 * n]) < speed).collect()
+        set.iter().filter(|&i| equations.gap_rate(i, self.rates()) < speed).collect()
     }
 }

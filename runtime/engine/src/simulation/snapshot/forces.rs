@@ -19,7 +19,7 @@ impl Snapshot<'_> {
         }
         let context = &self.setup.context;
         let equations = context.system().equations(&self.state);
-        let scales = context.scales.moving_at(self.layout(), &self.state[context.rates()]);
+        let scales = context.scales.moving_at(self.layout(), self.rates());
         for contact in self.closed().iter() {
             let mu = self.sliding_friction(contact);
             let own = scales.acceleration() * self.effective_mass(&equations, contact, mu);

@@ -101,8 +101,7 @@ impl<'a> Snapshot<'a> {
             transition: Transition::default(),
             memory: RefCell::default(),
         };
-        let edges = layout.contacts.iter().enumerate().filter(|(_, contact)| contact.foot.is_some());
-        let below = snapshot.find_below(edges.map(|(i, _)| i).collect());
+        let below = snapshot.find_below(layout.edges());
         snapshot.contacts.set_below(below);
         snapshot.log_depth(start.depth);
         snapshot
@@ -122,6 +121,10 @@ impl<'a> Snapshot<'a> {
         self.phase.info().set
     }
 
+    pub(super) fn rates(&self) -> &[f64] {
+        &self.state[self.setup.context.rates()]
+    }
+
     /// Coordinates and rates as users see them.
     pub(super) fn public_state(&self) -> &[f64] {
         self.layout().public_state(&self.state)
@@ -134,9 +137,7 @@ impl<'a> Snapshot<'a> {
     }
 
     pub(super) fn gaps(&self) -> Numbers {
-        let mut gaps: Numbers = smallvec![0.0; self.layout().contacts.len()];
-        self.setup.context.system().gaps(&self.state, &mut gaps);
-        gaps
+        self.setup.context.gaps(&self.state)
     }
 
     /// Reactions of contacts with all of a set closed, and what counts as zero.
@@ -166,20 +167,12 @@ impl<'a> Snapshot<'a> {
 
     /// Open contacts whose foot is at the end of its bar or beyond.
     pub(super) fn find_beyond_end(&self) -> ContactSet {
-        let context = &self.setup.context;
-        let contacts = self.layout().contacts.iter().enumerate();
-        let mut open = contacts
-            .filter_map(|(i, contact)| Some((i, contact.foot?)))
-            .filter(|(i, _)| !self.closed().contains(*i))
-            .peekable();
-        if open.peek().is_none() {
+        if self.layout().edges().difference(self.closed()).is_empty() {
             return ContactSet::EMPTY;
         }
-        let mut feet: Numbers = smallvec![0.0; 2 * self.layout().feet()];
-        context.system().feet(&self.state, &mut feet);
+        let context = &self.setup.context;
         let bound = self.relative_bound() * context.scales.length;
-        let is_off = |(_, k): &(usize, usize)| feet[2 * k..2 * k + 2].iter().any(|margin| *margin <= bound);
-        open.filter(is_off).map(|(i, _)| i).collect()
+        context.find_beyond_end(&self.state, bound).difference(self.closed())
     }
 
     /// Contacts of a set that lie below their grounds.

@@ -18,6 +18,7 @@
 mod rest;
 
 use crate::contact::impulse::Outcome;
+use crate::contact::labels;
 use crate::model::ContactSet;
 use crate::numerics::zero::MARGIN;
 use crate::simulation::snapshot::{Rise, Sequence, Snapshot, ZenoClosure};
@@ -49,7 +50,10 @@ impl Snapshot<'_> {
             match self.fate(contact, speed, outcome.factor_of(contact)) {
                 BounceOutcome::Flies => {}
                 BounceOutcome::Settles(settling) => settles.push(settling),
-                BounceOutcome::Lost => return Err(self.accumulation(&[contact])),
+                BounceOutcome::Lost => {
+                    let contacts = labels(self.layout(), ContactSet::EMPTY.with(contact));
+                    return Err(RunCause::Accumulation { t: self.t, contacts });
+                }
             }
         }
         // Those that the impact has opened again do not settle.
@@ -66,11 +70,6 @@ impl Snapshot<'_> {
         }
         let most = self.setup.budget.impacts;
         if flights.impacts > most { Err(self.exhausted(Exhausted::Impacts(most))) } else { Ok(()) }
-    }
-
-    fn accumulation(&self, contacts: &[usize]) -> RunCause {
-        let contacts = contacts.iter().map(|&i| self.layout().contacts[i].label.to_owned()).collect();
-        RunCause::Accumulation { t: self.t, contacts }
     }
 
     fn fate(&mut self, contact: usize, speed: f64, factor: f64) -> BounceOutcome {

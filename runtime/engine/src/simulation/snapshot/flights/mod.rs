@@ -117,7 +117,7 @@ impl Snapshot<'_> {
             return Vec::new();
         }
         let context = &self.setup.context;
-        let (equations, rates) = (context.system().equations(&self.state), &self.state[context.rates()]);
+        let (equations, rates) = (context.system().equations(&self.state), self.rates());
         let falls =
             |i: &usize| gaps[*i] > CLOSED * context.scales.length && equations.gap_rate(*i, rates) <= 0.0;
         low.iter().filter(falls).map(|i| (i, gaps[i])).collect()
@@ -127,7 +127,7 @@ impl Snapshot<'_> {
     /// supports but will fall back. Of one that lifts off with its reaction at zero g̈ is as well
     /// known as the place of that zero, and grows.
     pub(in crate::simulation) fn find_rising(&self) -> Vec<Rise> {
-        let (gaps, n) = (self.gaps(), self.layout().coordinates.len());
+        let gaps = self.gaps();
         let near = self.find_near(&gaps).difference(self.closed()).difference(self.onset.lifted);
         if near.is_empty() {
             return Vec::new();
@@ -135,7 +135,7 @@ impl Snapshot<'_> {
         let equations = self.setup.context.system().equations(&self.state);
         let a = self.accelerations(&self.state, self.bearing());
         let rise = |contact: usize| {
-            let rate = equations.gap_rate(contact, &self.state[n..2 * n]);
+            let rate = equations.gap_rate(contact, self.rates());
             let fall = -equations.gap_acceleration(contact, &a);
             let height = gaps[contact].max(0.0) + 0.5 * rate * rate / fall;
             Rise { contact, rate, fall, height, least: self.resolved(contact, &equations) }
