@@ -100,7 +100,7 @@ impl Trajectory {
         // A start may lie below edges, round whose ends it has gone; what is armed, below its ground.
         let mut fresh = self.layout().edges();
         for (k, phase) in self.phases.iter().enumerate() {
-            passed = passed.union(self.find_below_at_start(phase).intersection(fresh));
+            passed = passed.union(self.find_sunk(phase, &phase.at(phase.t0)).intersection(fresh));
             self.look_into((phase, self.ended_by(k)), &mut passed, &mut audit);
             fresh = phase.removed;
         }

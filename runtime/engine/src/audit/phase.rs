@@ -31,7 +31,7 @@ impl Trajectory {
         let mut before = phase.t0;
         for &t in &seen {
             let point = phase.at(t);
-            self.pass(phase, [before, t], passed);
+            *passed = self.find_passed(phase, (before, &point), *passed);
             before = t;
             let (set, absent) = (phase.segment().set, phase.removed.union(*passed));
             let place = Place { context: &self.context, set, absent, t };
@@ -43,33 +43,33 @@ impl Trajectory {
         self.look_at_energy(phase, &times, audit);
     }
 
-    /// Open contacts below their grounds at the start of a phase.
-    pub(super) fn find_below_at_start(&self, phase: &RecordedPhase) -> ContactSet {
-        let margin = Bounds::of(self.tolerance, 1).gap() * self.context.scales.length;
-        let gaps = self.context.gaps(phase.at(phase.t0).state());
-        let closed = phase.segment().set;
-        let below = |i: &usize| gaps[*i] < -margin && !closed.contains(*i);
-        (0..gaps.len()).filter(below).collect()
+    /// The distance within which a gap counts as zero, and a foot as at the end of its bar.
+    fn margin(&self) -> f64 {
+        Bounds::of(self.tolerance, 1).gap() * self.context.scales.length
     }
 
-    fn pass(&self, phase: &RecordedPhase, [before, t]: [f64; 2], passed: &mut ContactSet) {
-        let margin = Bounds::of(self.tolerance, 1).gap() * self.context.scales.length;
-        let point = phase.at(t);
-        let (gaps, off) =
-            (self.context.gaps(point.state()), self.context.find_beyond_end(point.state(), margin));
-        let closed = phase.segment().set;
-        for i in 0..gaps.len() {
-            let is_below = gaps[i] < -margin && !closed.contains(i);
-            let came = |passed: &ContactSet| {
-                passed.contains(i) || is_below && self.sank_off(phase, i, [before, t], margin)
-            };
-            let is_past = off.contains(i) || gaps[i] < 0.0 && came(passed);
-            *passed = if is_past { passed.with(i) } else { passed.without(i) };
-        }
+    /// Open contacts below their grounds at a point of a phase.
+    pub(super) fn find_sunk(&self, phase: &RecordedPhase, point: &PhasePoint) -> ContactSet {
+        let (gaps, margin, closed) = (self.context.gaps(point.state()), self.margin(), phase.segment().set);
+        (0..gaps.len()).filter(|&i| gaps[i] < -margin && !closed.contains(i)).collect()
+    }
+
+    /// Contacts beyond the ends of their bars, and those that have not come back from below, where those `known` were before.
+    fn find_passed(
+        &self,
+        phase: &RecordedPhase,
+        (before, point): (f64, &PhasePoint),
+        known: ContactSet,
+    ) -> ContactSet {
+        let gaps = self.context.gaps(point.state());
+        let sank = self.find_sunk(phase, point).difference(known);
+        let came = sank.iter().filter(|&i| self.sank_off(phase, i, [before, point.t()])).collect();
+        let below: ContactSet = known.union(came).iter().filter(|&i| gaps[i] < 0.0).collect();
+        below.union(self.context.find_beyond_end(point.state(), self.margin()))
     }
 
     /// Whether the foot of a gap that has become negative between two times was off its bar where it did.
-    fn sank_off(&self, phase: &RecordedPhase, contact: usize, [before, t]: [f64; 2], margin: f64) -> bool {
+    fn sank_off(&self, phase: &RecordedPhase, contact: usize, [before, t]: [f64; 2]) -> bool {
         if self.layout().contacts[contact].foot.is_none() {
             return false;
         }
@@ -79,7 +79,7 @@ impl Trajectory {
             let gap = self.context.gaps(phase.at(middle).state())[contact];
             *if gap < 0.0 { &mut below } else { &mut above } = middle;
         }
-        self.context.find_beyond_end(phase.at(below).state(), margin).contains(contact)
+        self.context.find_beyond_end(phase.at(below).state(), self.margin()).contains(contact)
     }
 
     /// The largest pull of a contact that can only push, or only pull the other way. Where reactions are not unique, those given

@@ -1,7 +1,7 @@
 //! Contacts that are there while a condition holds.
 
 use liftoff::prelude::*;
-use liftoff::{ModelError, StartError};
+use liftoff::{ModelError, Quantity, StartError};
 
 /// A ball that falls on a floor while it is to the right of x = 1, and through it elsewhere.
 #[derive(BarSystem)]
@@ -67,6 +67,18 @@ fn a_contact_armed_below_its_ground_waits() {
     let struck = 1.0 + 0.1_f64.sqrt();
     assert!((record.events()[2].t - struck).abs() < 1e-9, "{}", record.events()[2]);
     assert!(record.audit().is_clean(), "{:?}", record.audit());
+}
+
+/// It comes up at t = 1 − √0.1: from there on it is looked at.
+#[test]
+fn a_contact_armed_below_its_ground_is_audited_once_it_has_come_up() {
+    let pose = Pose::at("x", 0.0).with("y", -0.9).with("x'", 2.0).with("y'", 2.0);
+    for (limit, is_seen) in [(0.6, false), (1.2, true)] {
+        let ledge = Simulation::new(&Ledge { m: 1.0, g: 2.0, e: 0.5, a: 1.0 }).unwrap();
+        let audit = ledge.start(pose.clone()).unwrap().limit(limit).run().unwrap().audit();
+        let seen = audit.worst().iter().any(|finding| finding.quantity == Quantity::Penetration);
+        assert!(seen == is_seen && audit.is_clean(), "{limit} {audit}");
+    }
 }
 
 #[test]

@@ -41,23 +41,19 @@ impl Snapshot<'_> {
         guards.iter().find_map(domain).map_or(Ok(()), |domain| Err(self.left(domain)))
     }
 
-    /// Refuses a driven distance at zero or below, given what counts as zero.
-    pub(in crate::simulation) fn refuse_distances(&self, zero: f64) -> Result<(), RunCause> {
-        let (context, point) = (&self.setup.context, self.point());
+    /// The cause of a failed step or of a singular loop may be a driven distance that vanishes;
+    /// then that is the error.
+    pub(in crate::simulation) fn refuse_vanishing(&self) -> Result<(), RunCause> {
+        let (context, domains) = (&self.setup.context, &self.setup.rules.domains);
+        if domains.is_empty() {
+            return Ok(());
+        }
+        let (zero, point) = (MARGIN * context.scales.length, self.point());
         let is_below = |(k, domain): &(usize, &Domain)| {
             matches!(domain.of, Bounded::Distance(..))
                 && self.is_bound(*k)
                 && domain.left.difference(context, &point).0 <= zero
         };
-        self.setup.rules.domains.iter().enumerate().find(is_below).map_or(Ok(()), |(k, _)| Err(self.left(k)))
-    }
-
-    /// The cause of a failed step or of a singular loop may be a distance that vanishes; then that
-    /// is the error.
-    pub(in crate::simulation) fn refuse_vanishing(&self) -> Result<(), RunCause> {
-        match self.setup.rules.domains.is_empty() {
-            true => Ok(()),
-            false => self.refuse_distances(MARGIN * self.setup.context.scales.length),
-        }
+        domains.iter().enumerate().find(is_below).map_or(Ok(()), |(k, _)| Err(self.left(k)))
     }
 }
