@@ -259,7 +259,7 @@ impl PhaseRun<'_> {
         // What an event at the very end of the run leaves is kept as a phase of no duration.
         let kept = t > recording.phase.t0 || matches!(end, Termination::Horizon);
         let memory = if kept { recording.whole_memory() } else { 0 };
-        let recorded = kept.then(|| recording.phase);
+        let recorded = kept.then_some(recording.phase);
         Outcome {
             recorded,
             touches,
