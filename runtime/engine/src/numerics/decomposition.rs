@@ -66,8 +66,11 @@ fn make_orthogonal(columns: &mut DMatrix<f64>, mut turn: impl FnMut([usize; 2], 
     }
 }
 
-/// An orthonormal basis of the range of a matrix.
+/// An orthonormal basis of the range of a matrix, which may be empty.
 pub(crate) fn range(matrix: &DMatrix<f64>) -> DMatrix<f64> {
+    if matrix.is_empty() {
+        return DMatrix::zeros(matrix.nrows(), 0);
+    }
     let svd = svd(matrix.clone());
     let least = RANK * svd.singular_values.amax();
     let kept: Vec<usize> =

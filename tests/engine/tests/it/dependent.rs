@@ -221,16 +221,17 @@ fn a_plank_is_lifted_from_many_feet_as_from_two() {
 fn a_plank_is_lifted_from_many_rough_feet() {
     let inertia = |r: f64| 100.0 / 12.0 + r * r;
     // The lever of the force and of the weight about the foot that stays.
-    for (s, foot) in [(10.0, Some(1.0)), (3.0, Some(9.0)), (5.0, None)] {
-        let run = Simulation::new(&Rough { s, c: 0.0, f: 6.0 }).unwrap().limit(1.9).run().unwrap();
-        let begun = 9.81 / 6.0 * foot.map_or(1.0, |foot| (5.0 - foot) / (s - foot));
+    for (s, f, foot) in [(10.0, 6.0, Some(1.0)), (3.0, 6.0, Some(9.0)), (5.0, 6.0, None), (5.0, 10.0, None)] {
+        let begun = 9.81 / f * foot.map_or(1.0, |foot| (5.0 - foot) / (s - foot));
+        let plank = Rough { s, c: 0.0, f };
+        let run = Simulation::new(&plank).unwrap().limit(begun + 0.1).run().unwrap();
         let [_, opened @ .., _] = run.events() else { unreachable!("a start and an end") };
         let opens = |event: &Event| event.kind == EventKind::Open && (event.t - begun).abs() < 1e-9;
         assert!(!opened.is_empty() && opened.iter().all(opens), "{s}");
         let t = begun + 1e-3;
         let (text, rate) = match foot {
-            Some(foot) => ("phi''", 6.0 * (s - foot) / inertia(5.0 - foot)),
-            None => ("y''", 6.0),
+            Some(foot) => ("phi''", f * (s - foot) / inertia(5.0 - foot)),
+            None => ("y''", f),
         };
         let found = run.value(&run.output(text).unwrap(), t);
         assert!((found - rate * 1e-3).abs() < 1e-8, "{s}: {found} {}", rate * 1e-3);

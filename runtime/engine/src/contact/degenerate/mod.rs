@@ -28,6 +28,7 @@ use super::complementarity::{LcpRows, Solution};
 use super::equations::Equations;
 use super::equilibrated_kkt::EquilibratedKkt;
 use super::friction::{FrictionError, Frictional, Mode, Question, Slip as KnownSlip};
+use super::least_constraint::LeastConstraint;
 use super::trials::LcpError;
 use super::{ContactError, Trials, joint_names, singular};
 use crate::context::reactions_of;
@@ -161,14 +162,19 @@ pub(super) struct Ladder {
     accelerations: Vec<DVector<f64>>,
     reactions: Vec<DVector<f64>>,
     unique: bool,
-    /// The problem of order 0 with its solution.
-    first: Option<(EquilibratedKkt, Solution)>,
+    lowest: Option<Lowest>,
     rubbing: Vec<Rubbing>,
-    /// The closed rows where reactions with friction are not unique, those that bear alone first.
-    first_to_bear: Vec<usize>,
     layout: &'static Layout,
-    alternatives: Option<Alternatives>,
     time: Option<f64>,
+}
+
+/// What order 0 has found.
+struct Lowest {
+    problem: EquilibratedKkt,
+    solution: Solution,
+    /// The closed rows where reactions are shared, those that bear alone first.
+    first_to_bear: Vec<usize>,
+    alternatives: Option<Alternatives>,
 }
 
 impl Ladder {
@@ -191,11 +197,9 @@ impl Ladder {
             accelerations: Vec::new(),
             reactions: Vec::new(),
             unique: true,
-            first: None,
+            lowest: None,
             rubbing: Vec::new(),
-            first_to_bear: Vec::new(),
             layout,
-            alternatives: None,
             time: question.time,
         }
     }
@@ -252,13 +256,14 @@ impl Ladder {
         let fixed: Vec<usize> = self.closed.iter().chain(&self.pledged).copied().collect();
         let choice = LcpRows { fixed: &fixed, candidates: &candidates, tied: &self.tied, trials };
         let mut problem = self.problem(equations, order);
+        let (mut first_to_bear, mut alternatives) = (Vec::new(), None);
         let mut solution = match !ROUGH || self.rubbing.is_empty() {
             true => {
                 let found = self.solve_smooth(&problem, &choice, &known, equations)?;
                 let shared = (order == 0).then(|| self.share_rough(&problem, &found)).flatten();
                 if let Some(shared) = &shared {
                     let question = Question { rows: choice, contacts: &[] };
-                    self.first_to_bear = problem.order_bearing(&question, &[], shared);
+                    first_to_bear = problem.order_bearing(&question, &[], shared);
                 }
                 shared.unwrap_or(found)
             }
@@ -268,11 +273,11 @@ impl Ladder {
                 let question = Question { rows: choice, contacts: &contacts };
                 let mut found = problem.solve_with_friction(&question).map_err(LcpError::from)?;
                 if order == 0 && (found.solutions.len() > 1 || !found.complete || !found.determined) {
-                    self.alternatives = Some(self.alternatives_of(&found, &candidates));
+                    alternatives = Some(self.alternatives_of(&found, &candidates));
                 }
                 if order == 0 && !found.solution.unique {
                     found.solution.reactions = problem.share_with_friction(&question, &found);
-                    self.first_to_bear = problem.order_bearing(&question, &found.modes, &found.solution);
+                    first_to_bear = problem.order_bearing(&question, &found.modes, &found.solution);
                 }
                 for ((rubbing, mode), next) in self.rubbing.iter_mut().zip(found.modes).zip(found.next) {
                     rubbing.mode = mode;
@@ -285,7 +290,7 @@ impl Ladder {
         solution.degenerate.extend(known);
         let lifted = if order == 0 { ContactSet::EMPTY } else { self.lifted(&solution) };
         if order == 0 {
-            self.first = Some((problem, solution.clone()));
+            self.lowest = Some(Lowest { problem, solution: solution.clone(), first_to_bear, alternatives });
         }
         let Solution { accelerations, reactions, bearing, degenerate, pushing, unique, .. } = solution;
         let (kept, pledged): (Vec<_>, Vec<_>) =
@@ -355,21 +360,25 @@ impl Ladder {
 
     /// An open contact that would close at once: g̈ < 0 beyond the rounding of its terms. An event
     /// is located to some 1e-11, so that the accelerations after it are known no better, nor than
-    /// what those reactions accelerate that were located at zero, and what rounding leaves of the
-    /// forces that balance each other.
+    /// what those reactions accelerate that were located at zero, and what forces change by in the
+    /// error of the place.
     fn find_pressed(&self, model: &Model, state: &[f64], off: &[(usize, f64)]) -> Option<usize> {
         if off.is_empty() {
             return None;
         }
         let equations = Equations::along(model, state, &[]);
         let (jacobian, bias) = (&equations.jacobian[0], &equations.bias[0]);
+        let mut force = equations.force[0].abs();
+        if let Some((rate, time)) = equations.force.get(1).zip(self.time) {
+            force += rate.abs() * time;
+        }
         let compliance = Cholesky::new(equations.mass[0].clone());
         let compute_error = |gap: &DVector<f64>| {
             let Some(mass) = &compliance else { return 0.0 };
             let response = mass.solve(gap);
             let moved = jacobian * &response;
             let located = off.iter().map(|&(row, load)| moved[row].abs() * load.max(0.0));
-            2.0 * located.sum::<f64>() + SOLVED * response.abs().dot(&equations.force[0].abs())
+            2.0 * located.sum::<f64>() + SOLVED * response.abs().dot(&force)
         };
         let is_pressed = |row: usize| {
             let gap = jacobian.row(row).transpose();
@@ -399,6 +408,10 @@ impl Ladder {
             force_size += part * equations.force[0].abs();
             bias_size += part * equations.bias[0].abs();
         }
+        // Where a load that grows balances all others, nothing else is left of their size.
+        if let (0, Some(time), Some(rate)) = (order, self.time, equations.force.get(1)) {
+            force_size += AT_REST * time * rate.abs();
+        }
         EquilibratedKkt::new(
             &equations.mass[0],
             &equations.jacobian[0],
@@ -424,7 +437,7 @@ impl Ladder {
             bearing: slipping(self.find_bearing(&held, &undecided).into_iter().filter(is_contact).collect()),
             reactions: self.shared(&rows, layout),
             unique: self.unique,
-            alternatives: self.alternatives.clone(),
+            alternatives: self.lowest.as_ref().and_then(|lowest| lowest.alternatives.clone()),
         }
     }
 
@@ -433,30 +446,30 @@ impl Ladder {
     fn find_bearing(&self, held: &[usize], undecided: &[usize]) -> Vec<usize> {
         let rows = || held.iter().chain(undecided).copied();
         let is_shared = !self.unique || !(self.rubbing.is_empty() || self.open_question.is_empty());
-        let least = self.first.as_ref().filter(|_| is_shared);
-        let Some(least) = least.and_then(|(problem, _)| problem.least_constraint().ok()) else {
-            return rows().collect();
-        };
-        let first = self.first_to_bear.iter().filter(|row| held.contains(row));
+        let Some(lowest) = self.lowest.as_ref().filter(|_| is_shared) else { return rows().collect() };
+        let Ok(least) = lowest.problem.least_constraint() else { return rows().collect() };
+        let first = lowest.first_to_bear.iter().filter(|row| held.contains(row));
         let sticking = self.rubbing.iter().filter(|it| it.mode.holds_tangent());
         let across = sticking.map(|it| it.frictional.tangent);
         let all: Vec<usize> =
             first.chain(held).copied().chain(across).chain(undecided.iter().copied()).collect();
         let independent = least.independent(&all);
-        let joints: Vec<usize> =
-            held.iter().copied().filter(|row| *row >= self.layout.contacts.len()).collect();
-        let rolls = |row: usize| {
-            let is_rough = self.tied.iter().any(|(_, contact)| *contact == row);
-            is_rough && !least.independent(&[&joints[..], &[row]].concat()).contains(&row)
-        };
-        rows().filter(|&row| independent.contains(&row) || rolls(row)).collect()
+        rows().filter(|&row| independent.contains(&row) || self.rolls(&least, row)).collect()
+    }
+
+    /// Whether a contact is rough and joints hold its normal: it bears across under any load.
+    fn rolls(&self, least: &LeastConstraint, row: usize) -> bool {
+        let contacts = self.layout.contacts.len();
+        let joints = contacts..contacts + self.layout.joints.len();
+        let is_rough = self.tied.iter().any(|(_, contact)| *contact == row);
+        is_rough && !least.independent(&joints.chain([row]).collect::<Vec<_>>()).contains(&row)
     }
 
     /// The shortest reactions at order 0 of the contacts that stay closed.
     fn shared(&self, rows: &[usize], layout: &Layout) -> Vec<f64> {
         let contacts = layout.contacts.len();
-        let shares = self.first.as_ref().filter(|_| !self.unique && self.rubbing.is_empty());
-        let shared = shares.map(|(problem, solution)| {
+        let shares = self.lowest.as_ref().filter(|_| !self.unique && self.rubbing.is_empty());
+        let shared = shares.map(|Lowest { problem, solution, .. }| {
             let one_sided =
                 |row: usize| solution.degenerate.contains(&row) || solution.bearing.contains(&row);
             let tight = solution.tight.iter().copied().filter(|row| *row >= contacts || rows.contains(row));

@@ -128,9 +128,10 @@ fn higher_orders_are_known_as_well_as_their_terms() {
         }
         let told = problem.tolerance.max();
         assert!((told - 1e-12 * largest).abs() <= 1e-9 * told, "{load} {time:?}: {told:e} {largest:e}");
-        // Order 0 has its own terms alone.
+        // Order 0 has its own terms, and what they change by in a part of the natural time.
         let problem = ladder.problem(&equations, 0);
-        let own = (0..n).map(|i| problem.scale[i] * f[0][i].abs());
+        let change = |i: usize| time.map_or(0.0, |time| 1e-3 * time * f[1][i].abs());
+        let own = (0..n).map(|i| problem.scale[i] * (f[0][i].abs() + change(i)));
         let own = own.chain((0..b[0].len()).map(|row| problem.scale[n + row] * b[0][row].abs()));
         let (told, largest) = (problem.tolerance.max(), own.fold(0.0, f64::max));
         assert!((told - 1e-12 * largest).abs() <= 1e-9 * told, "{time:?}: {told:e} {largest:e}");

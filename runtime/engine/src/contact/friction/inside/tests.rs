@@ -76,3 +76,11 @@ fn moved_loads_hold_the_same() {
     }
     assert!(moved > 800 && none > 100, "{moved} {none}");
 }
+
+/// Loads of which the motion determines nothing are moved to where the largest was.
+#[test]
+fn free_loads_are_bounded() {
+    let moved = move_loads(&DMatrix::zeros(2, 0), &DVector::from_row_slice(&[0.0, 3.0])).unwrap();
+    assert_eq!(moved.as_slice(), [3.0, 3.0]);
+    assert_eq!(range(&DMatrix::zeros(2, 0)).shape(), (2, 0));
+}
