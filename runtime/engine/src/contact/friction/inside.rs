@@ -13,7 +13,7 @@ use crate::numerics::zero::MARGIN;
 
 impl Problem<'_> {
     /// The same motion with reactions moved inside. `None` where they are determined, or where
-    /// some are at their bounds however the load is shared.
+    /// some are at their bounds, or all but, however the load is shared.
     pub(super) fn move_inside(&self, chosen: &[usize], trial: &Trial) -> Option<Trial> {
         if self.units.iter().any(|unit| unit.given.is_some()) {
             return None;
@@ -63,15 +63,16 @@ impl Problem<'_> {
     }
 }
 
-/// Loads that are positive and as far from zero as can be, but no farther than the largest of them
-/// was.
+/// Loads that are clearly positive and as far from zero as can be, but no farther than the largest
+/// of them was.
 fn move_loads(determined: &DMatrix<f64>, loads: &DVector<f64>) -> Option<DVector<f64>> {
     let (m, r) = determined.shape();
     // An edge of its own whose load is determined bounds the margin.
     let mut bounded = determined.clone().resize(m + 1, r + 1, 0.0);
     bounded[(m, r)] = 1.0;
-    let Limit { margin, loads, .. } = find_limit(&bounded, &loads.push(loads.amax()))?;
-    (margin > 0.0).then(|| loads.rows(0, m).into_owned())
+    let largest = loads.amax();
+    let Limit { margin, loads, .. } = find_limit(&bounded, &loads.push(largest))?;
+    (margin > MARGIN * largest).then(|| loads.rows(0, m).into_owned())
 }
 
 #[cfg(test)]
