@@ -23,7 +23,7 @@ const FOLLOWED: f64 = 4e-8;
 
 /// h λ ≤ 1 of a step over which what grows as e^(λ t) grows right to the tolerance, where
 /// |e^z − R(z)| is at most so many times z^(p + 1) for z ≤ 1.
-pub(super) fn compute_reach(relative: f64, (order, error_constant): (f64, f64)) -> f64 {
+pub(super) fn compute_reach(relative: f64, order: f64, error_constant: f64) -> f64 {
     (relative.max(FOLLOWED) / error_constant).powf(1.0 / (order + 1.0)).min(1.0)
 }
 

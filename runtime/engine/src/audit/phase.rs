@@ -54,7 +54,8 @@ impl Trajectory {
         (0..gaps.len()).filter(|&i| gaps[i] < -margin && !closed.contains(i)).collect()
     }
 
-    /// Contacts beyond the ends of their bars, and those that have not come back from below, where those `known` were before.
+    /// Contacts beyond the ends of their bars, and those that have not come back from below, where
+    /// those `known` were before.
     fn find_passed(
         &self,
         phase: &RecordedPhase,

@@ -125,7 +125,8 @@ impl RunContext {
         gaps
     }
 
-    /// The contacts whose feet are on their bars by no more than a margin in a state, or beyond the ends of these.
+    /// The contacts whose feet are on their bars by no more than a margin in a state, or beyond the
+    /// ends of these.
     pub(crate) fn find_beyond_end(&self, state: &[f64], margin: f64) -> ContactSet {
         let mut feet: Numbers = smallvec![0.0; 2 * self.layout().feet()];
         self.system().feet(state, &mut feet);

@@ -98,7 +98,7 @@ where
         if self.unseen == 0 || self.unseen < MANY && !is_slow() {
             return wanted;
         }
-        let reach = compute_reach(tolerance.relative(), (P::ORDER, P::ERROR_CONSTANT));
+        let reach = compute_reach(tolerance.relative(), P::ORDER, P::ERROR_CONSTANT);
         let growth = estimate_growth(&self.f, &mut self.step_state, slope);
         if wanted.to_f64() * growth > reach { S::from_f64(reach / growth) } else { wanted }
     }
@@ -127,7 +127,8 @@ where
     }
 
     /// As many evaluations of f as the pair has stages, that at the start left out and that at the end with them; of a
-    /// rejected trial the one at the end only if its error needs it; one for each entry where growth is looked for.
+    /// rejected trial the one at the end only if its error needs it; one for each entry where growth
+    /// is looked for.
     fn step(&mut self) -> Result<(), StepError> {
         let slope = self.rhs.get(&self.f, &mut self.step_state)?;
         let planned = planned_step(&self.f, &mut self.step_state, &slope, P::ORDER);

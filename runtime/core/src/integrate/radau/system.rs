@@ -115,7 +115,7 @@ impl<'a, const N: usize> System<'a, N> {
     /// Returns the step that is `wanted`, or the longest over which what grows is followed.
     pub(super) fn update_jacobian(&mut self, step_state: &mut StepState<f64, N>, wanted: f64) -> f64 {
         let (jumps, reach) =
-            (step_state.jumps(), compute_reach(step_state.tolerance.relative(), (5.0, ERROR_CONSTANT)));
+            (step_state.jumps(), compute_reach(step_state.tolerance.relative(), 5.0, ERROR_CONSTANT));
         let serves = self.turning == 0 && self.newton.contraction <= FAST && wanted * self.growth <= reach;
         if !((self.fresh || serves) && self.known.is_some_and(|(_, at)| at == jumps)) {
             step_state.counts.jacobians += 1;

@@ -110,7 +110,7 @@ fn decide_by<const ROUGH: bool>(
             off.extend(lifted.iter().map(|row| (row, ladder.reactions[0][row])));
             continue;
         }
-        if ladder.find_pressed(model, state, &off).is_some() {
+        if ladder.is_any_pressed(model, state, &off) {
             return Err(named(LcpError::Jammed));
         }
         return Ok(ladder.decision(model.layout()));
@@ -204,6 +204,10 @@ impl Ladder {
         }
     }
 
+    fn is_rough(&self, row: usize) -> bool {
+        self.tied.iter().any(|(_, contact)| *contact == row)
+    }
+
     fn is_decided(&self) -> bool {
         let rubs = |rubbing: &Rubbing| rubbing.later.is_none() && rubbing.frictional.is_decided();
         self.open_question.is_empty() && self.pledged.is_empty() && self.rubbing.iter().all(rubs)
@@ -295,8 +299,7 @@ impl Ladder {
         let Solution { accelerations, reactions, bearing, degenerate, pushing, unique, .. } = solution;
         let (kept, pledged): (Vec<_>, Vec<_>) =
             self.pledged.iter().partition(|row| order > 0 && pushing.contains(row));
-        let (rough, smooth): (Vec<_>, Vec<_>) =
-            degenerate.into_iter().partition(|row| self.tied.iter().any(|(_, with)| with == row));
+        let (rough, smooth): (Vec<_>, Vec<_>) = degenerate.into_iter().partition(|row| self.is_rough(*row));
         self.closed.extend(bearing.into_iter().chain(kept));
         self.pledged = pledged.into_iter().chain(rough).collect();
         self.open_question = smooth;
@@ -337,14 +340,13 @@ impl Ladder {
     /// The same with redundant rough contacts that bear their shares of the load: without any they
     /// would be pledged, and the sign of what they bear at the next order is that of no share.
     fn share_rough(&self, problem: &EquilibratedKkt, found: &Solution) -> Option<Solution> {
-        let is_rough = |row: &usize| self.tied.iter().any(|(_, contact)| contact == row);
-        if found.unique || !found.degenerate.iter().any(is_rough) {
+        if found.unique || !found.degenerate.iter().any(|row| self.is_rough(*row)) {
             return None;
         }
         let one_sided = |row: usize| found.degenerate.contains(&row) || found.bearing.contains(&row);
         let reactions = problem.share(found, &one_sided);
         let bears = |row: &usize| {
-            is_rough(row) && reactions[*row] > problem.scale[problem.n + row] * problem.slack(*row)
+            self.is_rough(*row) && reactions[*row] > problem.scale[problem.n + row] * problem.slack(*row)
         };
         let (borne, degenerate): (Vec<usize>, Vec<usize>) =
             found.degenerate.iter().partition(|row| bears(row));
@@ -358,13 +360,13 @@ impl Ladder {
         pulled.copied().collect()
     }
 
-    /// An open contact that would close at once: g̈ < 0 beyond the rounding of its terms. An event
+    /// Whether an open contact would close at once: g̈ < 0 beyond the rounding of its terms. An event
     /// is located to some 1e-11, so that the accelerations after it are known no better, nor than
     /// what those reactions accelerate that were located at zero, and what forces change by in the
     /// error of the place.
-    fn find_pressed(&self, model: &Model, state: &[f64], off: &[(usize, f64)]) -> Option<usize> {
+    fn is_any_pressed(&self, model: &Model, state: &[f64], off: &[(usize, f64)]) -> bool {
         if off.is_empty() {
-            return None;
+            return false;
         }
         let equations = Equations::along(model, state, &[]);
         let (jacobian, bias) = (&equations.jacobian[0], &equations.bias[0]);
@@ -386,7 +388,7 @@ impl Ladder {
             let error = compute_error(&gap) + 1e-9 * (terms.abs().sum() + bias[row].abs());
             terms.sum() + bias[row] < -error
         };
-        off.iter().map(|(row, _)| *row).find(|row| is_pressed(*row))
+        off.iter().any(|(row, _)| is_pressed(*row))
     }
 
     pub(super) fn problem(&self, equations: &Equations, order: usize) -> EquilibratedKkt {
@@ -461,8 +463,7 @@ impl Ladder {
     fn rolls(&self, least: &LeastConstraint, row: usize) -> bool {
         let contacts = self.layout.contacts.len();
         let joints = contacts..contacts + self.layout.joints.len();
-        let is_rough = self.tied.iter().any(|(_, contact)| *contact == row);
-        is_rough && !least.independent(&joints.chain([row]).collect::<Vec<_>>()).contains(&row)
+        self.is_rough(row) && !least.independent(&joints.chain([row]).collect::<Vec<_>>()).contains(&row)
     }
 
     /// The shortest reactions at order 0 of the contacts that stay closed.

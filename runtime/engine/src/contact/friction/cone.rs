@@ -36,28 +36,20 @@ impl Problem<'_> {
         let n = self.kkt.n;
         let (_, determined) = equations.least_norm(&equations.right, n).ok_or(LcpError::Singular)?;
         let (edges, signed): (Vec<Edge>, Vec<bool>) = self.edges(chosen, closed);
-        let place = |row: usize| closed.place(row);
-        let mut matrix = DMatrix::zeros(equations.index.len(), n + edges.len());
-        matrix.columns_mut(0, n).copy_from(&equations.matrix.columns(0, n));
-        for (k, edge) in edges.iter().enumerate() {
-            for &(row, part) in edge {
-                let column = equations.matrix.column(n + place(row).ok_or(LcpError::Singular)?);
-                matrix.column_mut(n + k).axpy(part, &column, 1.0);
-            }
-        }
-        let of_edges = edges.iter().zip(signed).map(|(edge, signed)| (n + edge[0].0, signed));
-        let entries: Vec<(usize, bool)> = (0..n).map(|i| (i, false)).chain(of_edges).collect();
+        let of_edges = closed.build_edge_matrix(&edges).ok_or(LcpError::Singular)?;
+        let mut matrix =
+            equations.matrix.columns(0, n).into_owned().resize_horizontally(n + edges.len(), 0.0);
+        let columns = equations.matrix.columns(n, closed.rows.len());
+        columns.mul_to(&of_edges, &mut matrix.columns_mut(n, edges.len()));
+        let loads = edges.iter().zip(signed).map(|(edge, signed)| (n + edge[0].0, signed));
+        let entries: Vec<(usize, bool)> = (0..n).map(|i| (i, false)).chain(loads).collect();
         let Some(y) = self.least_squares(&matrix, equations, &entries) else { return Ok(None) };
         if !self.kkt.are_met(equations, &matrix, &y) {
             return Ok(None);
         }
         let mut x = DVector::zeros(equations.index.len());
         x.rows_mut(0, n).copy_from(&y.rows(0, n));
-        for (k, edge) in edges.iter().enumerate() {
-            for &(row, part) in edge {
-                x[n + place(row).ok_or(LcpError::Singular)?] += part * y[n + k];
-            }
-        }
+        x.rows_mut(n, closed.rows.len()).copy_from(&(of_edges * y.rows(n, edges.len())));
         Ok(Some(Trial { unique: false, determined, ..self.trial(closed, &x) }))
     }
 

@@ -22,13 +22,7 @@ impl Problem<'_> {
             self.units.iter().zip(chosen).map(|(unit, &k)| &unit.choices[k]).collect();
         let closed = self.closed(&choices.iter().map(|choice| choice.mode).collect::<Vec<_>>());
         let (edges, signed) = self.edges(&choices, &closed);
-        // The multipliers of closed rows as loads of edges.
-        let mut of_edges = DMatrix::zeros(closed.rows.len(), edges.len());
-        for (k, edge) in edges.iter().enumerate() {
-            for &(row, part) in edge {
-                of_edges[(closed.place(row)?, k)] = part;
-            }
-        }
+        let of_edges = closed.build_edge_matrix(&edges)?;
         let multipliers =
             DVector::from_iterator(closed.rows.len(), closed.rows.iter().map(|&row| trial.reactions[row]));
         let loads = of_edges.clone().lu().solve(&multipliers)?;

@@ -14,8 +14,8 @@
 //!
 //! Of several solutions the limit of stiff compliant contacts decides ([`stability`]): one whose closed contacts cannot be
 //! held by springs, however stiff, is not taken; of the others the one with the fewest closed contacts is, and of these the
-//! one with the most that stick. What order 0 leaves at zero, however redundant contacts share their load ([`inside`]), is
-//! given as [`Frictional`] for the next order ([`modes`]).
+//! one with the most that stick. What order 0 leaves at zero, however redundant contacts share their
+//! load ([`inside`]), is given as [`Frictional`] for the next order ([`modes`]).
 
 mod basis;
 mod cone;

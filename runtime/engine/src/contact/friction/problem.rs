@@ -3,6 +3,7 @@
 
 use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
+use super::cone::Edge;
 use super::modes::{Bound, Choice, Condition, Frictional, Given, Mode, Sense, smooth_choices};
 use crate::contact::complementarity::LcpRows;
 use crate::contact::equilibrated_kkt::{EquilibratedKkt, largest_in_part};
@@ -81,8 +82,20 @@ pub(super) struct Closed {
 
 impl Closed {
     /// The place of a row that is closed.
-    pub(super) fn place(&self, row: usize) -> Option<usize> {
+    pub(super) fn find_place(&self, row: usize) -> Option<usize> {
         self.rows.iter().position(|&other| other == row)
+    }
+
+    /// What multipliers of closed rows the loads of edges are, a column for each; `None` where an
+    /// edge has a row that is not closed.
+    pub(super) fn build_edge_matrix(&self, edges: &[Edge]) -> Option<DMatrix<f64>> {
+        let mut of_edges = DMatrix::zeros(self.rows.len(), edges.len());
+        for (k, edge) in edges.iter().enumerate() {
+            for &(row, part) in edge {
+                of_edges[(self.find_place(row)?, k)] = part;
+            }
+        }
+        Some(of_edges)
     }
 }
 
@@ -262,7 +275,7 @@ impl EquilibratedKkt {
         let index: Vec<usize> = (0..self.n).chain(closed.rows.iter().map(|row| self.n + row)).collect();
         let mut matrix = self.matrix.select_rows(&index).select_columns(&index);
         for &(normal, tangent, factor) in &closed.bends {
-            let place = closed.place(normal).ok_or(LcpError::Singular)?;
+            let place = closed.find_place(normal).ok_or(LcpError::Singular)?;
             let share = factor * self.ratio(normal, tangent);
             for i in 0..self.n {
                 matrix[(i, self.n + place)] += share * self.matrix[(i, self.n + tangent)];

@@ -6,12 +6,12 @@ use super::move_loads;
 use crate::contact::complementarity::LcpRows;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
 use crate::contact::friction::tests::random::{Random, cases};
-use crate::contact::friction::{Frictional, Mode, Question, Slip};
+use crate::contact::friction::{FrictionSolution, Frictional, Mode, Question, Slip};
 use crate::numerics::decomposition::range;
 
-/// A plank of unit mass and weight on feet with friction at 0, 1, 2 …, its centre at `centre`,
+/// A plank of unit mass and weight on feet at 0, 1, 2 … with μ = 0.3, its centre at `centre`,
 /// pulled along.
-fn plank(feet: usize, centre: f64, (mu, pull): (f64, f64)) -> super::super::FrictionSolution {
+fn plank(feet: usize, centre: f64, pull: f64) -> FrictionSolution {
     let mass = DMatrix::from_diagonal(&DVector::from_row_slice(&[1.0, 1.0, 2.0]));
     let jacobian = DMatrix::from_fn(2 * feet, 3, |row, j| match (row % 2, j) {
         (0, 1) | (1, 0) => 1.0,
@@ -20,7 +20,7 @@ fn plank(feet: usize, centre: f64, (mu, pull): (f64, f64)) -> super::super::Fric
     });
     let (force, bias) = (DVector::from_row_slice(&[pull, -1.0, 0.0]), DVector::zeros(2 * feet));
     let mut kkt = EquilibratedKkt::new(&mass, &jacobian, (&force, &bias), (&force.abs(), &bias));
-    let contact = |foot: usize| Frictional::touching((2 * foot, 2 * foot + 1), (mu, mu), Slip::Rest);
+    let contact = |foot: usize| Frictional::touching((2 * foot, 2 * foot + 1), (0.3, 0.3), Slip::Rest);
     let contacts: Vec<Frictional> = (0..feet).map(contact).collect();
     kkt.solve_with_friction(&Question { rows: LcpRows::default(), contacts: &contacts }).unwrap()
 }
@@ -38,7 +38,7 @@ fn a_plank_at_rest_is_decided() {
             (0.5 * last, 0.3, false),
             (last, 0.0, false),
         ] {
-            let found = plank(feet, centre, (0.3, pull));
+            let found = plank(feet, centre, pull);
             assert!(found.solution.accelerations.amax() < 1e-12, "{feet} {centre} {pull}");
             assert!(found.modes.iter().all(|mode| *mode == Mode::Stick), "{feet} {centre} {pull}");
             assert_eq!(found.next.iter().all(Frictional::is_decided), decided, "{feet} {centre} {pull}");
