@@ -3,7 +3,6 @@
 
 use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
-use super::cone::Edge;
 use super::modes::{Bound, Choice, Condition, Frictional, Given, Mode, Sense, smooth_choices};
 use crate::contact::complementarity::LcpRows;
 use crate::contact::equilibrated_kkt::{EquilibratedKkt, largest_in_part};
@@ -84,18 +83,6 @@ impl Closed {
     /// The place of a row that is closed.
     pub(super) fn find_place(&self, row: usize) -> Option<usize> {
         self.rows.iter().position(|&other| other == row)
-    }
-
-    /// What multipliers of closed rows the loads of edges are, a column for each; `None` where an
-    /// edge has a row that is not closed.
-    pub(super) fn build_edge_matrix(&self, edges: &[Edge]) -> Option<DMatrix<f64>> {
-        let mut of_edges = DMatrix::zeros(self.rows.len(), edges.len());
-        for (k, edge) in edges.iter().enumerate() {
-            for &(row, part) in edge {
-                of_edges[(self.find_place(row)?, k)] = part;
-            }
-        }
-        Some(of_edges)
     }
 }
 
