@@ -5,8 +5,8 @@ mod cases;
 mod processes;
 
 use cases::{model, sets, state};
-use liftoff::model::{ContactSet, Form, Slip};
-use liftoff::system::Model;
+use liftoff_core::model::{ContactSet, Form, Slip};
+use liftoff_core::system::Model;
 use processes::{folder, python_with, text};
 use serde_json::{Map, Value, json};
 use std::fs;

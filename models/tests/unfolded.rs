@@ -2,8 +2,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use liftoff::system::Equations;
 use liftoff_analysis::{BySymmetry, Linearisation, Subject};
+use liftoff_core::system::Equations;
 use liftoff_models::models;
 use liftoff_studio::RunSpec;
 use liftoff_studio::registry::{Entry, Unfolded};

@@ -2,10 +2,10 @@
 //!
 //! `cargo bench -p liftoff-tests --bench events -- 100000`; beside it tests/peers/python/events.py.
 
-use liftoff::model::BarSystem;
 use liftoff::prelude::*;
 use liftoff::{Budget, Observer, Step};
 use liftoff_compiled::{BouncingBall, RimlessWheel};
+use liftoff_core::model::BarSystem;
 use std::f64::consts::PI;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};

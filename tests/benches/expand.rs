@@ -3,8 +3,8 @@
 //! Users' macros are built unoptimised: `cargo bench --profile dev -p liftoff-tests --bench expand`.
 
 use divan::Bencher;
-use liftoff::model::BarSystem;
 use liftoff_compiled::*;
+use liftoff_core::model::BarSystem;
 
 fn main() {
     divan::main();

@@ -3,8 +3,8 @@
 //! `cargo bench -p liftoff-tests --bench rhs`; compare the medians of each pair in one run.
 
 use divan::{Bencher, black_box};
-use liftoff::model::{BarSystem, ContactSet, Form, Phase, PhaseVisitor};
 use liftoff_compiled::{DoublePendulum, FallingPair};
+use liftoff_core::model::{BarSystem, ContactSet, Form, Phase, PhaseVisitor};
 
 const STATES: usize = 256;
 

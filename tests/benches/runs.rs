@@ -13,10 +13,10 @@
 mod stick_slip;
 
 use liftoff::method::MethodId;
-use liftoff::scalar::Dual4;
-use liftoff::system::{ModelOn, varied};
 use liftoff_analysis::{Sensitivities, Variable};
 use liftoff_compiled::{CompassWalker, SliderCrank, Trebuchet, Zigzag};
+use liftoff_core::scalar::Dual4;
+use liftoff_core::system::{ModelOn, varied};
 use std::hint::black_box;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use liftoff::chain::Chain;
+use liftoff_core::chain::Chain;
 use liftoff_tests::oracle::{Assembly, Body, Hinge, Mark, Pin, State};
 use liftoff_tests::random::Source;
 use nalgebra::Vector2;

@@ -5,8 +5,8 @@
 
 use approx::assert_relative_eq;
 use liftoff::prelude::*;
-use liftoff::scalar::{DoubleDouble, Real, Scalar};
 use liftoff_compiled::FallingPair;
+use liftoff_core::scalar::{DoubleDouble, Real, Scalar};
 
 const PROMISE: f64 = 1e-13;
 

@@ -2,11 +2,11 @@
 
 use core::fmt::Write;
 
-use liftoff::model::BarSystem;
 use liftoff_codegen::algebra::Symbol;
 use liftoff_codegen::program::{Cost, Id};
 use liftoff_codegen::{Analysis, analyse};
 use liftoff_compiled::{FallingPair, Pendulum, models};
+use liftoff_core::model::BarSystem;
 
 fn emitted(declaration: &str) -> String {
     let tokens = liftoff_codegen::expand(declaration.parse().unwrap());
@@ -59,9 +59,9 @@ fn without_supports_there_is_no_contact() {
 
 #[test]
 fn the_runtime_tells_as_many_contacts_as_the_generator_admits() {
-    assert_eq!(liftoff_codegen::motion::MOST_CONTACTS, liftoff::model::ContactSet::CAPACITY);
-    assert_eq!(liftoff_codegen::motion::MOST_GUIDES, liftoff::model::ContactSet::GUIDES);
-    assert_eq!(liftoff_codegen::motion::MOST_HINGES, liftoff::model::Layout::HINGES);
+    assert_eq!(liftoff_codegen::motion::MOST_CONTACTS, liftoff_core::model::ContactSet::CAPACITY);
+    assert_eq!(liftoff_codegen::motion::MOST_GUIDES, liftoff_core::model::ContactSet::GUIDES);
+    assert_eq!(liftoff_codegen::motion::MOST_HINGES, liftoff_core::model::Layout::HINGES);
 }
 
 /// Operations of each right-hand side, by closed contacts.

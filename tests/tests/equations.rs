@@ -1,7 +1,7 @@
 //! The derived equations of every model as snapshots in textbook notation, operation counts included.
 
-use liftoff::model::BarSystem;
 use liftoff_compiled::*;
+use liftoff_core::model::BarSystem;
 use liftoff_studio::equations;
 
 macro_rules! snapshots {

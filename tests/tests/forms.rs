@@ -3,8 +3,8 @@
 //! Both solve the same linear equations in `f64`; away from singular positions their condition numbers stay
 //! below 1e3, so 1e-11 relative is rounding and nothing else.
 
-use liftoff::model::{BarSystem, ClosedForm, Energy, Form, Phase, PhaseVisitor};
 use liftoff_compiled::*;
+use liftoff_core::model::{BarSystem, ClosedForm, Energy, Form, Phase, PhaseVisitor};
 use liftoff_tests::random::Source;
 
 const TOLERANCE: f64 = 1e-11;

@@ -4,11 +4,11 @@
 use core::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
-use liftoff::model::{ContactSet, Form, Layout};
-use liftoff::system::{Equations, Model};
 use liftoff_codegen::analyse;
 use liftoff_codegen::functions::HeldMotion;
 use liftoff_compiled::models;
+use liftoff_core::model::{ContactSet, Form, Layout};
+use liftoff_core::system::{Equations, Model};
 use liftoff_interpreter::Interpreted;
 use liftoff_tests::random::Source;
 use nalgebra::{DMatrix, DVector};

@@ -3,8 +3,8 @@
 //! Tolerance: the oracle's dense solve of 5n unknowns, whose condition grows as n², beside 16 digits.
 
 use liftoff::method::{Dop853, Taylor};
-use liftoff::model::{Array, BarSystem, ContactSet, Form, KernelView, Phase, PhaseVisitor};
 use liftoff::prelude::*;
+use liftoff_core::model::{Array, BarSystem, ContactSet, Form, KernelView, Phase, PhaseVisitor};
 use liftoff_tests::oracle::{Assembly, Body, Hinge, Mark, Pin};
 use liftoff_tests::random::Source;
 use nalgebra::Vector2;

@@ -70,7 +70,7 @@ fn no_event_moves_a_chain_or_gives_it_energy() {
     let mut source = Source::new(5);
     let mut branches = 0;
     for _ in 0..60 {
-        let place = |c: &liftoff::model::Coordinate, source: &mut Source| match c.is_angle {
+        let place = |c: &liftoff_core::model::Coordinate, source: &mut Source| match c.is_angle {
             true => source.range(-4.0, 4.0),
             false => source.range(0.0, 2.5),
         };

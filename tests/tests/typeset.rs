@@ -1,7 +1,7 @@
 //! The equations of models as LaTeX and MathML.
 
-use liftoff::model::BarSystem;
 use liftoff_compiled::{FallingPair, Walker, Zigzag, models};
+use liftoff_core::model::BarSystem;
 use liftoff_studio::explain::{Equations, equations, latex, math::Equation};
 
 #[test]

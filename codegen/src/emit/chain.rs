@@ -20,7 +20,7 @@ pub(super) fn by_loops(analysis: &Analysis, constants: &Constants, chain: &Chain
     let method = if chain.is_uniform { quote!(accelerations) } else { quote!(articulated) };
     quote! {
         #statements
-        let chain = #runtime::chain::Chain::prepared(#mass, #length, #inertia, [#x, #y], #slenderness, #lever);
+        let chain = #runtime::__private::chain::Chain::prepared(#mass, #length, #inertia, [#x, #y], #slenderness, #lever);
         let ([angles, rates], _) = state.as_chunks::<#n>() else { return *state };
         let accelerations = chain.#method(angles, rates);
         ::core::array::from_fn(|i| if i < #n { rates[i] } else { accelerations[i - #n] })

@@ -272,5 +272,5 @@ fn by_paths(analysis: &Analysis, paths: &Paths, factors: &[TokenStream]) -> Toke
     let (vectors, own) = factors.split_at(4 * paths.own.len());
     let vectors: Vec<TokenStream> = vectors.chunks(2).map(|v| quote!([#(#v),*])).collect();
     let (reach, moments) = vectors.split_at(paths.own.len());
-    quote!(#runtime::kernel::mass_by_paths(&[#(#parents),*], &[#(#reach),*], &[#(#moments),*], &[#(#own),*]))
+    quote!(#runtime::__private::kernel::mass_by_paths(&[#(#parents),*], &[#(#reach),*], &[#(#moments),*], &[#(#own),*]))
 }

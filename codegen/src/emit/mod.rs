@@ -87,9 +87,9 @@ fn enclosed(runtime: &Path, ident: &Ident, items: &TokenStream) -> TokenStream {
             {
                 use ::core::prelude::v1::*;
                 use ::core::primitive::{bool, f64, i8, str, u8, u64, usize};
-                use #runtime::model::*;
-                use #runtime::model::variables::*;
-                use #runtime::scalar::{Real, Scalar};
+                use #runtime::__private::model::*;
+                use #runtime::__private::model::variables::*;
+                use #runtime::__private::scalar::{Real, Scalar};
 
                 #items
             }

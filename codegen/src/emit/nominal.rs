@@ -14,7 +14,7 @@ pub(super) fn nominal(analysis: &Analysis) -> TokenStream {
     let Body { statements, results, .. } = expressions(analysis, &nominal.numbers);
     let between = |ends: [[usize; 2]; 2]| {
         let [[a, b], [c, d]] = ends.map(|place| place.map(|number| &results[number]));
-        quote!(#runtime::figure::direction([#a, #b], [#c, #d]))
+        quote!(#runtime::__private::figure::direction([#a, #b], [#c, #d]))
     };
     let direction = |direction: &Direction| {
         let (seen, own) = (between(direction.seen), direction.own.map(between));
@@ -29,7 +29,7 @@ pub(super) fn nominal(analysis: &Analysis) -> TokenStream {
                     Reference::Ground(constant) => results[*constant].clone(),
                     Reference::Body(other) => direction(other),
                 };
-                (quote!(#runtime::figure::wrapped(#to - (#from))), is_opposite)
+                (quote!(#runtime::__private::figure::wrapped(#to - (#from))), is_opposite)
             }
         };
         if *is_opposite { quote!(-(#value)) } else { value }

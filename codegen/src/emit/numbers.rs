@@ -98,5 +98,5 @@ fn distance(
         let (i, k) = (count(i), f64::from(k));
         quote!(+ #k * nominal[#i])
     });
-    quote!(#runtime::figure::wrapped(#constant #(#terms)*).abs())
+    quote!(#runtime::__private::figure::wrapped(#constant #(#terms)*).abs())
 }

@@ -58,13 +58,16 @@ fn solved(analysis: &Analysis) -> [TokenStream; 2] {
     let n = count(analysis.motion.entries());
     if analysis.motion.has_hinges() {
         return [
-            quote!(#runtime::hinge::derivative::<Self, S, #n>(k, set, state)),
-            quote!(#runtime::hinge::reactions::<Self, S>(k, set, state)),
+            quote!(#runtime::__private::hinge::derivative::<Self, S, #n>(k, set, state)),
+            quote!(#runtime::__private::hinge::reactions::<Self, S>(k, set, state)),
         ];
     }
     let model = super::model();
     let kernel = quote!(&<#model as BarSystem>::kernel(k, state), <#model as BarSystem>::LAYOUT, set);
-    [quote!(#runtime::kernel::derivative(#kernel, state)), quote!(#runtime::kernel::reactions(#kernel))]
+    [
+        quote!(#runtime::__private::kernel::derivative(#kernel, state)),
+        quote!(#runtime::__private::kernel::reactions(#kernel)),
+    ]
 }
 
 /// The motions with code of their own and what they are called.
@@ -111,7 +114,7 @@ fn held_motion(analysis: &Analysis, constants: &Constants, held: &HeldMotion, na
         false => quote! {
             if const { S::PLAIN } {
                 let (_, reactions, pivots) = Self::solution(k, state);
-                if #runtime::kernel::are_trusted(&pivots) {
+                if #runtime::__private::kernel::are_trusted(&pivots) {
                     return reactions;
                 }
             }
@@ -133,7 +136,7 @@ fn held_motion(analysis: &Analysis, constants: &Constants, held: &HeldMotion, na
             fn derivative<S: Scalar>(k: &Constants<S>, set: &ContactSet, state: &[S; #n]) -> [S; #n] {
                 if const { S::PLAIN } {
                     let (derivative, _, pivots) = Self::solution(k, state);
-                    if #runtime::kernel::are_trusted(&pivots) {
+                    if #runtime::__private::kernel::are_trusted(&pivots) {
                         return derivative;
                     }
                 }

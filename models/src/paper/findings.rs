@@ -12,7 +12,7 @@ use super::strict;
 use super::strikes::Strikes;
 use super::{ReportError, Study};
 use crate::models;
-use liftoff::expression::superscript;
+use liftoff::__private::expression::superscript;
 use liftoff::prelude::*;
 use liftoff_studio::run_spec::{RunSpec, named};
 use std::f64::consts::FRAC_PI_3;

@@ -3,7 +3,7 @@
 //! z̈ = −K z, K = ((1 + k, −k), (−k, k)), of which the frequencies are ω² = ½ (1 + 2k + √(1 + 4k²))
 //! and k/ω². What the doubles of the start have of the fast one is in the closed form.
 
-use liftoff::scalar::{DoubleDouble, Real};
+use liftoff_core::scalar::{DoubleDouble, Real};
 use liftoff_studio::registry::{Entry, MethodId, MotionError, PrecisionSpec};
 use liftoff_studio::run_spec::RunSpec;
 use liftoff_studio::source::embedded;
@@ -76,7 +76,7 @@ fn swing(k: f64, start: [f64; 2], t: f64) -> Vec<DoubleDouble> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use liftoff::scalar::Scalar;
+    use liftoff_core::scalar::Scalar;
 
     /// Where the spring is soft enough, a run at a tight tolerance finds the same.
     #[test]

@@ -1,7 +1,7 @@
 //! Random states of models and their contact sets.
 
-use liftoff::model::{ContactSet, Layout, Slip};
-use liftoff::system::Model;
+use liftoff_core::model::{ContactSet, Layout, Slip};
+use liftoff_core::system::Model;
 use liftoff_models::models;
 
 /// A number in −1..1.
@@ -28,7 +28,7 @@ pub fn state(model: &Model, seed: &mut u64) -> Vec<f64> {
 /// The contact sets of the first contacts, those with friction now sticking, now sliding either way; guides are always closed.
 pub fn sets(layout: &Layout, seed: &mut u64) -> Vec<ContactSet> {
     let contacts = layout.contacts.len().min(4);
-    let guides = |i: usize| layout.contacts[i].kind == liftoff::model::ContactKind::Guide;
+    let guides = |i: usize| layout.contacts[i].kind == liftoff_core::model::ContactKind::Guide;
     let all = (0_u64..1 << contacts).map(ContactSet::from_bits);
     let all = all.filter(|set| (0..layout.contacts.len()).all(|i| set.contains(i) || !guides(i)));
     all.map(|set| {

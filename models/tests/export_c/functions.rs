@@ -1,11 +1,11 @@
 //! What the program says of a state, for the library to say too.
 
 use crate::expected::{Expected, expected};
-use liftoff::model::{ContactSet, Form};
-use liftoff::system::Model;
 use liftoff_codegen::Analysis;
 use liftoff_codegen::functions::PhaseFunctions;
 use liftoff_codegen::program::Id;
+use liftoff_core::model::{ContactSet, Form};
+use liftoff_core::system::Model;
 use std::sync::Arc;
 
 /// What the compiled model says at a full state.

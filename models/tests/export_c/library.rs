@@ -1,7 +1,7 @@
 //! A library of C that `export --c` has written, built as users do, with a program that calls it.
 
 use crate::processes::text;
-use liftoff::model::{ContactSet, Layout, Slip};
+use liftoff_core::model::{ContactSet, Layout, Slip};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::io::Write as _;

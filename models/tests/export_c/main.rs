@@ -13,8 +13,8 @@ use cases::{model, sets, state};
 use expected::Expected;
 use functions::{compiled, in_closed_form, interpreted, is_unique};
 use library::Library;
-use liftoff::model::ContactSet;
-use liftoff::system::Model;
+use liftoff_core::model::ContactSet;
+use liftoff_core::system::Model;
 use liftoff_models::models;
 use processes::folder;
 

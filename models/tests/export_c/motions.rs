@@ -3,8 +3,8 @@
 use crate::cases::model;
 use crate::library::{Answer, Library};
 use crate::processes::folder;
-use liftoff::model::Layout;
 use liftoff::{Segment, Trajectory};
+use liftoff_core::model::Layout;
 use liftoff_models::models;
 
 /// Steps of the coarser motion, as many as its model needs.

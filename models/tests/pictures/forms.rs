@@ -1,7 +1,7 @@
 //! The forms that are drawn against what the equations say of the same coordinates, bars and contacts: a kind of either that
 //! has no form is found here.
 
-use liftoff::model::geometry::{Direction, Look, Push, Reading, Shape, Solid, Spot};
+use liftoff_core::model::geometry::{Direction, Look, Push, Reading, Shape, Solid, Spot};
 use liftoff_models::models;
 use liftoff_studio::picture::clearest_pose;
 use liftoff_studio::registry::{Configuration, Entry};

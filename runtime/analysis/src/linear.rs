@@ -6,7 +6,7 @@
 //!
 //! with ξ̈₀ = 0 at an equilibrium. The loads of the contacts are in K: it is the Hessian of V + λᵀ g on their tangent space.
 
-use liftoff::model::ContactSet;
+use liftoff_core::model::ContactSet;
 use nalgebra::{DMatrix, DVector};
 
 use crate::local::Local;

@@ -9,9 +9,9 @@
 
 use std::sync::Arc;
 
-use liftoff::model::{ContactSet, Form};
-use liftoff::scalar::{DoubleDouble, Real};
-use liftoff::system::Phase;
+use liftoff_core::model::{ContactSet, Form};
+use liftoff_core::scalar::{DoubleDouble, Real};
+use liftoff_core::system::Phase;
 use nalgebra::{DMatrix, DVector};
 
 use crate::{AnalysisError, Subject};

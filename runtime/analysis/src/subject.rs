@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use liftoff::model::{ContactSet, Layout, Slip};
-use liftoff::scalar::{DoubleDouble, Real};
-use liftoff::system::System;
 use liftoff::{Scales, Simulation, StartError};
+use liftoff_core::model::{ContactSet, Layout, Slip};
+use liftoff_core::scalar::{DoubleDouble, Real};
+use liftoff_core::system::System;
 
 use crate::AnalysisError;
 
@@ -22,7 +22,7 @@ pub struct Subject {
 
 impl Subject {
     /// The model of a simulation, at the position that it starts from; `system`: its equations in double-double, from
-    /// [`precise`](liftoff::system::precise).
+    /// [`precise`](liftoff_core::system::precise).
     ///
     /// # Errors
     /// The start is refused.
@@ -78,7 +78,7 @@ impl Subject {
 
     /// Contacts that are closed or open by their gaps alone.
     pub(crate) fn candidates(&self) -> Vec<usize> {
-        use liftoff::model::ContactKind::{Support, Thread};
+        use liftoff_core::model::ContactKind::{Support, Thread};
         let contacts = self.layout().contacts.iter().enumerate();
         let there = contacts.filter(|(_, c)| matches!(c.kind, Support | Thread) && c.armed.is_none());
         there.map(|(i, _)| i).collect()

@@ -33,3 +33,9 @@ pub mod system;
 
 pub use flow::{FlowError, flow};
 pub use model::BarSystem;
+
+/// What emitted code calls, by a path that the front crate has too.
+#[doc(hidden)]
+pub mod __private {
+    pub use crate::{chain, figure, hinge, kernel, model, scalar};
+}

@@ -39,25 +39,17 @@
 //! all steppers but Radau's, and [`flow`](fn@flow), a motion without events. Programs that only flow have no code of guards, contacts
 //! or impacts with `std` either.
 //!
-//! # The folders
+//! # What a program meets
 //!
-//! What a run goes through, in its order; all of it needs the standard library, feature `std`.
+//! - To declare: [`BarSystem`](derive@BarSystem), [`document`](macro@document); the model as a value of any kind, [`Scene`], [`Model`], [`Layout`].
+//! - To run: [`Simulation`] from a [`Pose`], by a [`method`], to the end that is asked for; [`Budget`]. What can go wrong, by stage:
+//!   [`ModelError`], [`StartError`], [`ScheduleError`], [`RunError`] with the motion so far.
+//! - To read: [`Trajectory`] with [`Event`]s, dense output and [`Output`]s; [`Observer`] for a run while it is computed; [`Audit`].
+//! - Without events: [`PhaseHandle`] for the equations of one contact set, [`flow`](fn@flow) for their motion, [`Modes`] for the graph of
+//!   contact sets.
+//! - Over other numbers: [`scalar`]; [`precise`] for double-double, [`varied`] for derivatives, [`lanes`] for several states at once.
 //!
-//! - `simulation`: what is asked for, and the event loop: decide which contacts are closed, integrate, decide again.
-//! - `scales`: natural units of a model; `assembly`: a pose completed from what is given to a start that satisfies the
-//!   constraints.
-//! - `contact`: complementarity of accelerations with its degenerate cases, and of impulses ([`impulse`]: in plain numbers).
-//! - `integration`: one phase from its start to its first event: the form it is integrated in, the method ([`method`]), its
-//!   equilibria, singular positions of closed loops; [`PhaseHandle`]: its equations without integrator.
-//! - [`event`](mod@event): what happens in a motion; the guards that tell it, and their roots over one step.
-//! - `trajectory`: the motion as computed; runs seen while they are computed. [`expression`]: outputs and conditions as text.
-//! - `ensemble`, a feature: many motions at once, on all threads. `modes`: the contact sets of a model and how they follow one
-//!   another. `error`: what can go wrong, by stage. `audit`: what every motion satisfies; `decomposition`: singular values and
-//!   eigenvalues.
-//!
-//! Below the engine stands `liftoff-core`, whose modules are those of this crate too: [`model`], the traits that the derive
-//! implements; [`kernel`], [`hinge`], [`figure`], [`chain`], what emitted code calls; [`scalar`], the numbers that it runs on; [`series`],
-//! Taylor series of a phase; [`integrate`], steppers; `system`, a model with its type erased. Above it stand
+//! Below this crate stands `liftoff-core`: model traits, scalars, Taylor series, steppers. Above it stand
 //! `liftoff-verification` (references, precision, cases judged), `liftoff-analysis` (equilibria, linearisation),
 //! `liftoff-conditions` (lift-off as a formula), `liftoff-studio` (models by name, drawings, charts, pages, sweeps) and
 //! `liftoff-cli` (the command line over all of these).
@@ -83,9 +75,9 @@ pub mod ensemble;
 #[cfg(feature = "std")]
 mod error;
 #[cfg(feature = "std")]
-pub mod event;
+mod event;
 #[cfg(feature = "std")]
-pub mod expression;
+mod expression;
 #[cfg(feature = "std")]
 mod integration;
 #[cfg(feature = "std")]
@@ -106,21 +98,19 @@ pub use contact::ContactError;
 #[cfg(feature = "std")]
 pub use error::{ModelError, NameError, OutputError, ScheduleError, SupportError};
 #[cfg(feature = "std")]
-pub use event::{Event, EventKind, ImpactOrder, Note, PreImpact, Reaction};
+pub use event::{Event, EventFilter, EventKind, FrictionState, ImpactOrder, Note, PreImpact, Reaction};
 #[cfg(feature = "std")]
-pub use expression::contact_set;
-#[cfg(feature = "std")]
-pub use expression::{Condition, Formula, Output};
+pub use expression::{Condition, Formula, Output, contact_set};
 #[cfg(feature = "std")]
 pub use integration::method;
-#[cfg(feature = "std")]
-pub use liftoff_core::batch::{Batch, NoClosedForm, Side};
+pub use liftoff_core::model::{BarSystem, ContactSet, Form, Layout};
 #[cfg(feature = "std")]
 pub use liftoff_core::scales::Scales;
 #[cfg(feature = "std")]
-pub use liftoff_core::system;
-pub use liftoff_core::{FlowError, flow};
-pub use liftoff_core::{chain, figure, hinge, integrate, kernel, model, scalar, series};
+pub use liftoff_core::system::{Model, lanes, precise, varied};
+pub use liftoff_core::{FlowError, flow, scalar};
+#[cfg(feature = "std")]
+use liftoff_core::{integrate, model, series, system};
 #[cfg(feature = "derive")]
 #[doc = include_str!("attributes.md")]
 pub use liftoff_derive::BarSystem;
@@ -152,7 +142,6 @@ pub use liftoff_derive::document;
 #[cfg(feature = "derive")]
 #[doc(hidden)]
 pub use liftoff_derive::documented;
-pub use model::BarSystem;
 #[cfg(feature = "std")]
 pub use modes::{Change, Mode, Modes, Transition, modes};
 #[cfg(feature = "std")]
@@ -166,18 +155,34 @@ pub use trajectory::{
     AppliedImpulse, Extremum, Instant, LogEntry, LoggedDecision, Segment, Statistics, Trajectory,
 };
 
-/// Collisions in plain numbers: rows of a Jacobian, laws of restitution, the impulses that follow,
-/// and the path of a single contact with friction.
-#[cfg(feature = "std")]
-pub mod impulse {
-    pub use crate::contact::impulse::*;
-    pub use crate::contact::{Path, Striker, Vertex};
+/// What emitted code calls and what the crates above the engine share: no part of the interface, and it may change with
+/// every version.
+#[doc(hidden)]
+pub mod __private {
+    pub use liftoff_core::__private::*;
+
+    #[cfg(feature = "std")]
+    pub mod event {
+        pub use crate::event::*;
+    }
+
+    #[cfg(feature = "std")]
+    pub mod expression {
+        pub use crate::expression::*;
+    }
+
+    /// Collisions in plain numbers: rows of a Jacobian, laws of restitution, the impulses that follow,
+    /// and the path of a single contact with friction.
+    #[cfg(feature = "std")]
+    pub mod impulse {
+        pub use crate::contact::impulse::*;
+        pub use crate::contact::{Path, Striker, Vertex};
+    }
 }
 
 /// What a program needs to declare, run and read a simulation.
 pub mod prelude {
-    pub use crate::BarSystem;
-    pub use crate::model::Form;
+    pub use crate::{BarSystem, Form};
     #[cfg(feature = "std")]
     pub use crate::{Event, EventKind, Output, Phases, Pose, Reaction, RunError, Simulation, Trajectory};
 }

@@ -1,6 +1,6 @@
 //! How a contact stands, as importers see it.
 
-use liftoff::model::{Contact, ContactSet, Slip};
+use liftoff_core::model::{Contact, ContactSet, Slip};
 
 /// How a contact stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -10,7 +10,7 @@
 //! | closed, sliding | σ v | it slips on |
 //! | closed, over a bar | d | the corner is between the bar's ends |
 
-use liftoff::model::Layout;
+use liftoff_core::model::Layout;
 use liftoff_studio::RunSpec;
 
 /// An event indicator.
@@ -27,7 +27,7 @@ pub enum Guard {
 impl Guard {
     /// All of a model, in the order of its contacts.
     pub fn all(layout: &Layout) -> Vec<Self> {
-        let of = |(i, contact): (usize, &liftoff::model::Contact)| {
+        let of = |(i, contact): (usize, &liftoff_core::model::Contact)| {
             let friction = contact.friction.map(|_| Self::Friction(i));
             [Some(Self::Normal(i)), friction, contact.foot.map(|_| Self::End(i))]
         };

@@ -3,8 +3,8 @@
 use crate::contact_state::ContactState;
 use crate::error::FmuError;
 use crate::guards::{Guard, exchange_lacks};
-use liftoff::expression::si_unit::{SECOND, SiUnit};
-use liftoff::model::Layout;
+use liftoff::__private::expression::si_unit::{SECOND, SiUnit};
+use liftoff_core::model::Layout;
 use liftoff_studio::RunSpec;
 use liftoff_studio::registry::{Entry, Units};
 

@@ -1,7 +1,7 @@
 //! What happened in a motion.
 
-use liftoff::model::Energy;
 use liftoff::{NameError, Reaction};
+use liftoff_core::model::Energy;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
 use std::collections::BTreeMap;

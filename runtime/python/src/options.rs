@@ -2,10 +2,10 @@
 
 use crate::errors::{invalid, unknown};
 use crate::values::{check_support, number, refused, texts};
+use liftoff::__private::expression::si_unit::SECOND;
+use liftoff::Condition;
 use liftoff::NameError;
-use liftoff::expression::Condition;
-use liftoff::expression::si_unit::SECOND;
-use liftoff::model::Layout;
+use liftoff_core::model::Layout;
 use liftoff_studio::registry::MethodId;
 use liftoff_studio::run_spec::{PointImpulse, RunSpec};
 use pyo3::exceptions::PyTypeError;

@@ -1,10 +1,10 @@
 //! Numbers and texts as they are given.
 
 use crate::errors::{expression, invalid, unknown};
-use liftoff::expression::si_unit::SiUnit;
-use liftoff::expression::{contact_of, unknown_support};
-use liftoff::model::Layout;
+use liftoff::__private::expression::si_unit::SiUnit;
+use liftoff::__private::expression::{contact_of, unknown_support};
 use liftoff::{NameError, OutputError};
+use liftoff_core::model::Layout;
 use liftoff_studio::registry::{Place, Quantity};
 use liftoff_studio::run_spec::Values;
 use pyo3::exceptions::PyTypeError;

@@ -1,7 +1,7 @@
 //! Arithmetic of conditions and outputs.
 
 use crate::Number;
-use liftoff::expression::{Function, Operator};
+use liftoff::__private::expression::{Function, Operator};
 
 /// What is read as π is meant as π.
 pub(crate) fn number<S: Number>(x: f64) -> S {

@@ -12,8 +12,8 @@ use crate::Number;
 use crate::friction::{self, modes};
 use crate::linear::solve;
 use crate::model::ReplayModel;
-use liftoff::model::{ContactSet, SlipState};
-use liftoff::system::Equations;
+use liftoff_core::model::{ContactSet, SlipState};
+use liftoff_core::system::Equations;
 
 /// A collision at a state.
 pub(crate) struct Collision<'a, S: Number> {

@@ -4,8 +4,8 @@
 use crate::Number;
 use crate::collision::Collision;
 use crate::model::ReplayModel;
-use liftoff::impulse::Striker;
-use liftoff::model::{ContactSet, Layout, Slip, SlipState};
+use liftoff::__private::impulse::Striker;
+use liftoff_core::model::{ContactSet, Layout, Slip, SlipState};
 
 /// Slip velocities below this, in natural units relative to the fastest, are zero.
 const STICKS: f64 = 1e-8;

@@ -4,9 +4,10 @@ use crate::friction::slips;
 use crate::kinematic::Kinematic;
 use crate::model::{ReplayModel, ReplayPhase};
 use crate::{Number, arithmetic};
-use liftoff::event::{Guard, Rub};
-use liftoff::expression::{Condition, Environment, Function, Operator, Output, Variable};
-use liftoff::model::{Side, SlipState};
+use liftoff::__private::event::{Guard, Rub};
+use liftoff::__private::expression::{Environment, Function, Operator, Variable};
+use liftoff::{Condition, Output};
+use liftoff_core::model::{Side, SlipState};
 
 /// What cannot be evaluated on these numbers.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

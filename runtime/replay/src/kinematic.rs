@@ -1,8 +1,9 @@
 //! Conditions on positions and rates alone.
 
 use crate::{Number, arithmetic};
-use liftoff::expression::{Condition, Environment, Function, Operator, Variable};
-use liftoff::system::ModelOn;
+use liftoff::__private::expression::{Environment, Function, Operator, Variable};
+use liftoff::Condition;
+use liftoff_core::system::ModelOn;
 
 /// The left side of a condition less its right one at a full state; `None` where it reads time, forces, accelerations or energies.
 pub fn difference<S: Number>(condition: &Condition, model: &ModelOn<S>, state: &[S]) -> Option<S> {

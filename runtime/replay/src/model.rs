@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use crate::Number;
 use crate::extrapolation::Field;
-use liftoff::model::{ContactSet, Energy, Form, Layout};
-use liftoff::system::{ModelOn, Phase};
 use liftoff::{Scales, Trajectory};
+use liftoff_core::model::{ContactSet, Energy, Form, Layout};
+use liftoff_core::system::{ModelOn, Phase};
 
 /// A model's equations and values, with the natural units of the run.
 pub(crate) struct ReplayModel<S: Number> {

@@ -1,6 +1,6 @@
 //! Numbers that runs are computed with once more.
 
-use liftoff::scalar::{DoubleDouble, Dual4, Scalar};
+use liftoff_core::scalar::{DoubleDouble, Dual4, Scalar};
 
 /// A number with parts whose errors count each by itself: its value, then its derivatives, with respect to variables in units in
 /// which they vary by some 1.

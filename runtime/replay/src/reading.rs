@@ -1,7 +1,7 @@
 //! What is read of a run on the way, and in which phase: at an event that of the one behind it.
 
 use crate::ReplayError;
-use liftoff::event::EventKind;
+use liftoff::EventKind;
 use liftoff::{Output, Segment, Trajectory};
 
 /// An output at a moment of a run.

@@ -8,10 +8,11 @@ use crate::model::{ReplayModel, ReplayPhase};
 use crate::reading::{Located, Part, Reading, located};
 use crate::root::{EventRefinement, TOGETHER};
 use crate::{Number, ReplayError};
-use liftoff::event::{Event, EventKind, Guard};
-use liftoff::model::ContactSet;
-use liftoff::system::ModelOn;
+use liftoff::__private::event::Guard;
 use liftoff::{AppliedImpulse, LoggedDecision, Segment, Trajectory};
+use liftoff::{Event, EventKind};
+use liftoff_core::model::ContactSet;
+use liftoff_core::system::ModelOn;
 
 /// The first step, in natural times.
 const FIRST: f64 = 0.05;

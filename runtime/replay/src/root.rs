@@ -5,8 +5,8 @@ use crate::instant::{Instant, Unsupported};
 use crate::model::{ReplayModel, ReplayPhase};
 use crate::replay::failed;
 use crate::{Number, ReplayError};
-use liftoff::event::Guard;
-use liftoff::expression::Condition;
+use liftoff::__private::event::Guard;
+use liftoff::Condition;
 
 /// The first step of the secant method, in natural times: far above rounding, far below the time of any change.
 const PROBE: f64 = 1e-7;

@@ -4,8 +4,8 @@ use std::time::Instant;
 
 use liftoff::ensemble::{Ensemble, Member, MemberError};
 use liftoff::prelude::*;
-use liftoff::system::lanes;
 use liftoff_compiled::DoublePendulum;
+use liftoff_core::system::lanes;
 use serde_json::{Value, json};
 
 use crate::Result;

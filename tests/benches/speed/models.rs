@@ -2,9 +2,9 @@
 
 use core::hint::black_box;
 
-use liftoff::model::{BarSystem, ContactSet, Form, Phase, PhaseVisitor};
 use liftoff_codegen::analyse;
 use liftoff_compiled::*;
+use liftoff_core::model::{BarSystem, ContactSet, Form, Phase, PhaseVisitor};
 use serde_json::{Value, json};
 
 use crate::Result;

@@ -6,9 +6,9 @@
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-use liftoff::model::{BarSystem, ContactSet, Form, Phase, PhaseVisitor};
 use liftoff_codegen::program::Id;
 use liftoff_codegen::{analyse, expand};
+use liftoff_core::model::{BarSystem, ContactSet, Form, Phase, PhaseVisitor};
 use liftoff_ladder::measure::{Binary, Function, has_code};
 use liftoff_ladder::{
     DroppedBar, FallingBar, FreeBar, Pendulum, SlungBar, SprungPendulum, StandingBar, by_hand,

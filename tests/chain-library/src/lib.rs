@@ -12,7 +12,7 @@
 
 use liftoff::prelude::*;
 
-use liftoff::model::{ContactSet, Form, Phase, PhaseVisitor};
+use liftoff_core::model::{ContactSet, Form, Phase, PhaseVisitor};
 
 /// Declares the chain. Gravity pulls along +x, so that angles from +x are angles from the downward vertical.
 macro_rules! chain {

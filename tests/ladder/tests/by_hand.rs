@@ -1,8 +1,8 @@
 //! What is derived against what is written by hand: two ways to the same few dozen operations, hence 1e-12.
 
 use falling_pair::FallingPair;
+use liftoff::BarSystem;
 use liftoff::Phases;
-use liftoff::model::BarSystem;
 use liftoff::prelude::*;
 use liftoff_ladder::{
     DroppedBar, FallingBar, FreeBar, Pendulum, SlungBar, SprungPendulum, StandingBar, by_hand,

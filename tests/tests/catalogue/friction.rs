@@ -4,10 +4,10 @@ use super::common::{kinds, prepared, run};
 use super::{CLOSE, at, pose};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use core::f64::consts::{FRAC_PI_3, PI};
-use liftoff::model::Slip;
 use liftoff::prelude::*;
 use liftoff::{Note, RunCause, StartError};
 use liftoff_compiled::*;
+use liftoff_core::model::Slip;
 use liftoff_tests::catalogue::toppling_rod;
 use liftoff_tests::numerics::{integral, root};
 

@@ -21,7 +21,7 @@ const FLOORS: [(&str, &[&str]); 15] = [
     ("interpreter", &["liftoff-core", "liftoff-codegen"]),
     // Formulas of what was derived; nothing that runs.
     ("conditions", &["liftoff-codegen"]),
-    ("replay", &["liftoff"]),
+    ("replay", &["liftoff-core", "liftoff"]),
     // Knows no models.
     ("columnar", &[]),
     ("processes", &[]),
@@ -39,9 +39,9 @@ const FLOORS: [(&str, &[&str]); 15] = [
             "liftoff-processes",
         ],
     ),
-    ("fmu", &["liftoff", "liftoff-studio"]),
-    ("fmu/library", &["liftoff", "liftoff-studio", "liftoff-fmu"]),
-    ("analysis", &["liftoff", "liftoff-replay"]),
+    ("fmu", &["liftoff-core", "liftoff", "liftoff-studio"]),
+    ("fmu/library", &["liftoff-core", "liftoff", "liftoff-studio", "liftoff-fmu"]),
+    ("analysis", &["liftoff-core", "liftoff", "liftoff-replay"]),
     (
         "cli",
         &[
@@ -55,7 +55,7 @@ const FLOORS: [(&str, &[&str]); 15] = [
             "liftoff-fmu",
         ],
     ),
-    ("python", &["liftoff", "liftoff-studio"]),
+    ("python", &["liftoff-core", "liftoff", "liftoff-studio"]),
 ];
 
 /// The places above core that name a model's type: the engine's asks which of its parts the model

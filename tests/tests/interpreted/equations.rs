@@ -1,9 +1,9 @@
 //! Layouts, numbers and equations at random states.
 
 use super::{FORMS, each, noise, parameters, state};
-use liftoff::model::{ContactSet, Energy, Layout, SlipState};
-use liftoff::scalar::{DoubleDouble, Real, Scalar};
-use liftoff::system::{Equations, Model, Phase, System, TimeSeries};
+use liftoff_core::model::{ContactSet, Energy, Layout, SlipState};
+use liftoff_core::scalar::{DoubleDouble, Real, Scalar};
+use liftoff_core::system::{Equations, Model, Phase, System, TimeSeries};
 use std::sync::Arc;
 
 #[test]

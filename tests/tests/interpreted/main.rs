@@ -7,9 +7,9 @@ mod runs;
 
 use std::sync::Arc;
 
-use liftoff::model::{Form, Layout};
-use liftoff::system::Model;
 use liftoff_compiled::models;
+use liftoff_core::model::{Form, Layout};
+use liftoff_core::system::Model;
 use liftoff_interpreter::Interpreted;
 use liftoff_studio::registry::Entry;
 use liftoff_studio::run_spec::Values;

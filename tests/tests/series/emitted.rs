@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use liftoff::scalar::{Jet, Real};
+use liftoff_core::scalar::{Jet, Real};
 use proc_macro2::TokenStream;
 use syn::{BinOp, Block, Expr, ExprCall, ExprMethodCall, Item, Lit, Member, Pat, Stmt, UnOp};
 
@@ -184,7 +184,7 @@ fn method(call: &ExprMethodCall, variables: &Variables) -> Value {
     }
 }
 
-/// What `liftoff::series::SeriesOps` promises, of all orders together.
+/// What `liftoff_core::series::SeriesOps` promises, of all orders together.
 fn order(name: &str, arguments: &[Value]) -> Value {
     Value::One(match (name, arguments) {
         ("constant", [value]) => at_zero(value.one()),

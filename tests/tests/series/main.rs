@@ -8,8 +8,8 @@ mod turned;
 use std::collections::BTreeMap;
 
 use emitted::{K, Series, Value, Variables, block, items};
-use liftoff::scalar::Jet;
 use liftoff_codegen::{Analysis, analyse, expand};
+use liftoff_core::scalar::Jet;
 use liftoff_tests::random::{Source, Vocabulary, sample_of};
 use proc_macro2::TokenStream;
 use syn::{ImplItem, Item, ItemImpl, Type};

@@ -1,10 +1,10 @@
 //! The program of a model in jets, operation by operation.
 
-use liftoff::scalar::{Jet, Real};
 use liftoff_codegen::Analysis;
 use liftoff_codegen::algebra::Symbol;
 use liftoff_codegen::functions::PhaseFunctions;
 use liftoff_codegen::program::{Id, Operation, Program};
+use liftoff_core::scalar::{Jet, Real};
 
 use super::emitted::Series;
 

@@ -96,5 +96,5 @@ pub(super) fn of_kernel(analysis: &Analysis, constants: &Constants) -> Option<To
     })
 }
 
-/// Columns of one block of a tape, `liftoff::series::LANES`.
+/// Columns of one block of a tape, `liftoff_core::series::LANES`.
 const LANES: usize = 8;

@@ -4,11 +4,11 @@
 //! roundings of the largest term; 1e-12 relative to the largest entry leaves room for that and no more.
 
 use approx::assert_relative_eq;
-use liftoff::model::{BarSystem, ClosedForm, ContactSet, Energy, Form, KernelView, Phase, PhaseVisitor};
 use liftoff_codegen::algebra::Symbol;
 use liftoff_codegen::functions::PhaseFunctions;
 use liftoff_codegen::{Analysis, analyse};
 use liftoff_compiled::*;
+use liftoff_core::model::{BarSystem, ClosedForm, ContactSet, Energy, Form, KernelView, Phase, PhaseVisitor};
 use liftoff_tests::random::Source;
 
 const TOLERANCE: f64 = 1e-12;
@@ -30,7 +30,7 @@ fn close_to(computed: &[f64], expected: &[f64], tolerance: f64, what: &str) {
 }
 
 fn state<M: BarSystem>(source: &mut Source) -> M::State<f64> {
-    <M::State<f64> as liftoff::model::Array<f64>>::from_fn(|_| source.range(-1.2, 1.2))
+    <M::State<f64> as liftoff_core::model::Array<f64>>::from_fn(|_| source.range(-1.2, 1.2))
 }
 
 fn kernel<M: BarSystem>(analysis: &Analysis, model: &M, state: &M::State<f64>) {

@@ -1,12 +1,12 @@
 //! Emitted Taylor series against jets: the recurrences over a tape, in the series' own code, against those of
 //! [`Jet`] arithmetic in the code of the functions.
 
-use liftoff::integrate::{Expansion, PhaseExpansion};
-use liftoff::model::{Array, ContactSet, Form, KernelView, Phase, PhaseSeries, PhaseVisitor};
 use liftoff::prelude::*;
-use liftoff::scalar::Jet;
-use liftoff::system::Model;
 use liftoff_compiled::*;
+use liftoff_core::integrate::{Expansion, PhaseExpansion};
+use liftoff_core::model::{Array, ContactSet, Form, KernelView, Phase, PhaseSeries, PhaseVisitor};
+use liftoff_core::scalar::Jet;
+use liftoff_core::system::Model;
 use liftoff_tests::random::Source;
 
 /// Coefficients that are compared.

@@ -1,8 +1,8 @@
 //! The equations as derived from the declarations, beside those of the paper.
 
 use crate::systems::{FallingPair, ZigzagPublished};
-use liftoff::model::Layout;
 use liftoff::prelude::BarSystem;
+use liftoff_core::model::Layout;
 use liftoff_studio::equations;
 use liftoff_studio::explain::conditions::{Piece, Request, conditions};
 use liftoff_studio::html::escaped;

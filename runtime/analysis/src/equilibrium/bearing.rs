@@ -7,8 +7,8 @@
 //! Where rows of J depend on each other, λ = λ₀ + B c with Jᵀ B = 0, and linear programs in c give the least and the largest of each
 //! reaction.
 
-use liftoff::model::{ContactKind, ContactSet, QuantityKind, SlipState};
-use liftoff::scalar::{DoubleDouble, Real};
+use liftoff_core::model::{ContactKind, ContactSet, QuantityKind, SlipState};
+use liftoff_core::scalar::{DoubleDouble, Real};
 use nalgebra::{DMatrix, DVector};
 
 use crate::Subject;

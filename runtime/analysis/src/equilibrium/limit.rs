@@ -2,8 +2,8 @@
 //! it is not found, until they are nothing: Newton's method finds what is near only, and one step that fails is no end. At the end some contact bears nothing more, or its friction is at its limit, or a mode begins to grow, or what held
 //! the system has a fold.
 
-use liftoff::model::ContactSet;
-use liftoff::scalar::{DoubleDouble, Real};
+use liftoff_core::model::ContactSet;
+use liftoff_core::scalar::{DoubleDouble, Real};
 
 use super::newton::equilibrium;
 use super::search::{described, is_possible};

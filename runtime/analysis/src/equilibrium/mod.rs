@@ -5,7 +5,7 @@ mod limit;
 mod newton;
 mod search;
 
-use liftoff::model::Coordinate;
+use liftoff_core::model::Coordinate;
 
 use crate::Linearisation;
 pub use bearing::{JointForce, Load};

@@ -1,7 +1,7 @@
 //! An equilibrium of one contact set by Newton's method on its tangent space: K δξ = ξ̈, until δξ is lost in double-double.
 
-use liftoff::model::ContactSet;
-use liftoff::scalar::DoubleDouble;
+use liftoff_core::model::ContactSet;
+use liftoff_core::scalar::DoubleDouble;
 use nalgebra::DVector;
 
 use crate::Subject;

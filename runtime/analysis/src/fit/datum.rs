@@ -2,7 +2,8 @@
 
 use core::fmt;
 
-use liftoff::event::{EventFilter, Occurrence};
+use liftoff::__private::event::Occurrence;
+use liftoff::EventFilter;
 use liftoff::{Output, Trajectory};
 use liftoff_replay::{Moment, Reading};
 

@@ -8,7 +8,7 @@ use thiserror::Error;
 use super::{Datum, Fit, Place};
 use crate::sensitivity::{Direction, WIDTH, read_along};
 use crate::{SensitivityError, Variable};
-use liftoff::event::Occurrence;
+use liftoff::__private::event::Occurrence;
 
 /// A residual is smaller than this, so that its square is a number.
 const FAR: f64 = 1e100;

@@ -2,11 +2,11 @@
 
 use core::fmt;
 
-use liftoff::event::EventFilter;
-use liftoff::model::Layout;
-use liftoff::scalar::Dual4;
-use liftoff::system::ModelOn;
+use liftoff::EventFilter;
 use liftoff::{Condition, EventKind, Simulation, Trajectory};
+use liftoff_core::model::Layout;
+use liftoff_core::scalar::Dual4;
+use liftoff_core::system::ModelOn;
 use liftoff_replay::difference;
 
 use super::OrbitError;

@@ -8,9 +8,9 @@
 //! parameter it moves by −(∂c/∂x)⁺ ∂c/∂p.
 
 use liftoff::Scales;
-use liftoff::model::Layout;
-use liftoff::scalar::{Dual4, Real};
-use liftoff::system::{Equations, ModelOn};
+use liftoff_core::model::Layout;
+use liftoff_core::scalar::{Dual4, Real};
+use liftoff_core::system::{Equations, ModelOn};
 use nalgebra::{DMatrix, DVector};
 
 use super::{OrbitError, ReturnMap};

@@ -1,6 +1,6 @@
 //! Directions in which starts and parameters are varied, four on one dual number.
 
-use liftoff::scalar::Dual4;
+use liftoff_core::scalar::Dual4;
 
 /// Directions on one number.
 pub(crate) const WIDTH: usize = 4;

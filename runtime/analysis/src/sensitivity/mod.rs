@@ -14,8 +14,8 @@ mod direction;
 mod start;
 
 use liftoff::Trajectory;
-use liftoff::scalar::Dual4;
-use liftoff::system::ModelOn;
+use liftoff_core::scalar::Dual4;
+use liftoff_core::system::ModelOn;
 use liftoff_replay::{Reading, ReplayError, Replayed, read, replay};
 
 use crate::SensitivityError;
@@ -50,7 +50,7 @@ pub struct Derivatives {
 }
 
 impl Sensitivities {
-    /// Of a run; `model` makes the model's equations on dual numbers, for a compiled model by [`varied`](liftoff::system::varied);
+    /// Of a run; `model` makes the model's equations on dual numbers, for a compiled model by [`varied`](liftoff_core::system::varied);
     /// `start` gives the full state that a run starts in with another value of a variable.
     ///
     /// # Errors

@@ -9,7 +9,7 @@ use crate::output::json::pretty;
 use crate::output::print::print;
 use clap::Args;
 use core::fmt::Write;
-use liftoff::expression::significant;
+use liftoff::__private::expression::significant;
 use liftoff_studio::registry::Models;
 use liftoff_studio::sweep::{Boundary as Curve, BoundaryEnd};
 use serde_json::json;

@@ -6,7 +6,7 @@ use crate::output::json::pretty;
 use crate::output::print::print;
 use crate::output::style::{LABEL, NAME, styled};
 use clap::Args;
-use liftoff::model::Layout;
+use liftoff_core::model::Layout;
 use liftoff_studio::registry::{Entry, Models};
 use liftoff_studio::run_spec::Values;
 use serde::Serialize;

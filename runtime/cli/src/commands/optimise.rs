@@ -8,9 +8,9 @@ use crate::output::optimum;
 use crate::output::print::print;
 use clap::Args;
 use liftoff::Output;
-use liftoff::model::Layout;
-use liftoff::scalar::Dual4;
 use liftoff_analysis::{Free, Optimum, Place};
+use liftoff_core::model::Layout;
+use liftoff_core::scalar::Dual4;
 use liftoff_studio::registry::{Entry, Models, Units};
 use liftoff_studio::sweep::Observation;
 

@@ -6,10 +6,10 @@ use crate::options::values::{Assignment, assignment};
 use crate::output::orbit;
 use crate::output::print::print;
 use clap::Args;
-use liftoff::model::Layout;
-use liftoff::scalar::Dual4;
 use liftoff::{NameError, Simulation};
 use liftoff_analysis::{ReturnMap, Section};
+use liftoff_core::model::Layout;
+use liftoff_core::scalar::Dual4;
 use liftoff_studio::registry::{Entry, Models, Units};
 use liftoff_studio::run_spec::RunSpec;
 

@@ -8,8 +8,8 @@ use crate::output::print::print;
 use crate::output::sensitivity;
 use clap::Args;
 use liftoff::Trajectory;
-use liftoff::scalar::Dual4;
 use liftoff_analysis::{Sensitivities, SensitivityError, Variable};
+use liftoff_core::scalar::Dual4;
 use liftoff_studio::registry::{Entry, Models};
 use liftoff_studio::run_spec::RunSpec;
 

@@ -6,9 +6,9 @@ use crate::options::samples::Row;
 use crate::options::values::time;
 use crate::output::style::{NAME, styled};
 use clap::Args;
+use liftoff::__private::expression::{significant, unrounded};
 use liftoff::Trajectory;
-use liftoff::expression::{significant, unrounded};
-use liftoff::model::Layout;
+use liftoff_core::model::Layout;
 use liftoff_studio::registry::Entry;
 use liftoff_studio::sweep::Columns;
 

@@ -1,7 +1,7 @@
 //! `name=value`, `support@time`, `thread=condition` and `point=px,py@time` arguments.
 
+use liftoff::__private::expression::si_unit::{NEWTON, RADIAN, SECOND, SiUnit};
 use liftoff::OutputError;
-use liftoff::expression::si_unit::{NEWTON, RADIAN, SECOND, SiUnit};
 use liftoff_studio::registry::{Quantity, QuantityError, Units};
 use liftoff_studio::run_spec::PointImpulse;
 use std::ops::RangeInclusive;
@@ -121,7 +121,7 @@ pub fn whole(range: RangeInclusive<usize>) -> impl Fn(&str) -> Result<usize, Str
 #[cfg(test)]
 mod tests {
     use super::*;
-    use liftoff::expression::si_unit::METRE;
+    use liftoff::__private::expression::si_unit::METRE;
     use std::f64::consts::PI;
 
     #[test]

@@ -3,9 +3,9 @@
 use crate::CommandError;
 use crate::output::json::pretty;
 use core::fmt::Write;
-use liftoff::expression::{significant, unrounded};
-use liftoff::model::Layout;
+use liftoff::__private::expression::{significant, unrounded};
 use liftoff_analysis::{BySymmetry, Equilibrium, LimitEnd, Linearisation, Load, LoadLimit, Mode, Stability};
+use liftoff_core::model::Layout;
 use liftoff_studio::animation::ModeShape;
 use serde_json::{Map, Value, json};
 

@@ -4,7 +4,7 @@ use crate::CommandError;
 use crate::commands::fit::data::Measured;
 use crate::output::json::pretty;
 use core::fmt::Write;
-use liftoff::expression::significant;
+use liftoff::__private::expression::significant;
 use liftoff_analysis::{Ending, Fitted};
 use liftoff_studio::sweep::aligned;
 use serde_json::{Map, Value, json};

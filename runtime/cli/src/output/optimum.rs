@@ -2,7 +2,7 @@
 
 use crate::CommandError;
 use crate::output::json::pretty;
-use liftoff::expression::significant;
+use liftoff::__private::expression::significant;
 use liftoff_analysis::{Best, Ending};
 use liftoff_studio::sweep::aligned;
 use serde_json::{Map, Value, json};

@@ -3,10 +3,10 @@
 use crate::CommandError;
 use crate::output::json::pretty;
 use core::fmt::Write;
+use liftoff::__private::expression::significant;
 use liftoff::EventKind;
-use liftoff::expression::significant;
-use liftoff::model::Layout;
 use liftoff_analysis::{Branch, BranchEnd, Orbit, OrbitStability};
+use liftoff_core::model::Layout;
 use liftoff_studio::sweep::aligned;
 use serde_json::{Map, Value, json};
 

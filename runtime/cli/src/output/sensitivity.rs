@@ -2,8 +2,8 @@
 
 use crate::CommandError;
 use crate::output::json::pretty;
+use liftoff::__private::expression::significant;
 use liftoff::Trajectory;
-use liftoff::expression::significant;
 use liftoff_analysis::{Sensitivities, Variable};
 use liftoff_studio::sweep::aligned;
 use serde_json::{Map, Value};

@@ -10,7 +10,7 @@
 //! ```
 //! use liftoff::ensemble::Ensemble;
 //! use liftoff::prelude::*;
-//! use liftoff::system::lanes;
+//! use liftoff::lanes;
 //!
 //! /// A bar that swings.
 //! #[derive(BarSystem)]

@@ -2,7 +2,7 @@
 
 use super::{Attribute, Xml, element, parent};
 use crate::interface::Interface;
-use liftoff::expression::si_unit::SiUnit;
+use liftoff::__private::expression::si_unit::SiUnit;
 use std::io::Result;
 
 /// The name of a unit; none of plain numbers, which have none in FMI.

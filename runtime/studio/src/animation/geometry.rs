@@ -3,8 +3,8 @@
 use super::place::{Direction, Spot};
 use super::rounds::Round;
 use crate::registry::Configuration;
-use liftoff::model::geometry::{self, Look};
-use liftoff::model::{ContactKind, Layout};
+use liftoff_core::model::geometry::{self, Look};
+use liftoff_core::model::{ContactKind, Layout};
 use serde::Serialize;
 
 /// What moves, and where contacts act.
@@ -106,7 +106,7 @@ impl Thread {
 }
 
 impl Contact {
-    fn of(contact: &liftoff::model::Contact, start: &Configuration) -> Self {
+    fn of(contact: &liftoff_core::model::Contact, start: &Configuration) -> Self {
         let pushes = start.geometry().pushes;
         let of = |support: &'static str| pushes.iter().filter(move |push| push.support == support);
         let pushes = contact.supports.iter().flat_map(|support| of(support));

@@ -7,8 +7,8 @@ use super::rounding::{CLOSENESS, sizes, whole};
 use super::sampling::{Sampled, Sampler};
 use super::scenery::{EventItem, SceneryItem, scenery};
 use crate::registry::{Configuration, MotionError};
-use liftoff::model::Layout;
 use liftoff::{Segment, Trajectory};
+use liftoff_core::model::Layout;
 use serde::Serialize;
 
 /// Times at which the sizes of quantities are read, beside the steps' ends.

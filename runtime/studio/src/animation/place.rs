@@ -1,6 +1,6 @@
 //! Places and directions, as the page reads them.
 
-use liftoff::model::geometry;
+use liftoff_core::model::geometry;
 use serde::Serialize;
 
 use crate::registry::Configuration;

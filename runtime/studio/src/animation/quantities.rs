@@ -3,7 +3,7 @@
 use crate::picture::{energies, shown};
 use crate::registry::{MotionError, Units};
 use liftoff::Trajectory;
-use liftoff::model::ContactKind;
+use liftoff_core::model::ContactKind;
 use serde::Serialize;
 
 /// A quantity of the motion, by the expression that gives it.

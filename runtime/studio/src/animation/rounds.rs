@@ -2,7 +2,7 @@
 
 use super::place::Direction;
 use crate::registry::Configuration;
-use liftoff::model::geometry;
+use liftoff_core::model::geometry;
 use serde::Serialize;
 
 /// A circle about a point.

@@ -2,8 +2,8 @@
 
 use super::rounds::Solid;
 use crate::registry::Configuration;
-use liftoff::model::geometry::{self, Look};
 use liftoff::{Event, Reaction};
+use liftoff_core::model::geometry::{self, Look};
 use serde::Serialize;
 
 #[derive(Serialize)]

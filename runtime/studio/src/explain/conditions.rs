@@ -2,9 +2,9 @@
 
 use core::fmt::Write;
 
-use liftoff::model::Layout;
 pub use liftoff_conditions::{Piece, Request, Section};
 use liftoff_conditions::{Statement, sections as of_analysis};
+use liftoff_core::model::Layout;
 
 use super::derived;
 use super::latex::{HEAD, escaped as in_latex};

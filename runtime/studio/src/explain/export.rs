@@ -1,7 +1,7 @@
 //! The equations of a model as sources of other programs, derived again from the declaration that it carries.
 
-use liftoff::model::Layout;
 use liftoff_codegen::export;
+use liftoff_core::model::Layout;
 
 pub use export::File;
 

@@ -8,12 +8,12 @@ mod latex;
 
 pub use html::{Drawings, page, phase_page};
 pub use latex::{latex, latex_display, phase_latex};
-use liftoff::model::Layout;
 use liftoff_codegen::Analysis;
 pub(crate) use liftoff_codegen::Unfolded as Halves;
 pub use liftoff_codegen::equations_as_html as part;
 pub use liftoff_codegen::text::Equations;
 pub use liftoff_codegen::{math, text};
+use liftoff_core::model::Layout;
 use liftoff_interpreter::Interpreted;
 use proc_macro2::TokenStream;
 use quote::ToTokens;

@@ -3,7 +3,7 @@
 use super::{Graph, arrow, lettering, pen, pen_of};
 use crate::plot::svg::{Anchor, Pen, Svg};
 use liftoff::Change;
-use liftoff::model::{Contact, ContactKind};
+use liftoff_core::model::{Contact, ContactKind};
 
 const ROW: f64 = 22.0;
 const LEFT: f64 = 14.0;

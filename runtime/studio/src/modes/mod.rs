@@ -8,8 +8,8 @@ mod tests;
 
 use crate::plot::svg::plane::{Box2, Px, add, along, head, minus};
 use crate::plot::svg::{Anchor, Colour, Fill, Lettering, Pen, Svg};
-use liftoff::model::{Layout, Slip};
 use liftoff::{Change, Mode, Modes, Transition};
+use liftoff_core::model::{Layout, Slip};
 use place::Places;
 
 /// With more changes than this they are told apart by colour and dashes only, as the legend says.

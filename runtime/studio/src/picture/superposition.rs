@@ -5,8 +5,8 @@ use crate::plot::{Axis, Colour, Dash, Figure, LegendLine, Stroke, Superposition}
 use crate::registry::Configuration;
 use crate::registry::MotionError;
 use core::f64::consts::{FRAC_PI_2, TAU};
-use liftoff::model::geometry::{Body, Fixture, Look, Round, Shape, Solid};
 use liftoff::{EventKind, Trajectory};
+use liftoff_core::model::geometry::{Body, Fixture, Look, Round, Shape, Solid};
 
 /// Positions where none are asked for.
 const POSITIONS: usize = 13;

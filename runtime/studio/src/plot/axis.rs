@@ -1,7 +1,7 @@
 //! Axes with round ticks.
 
 use super::format::significant;
-use liftoff::expression::superscript;
+use liftoff::__private::expression::superscript;
 
 /// Relative differences below this are not drawn as any.
 const ROUNDING: f64 = 1e-11;

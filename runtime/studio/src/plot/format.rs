@@ -1,6 +1,6 @@
 //! Numbers as they are printed.
 
-use liftoff::expression::superscript;
+use liftoff::__private::expression::superscript;
 
 /// A number to so many significant digits; very small and very large ones with a power of ten.
 pub(crate) fn significant(value: f64, digits: usize) -> String {

@@ -2,9 +2,9 @@
 
 use core::f64::consts::FRAC_PI_2;
 use liftoff::Trajectory;
-use liftoff::model::geometry::{Direction, Geometry, Number, Push, Round, Spot};
-use liftoff::model::{Layout, Measure};
-use liftoff::system::Model;
+use liftoff_core::model::geometry::{Direction, Geometry, Number, Push, Round, Spot};
+use liftoff_core::model::{Layout, Measure};
+use liftoff_core::system::Model;
 
 /// A model at one instant: what a drawing needs.
 #[derive(Clone, Debug)]

@@ -1,6 +1,6 @@
 //! Dimensions of what a run is given, as powers of length, time and mass.
 
-use liftoff::model::{self, Layout};
+use liftoff_core::model::{self, Layout};
 
 /// Powers of length, time and mass.
 pub type Dimension = [f64; 3];

@@ -1,6 +1,6 @@
 //! How fast a phase gains or loses energy, from its equations: Ė along the motion.
 
-use liftoff::system::Phase;
+use liftoff_core::system::Phase;
 
 /// Part of the natural time over which Ė is a difference.
 const STEP: f64 = 1e-5;

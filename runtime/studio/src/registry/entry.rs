@@ -10,10 +10,10 @@ use core::ops::ControlFlow;
 use liftoff::NameError;
 use liftoff::Observer;
 use liftoff::Scales;
-use liftoff::model::{ContactSet, Form, Layout};
-use liftoff::scalar::{DoubleDouble, Dual4};
-use liftoff::system::{Model, ModelOn, System};
 use liftoff::{Modes, Output, OutputError, Pose, Simulation, Trajectory};
+use liftoff_core::model::{ContactSet, Form, Layout};
+use liftoff_core::scalar::{DoubleDouble, Dual4};
+use liftoff_core::system::{Model, ModelOn, System};
 use liftoff_interpreter::Interpreted;
 use liftoff_verification::judgement::witness;
 use liftoff_verification::precision::check_tolerance;
@@ -226,7 +226,7 @@ impl Entry {
     }
 
     /// How its motions are integrated side by side, if they can be.
-    pub(crate) fn lanes(&self) -> Option<liftoff::system::LaneConstructor> {
+    pub(crate) fn lanes(&self) -> Option<liftoff_core::system::LaneConstructor> {
         self.origin.lanes()
     }
 }

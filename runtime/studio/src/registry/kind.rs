@@ -4,7 +4,7 @@ use super::Entry;
 use super::origin::{Compiled, Origin};
 use crate::run_spec::{DefaultRun, RunSpec};
 use core::marker::PhantomData;
-use liftoff::model::BarSystem;
+use liftoff_core::model::BarSystem;
 use std::sync::Arc;
 
 /// A type, to tell whether it is a [`DefaultRun`].

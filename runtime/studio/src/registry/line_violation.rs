@@ -1,7 +1,7 @@
 //! Points that start behind a line although nothing is wrong with the contacts: lines keep only what is declared on them.
 
 use super::Configuration;
-use liftoff::model::geometry::{Fixture, Shape};
+use liftoff_core::model::geometry::{Fixture, Shape};
 
 /// Less than this part of the distances themselves is rounding.
 const ROUNDING: f64 = 1e-9;

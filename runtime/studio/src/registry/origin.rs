@@ -3,8 +3,8 @@
 use core::marker::PhantomData;
 use std::sync::{Arc, LazyLock, OnceLock};
 
-use liftoff::model::{BarSystem, Layout};
-use liftoff::system::{LaneConstructor, Model, lanes};
+use liftoff_core::model::{BarSystem, Layout};
+use liftoff_core::system::{LaneConstructor, Model, lanes};
 use liftoff_interpreter::Interpreted;
 
 use crate::explain::interpreted;

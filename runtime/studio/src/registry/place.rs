@@ -1,8 +1,8 @@
 //! Where a value is given: its name, and what it is measured in.
 
 use super::Units;
-use liftoff::expression::si_unit::SiUnit;
-use liftoff::model::Layout;
+use liftoff::__private::expression::si_unit::SiUnit;
+use liftoff_core::model::Layout;
 
 /// Where a value is given.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

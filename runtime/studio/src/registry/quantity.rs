@@ -1,7 +1,7 @@
 //! Numbers as expressions of named variables, with a unit behind them: `75*pi/180`, `2.5 mm`, `lambda deg`.
 
 use core::fmt;
-use liftoff::expression::si_unit::SiUnit;
+use liftoff::__private::expression::si_unit::SiUnit;
 use liftoff::{Formula, OutputError};
 use liftoff_codegen::units::{self, Unit};
 use thiserror::Error;

@@ -1,8 +1,8 @@
 //! How a run is computed.
 
 use super::MethodId;
-use liftoff::model::Form;
 use liftoff::{Budget, Simulation};
+use liftoff_core::model::Form;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 

@@ -1,6 +1,6 @@
 //! What to simulate: parameters, start and stop; a model with a default run.
 
-use liftoff::model::Layout;
+use liftoff_core::model::Layout;
 use serde::{Deserialize, Serialize};
 
 /// Named values in the order given.

@@ -1,7 +1,7 @@
 //! What outputs of a model are measured in.
 
-use liftoff::expression::si_unit::{SiUnit, si_unit, unit};
-use liftoff::model::{self, Layout};
+use liftoff::__private::expression::si_unit::{SiUnit, si_unit, unit};
+use liftoff_core::model::{self, Layout};
 
 /// What parameters of a model are measured in, as far as its declaration tells, and outputs with them.
 pub struct Units {

@@ -4,8 +4,8 @@ use super::Subject;
 use crate::html::escaped;
 use crate::registry::MotionError;
 use core::fmt::Write;
+use liftoff::__private::expression::significant;
 use liftoff::Trajectory;
-use liftoff::expression::significant;
 use liftoff::{Event, Reaction};
 
 /// Significant digits in the table.

@@ -4,10 +4,10 @@ use super::SweepError;
 use super::setting::Assignment;
 use crate::registry::Place;
 use crate::run_spec::RunSpec;
+use liftoff::__private::expression::{contact_of, unknown_support};
+use liftoff::Condition;
 use liftoff::NameError;
-use liftoff::expression::Condition;
-use liftoff::expression::{contact_of, unknown_support};
-use liftoff::model::Layout;
+use liftoff_core::model::Layout;
 
 /// The setting of a name that is varied and is itself one of the model.
 pub(super) fn itself(name: &str, layout: &Layout) -> Option<Assignment> {

@@ -3,8 +3,8 @@
 use super::cell::written;
 use super::range::{Spread, Varied};
 use crate::run_spec::RunSpec;
-use liftoff::expression::Output;
-use liftoff::model::Layout;
+use liftoff::Output;
+use liftoff_core::model::Layout;
 
 /// The varied names that conditions may use: those that are none of the model.
 pub(super) struct Inserted {

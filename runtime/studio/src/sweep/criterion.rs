@@ -3,8 +3,8 @@
 use super::cell::{Cell, Outcome};
 use super::{Observation, SweepError};
 use crate::registry::{Quantity, Units};
-use liftoff::expression::si_unit::SiUnit;
-use liftoff::model::Layout;
+use liftoff::__private::expression::si_unit::SiUnit;
+use liftoff_core::model::Layout;
 
 /// What of an observation makes a difference.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]

@@ -4,12 +4,12 @@ use super::cell::{Cell, Outcome};
 use super::observation::{Observation, Quantity};
 use crate::registry::{Entry, chain};
 use crate::run_spec::RunSpec;
+use liftoff::EventFilter;
+use liftoff::Output;
 use liftoff::Simulation;
 use liftoff::Trajectory;
 use liftoff::ensemble::{Ensemble, MemberError, Motion};
-use liftoff::event::EventFilter;
-use liftoff::event::{Event, EventKind};
-use liftoff::expression::Output;
+use liftoff::{Event, EventKind};
 use std::sync::atomic::AtomicBool;
 
 /// The members of a sweep.

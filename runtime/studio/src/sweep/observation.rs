@@ -1,10 +1,11 @@
 //! What is read of each member: `first open`, `first open phi`, `t of last impact`, `count impact`, `max N(A)`, `end`.
 
 use super::SweepError;
+use liftoff::__private::event::Occurrence;
 use liftoff::NameError;
-use liftoff::event::{EventFilter, EventKind, Occurrence};
-use liftoff::expression::Output;
-use liftoff::model::Layout;
+use liftoff::Output;
+use liftoff::{EventFilter, EventKind};
+use liftoff_core::model::Layout;
 
 /// What is read of each member.
 ///

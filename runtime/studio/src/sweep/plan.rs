@@ -10,7 +10,7 @@ use super::team::{Found, Given, LIMIT, Leader, Work};
 use super::{Observation, Sweep, SweepError};
 use crate::registry::{Entry, Place};
 use crate::run_spec::RunSpec;
-use liftoff::expression::si_unit::SiUnit;
+use liftoff::__private::expression::si_unit::SiUnit;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};

@@ -4,7 +4,7 @@ use super::SweepError;
 use crate::registry::{Place, Quantity};
 use crate::run_spec::{RunSpec, Values};
 use liftoff::NameError;
-use liftoff::model::Layout;
+use liftoff_core::model::Layout;
 
 /// `name=formula` as it was given.
 #[derive(Clone, PartialEq, Debug)]

@@ -3,7 +3,7 @@
 use super::aligned::aligned;
 use super::cell::{Cell, MemberResult, written};
 use super::{Table, Varied};
-use liftoff::expression::unrounded;
+use liftoff::__private::expression::unrounded;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 

@@ -2,8 +2,8 @@
 
 use super::event_summary::event_summary;
 
+use liftoff::__private::expression::significant;
 use liftoff::Trajectory;
-use liftoff::expression::significant;
 use std::fmt::Write;
 
 /// A named number with its expected value and the largest absolute error that passes.

@@ -1,8 +1,8 @@
 //! Conditions of a run as they are told to the judge.
 
+use liftoff::__private::expression::{self, Environment, Variable};
 use liftoff::Trajectory;
-use liftoff::expression::{self, Environment, Variable};
-use liftoff::model::Layout;
+use liftoff_core::model::Layout;
 use liftoff_judge::{Condition, Expression, Function, Operator, Relation};
 
 /// What is beyond the judge.

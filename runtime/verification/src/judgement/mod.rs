@@ -5,8 +5,8 @@ mod record;
 
 use std::cell::RefCell;
 
-use liftoff::model::Layout;
 use liftoff::{Audit, Trajectory};
+use liftoff_core::model::Layout;
 use liftoff_judge::{Judge, Motion, Record, Task};
 use record::record;
 

@@ -1,7 +1,8 @@
 //! A run in plain numbers, as the judge is told of it.
 
-use liftoff::event::{EventKind, Guard, Note};
+use liftoff::__private::event::Guard;
 use liftoff::{Event, Scales, Segment, Trajectory};
+use liftoff::{EventKind, Note};
 use liftoff_judge::{Action, Change, Condition, Happening, Record, Stretch};
 
 use super::conditions::translated;
@@ -94,7 +95,7 @@ fn met(run: &Trajectory, k: usize) -> Option<Met> {
     Some((segment.t1, Some(done.filter_map(|event| action(run, event)).map(|(_, action)| action).collect())))
 }
 
-fn is_of(note: &Note, condition: &liftoff::expression::Condition) -> bool {
+fn is_of(note: &Note, condition: &liftoff::Condition) -> bool {
     matches!(note, Note::Condition(met) if met == condition)
 }
 fn names(event: &Event) -> Vec<String> {

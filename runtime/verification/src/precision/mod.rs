@@ -25,10 +25,10 @@ use liftoff::RunError;
 use liftoff::Simulation;
 use liftoff::Statistics;
 use liftoff::Trajectory;
-use liftoff::event::{Event, EventKind};
 use liftoff::method::Method;
-use liftoff::scalar::DoubleDouble;
-use liftoff::system::System;
+use liftoff::{Event, EventKind};
+use liftoff_core::scalar::DoubleDouble;
+use liftoff_core::system::System;
 
 /// Tolerance of the run that a reference follows, and where that run fails the one to try next.
 const FINEST: [f64; 3] = [1e-13, 1e-11, 1e-9];

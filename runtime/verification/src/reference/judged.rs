@@ -1,10 +1,10 @@
 //! A reference by the independent judge: its own motion, its own events, twice with series of different order. Of the run it
 //! has the start, what is done and waited for, and the names that its events go by.
 
-use liftoff::event::{Event, EventKind};
-use liftoff::scalar::{DoubleDouble, Real, Scalar};
-use liftoff::system::System;
+use liftoff::{Event, EventKind};
 use liftoff::{Scales, Trajectory};
+use liftoff_core::scalar::{DoubleDouble, Real, Scalar};
+use liftoff_core::system::System;
 use liftoff_judge::{Change, Motion, Task};
 use liftoff_replay::ReplayError;
 

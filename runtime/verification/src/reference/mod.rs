@@ -18,9 +18,9 @@ use std::sync::Arc;
 use judged::judged;
 use liftoff::Scales;
 use liftoff::Trajectory;
-use liftoff::event::{Event, EventKind};
-use liftoff::scalar::{DoubleDouble, Real, Scalar};
-use liftoff::system::{ModelOn, System};
+use liftoff::{Event, EventKind};
+use liftoff_core::scalar::{DoubleDouble, Real, Scalar};
+use liftoff_core::system::{ModelOn, System};
 use liftoff_replay::{ReplayError, replay};
 
 /// Error per step of the two passes.
@@ -99,7 +99,7 @@ impl Reference {
     /// The motion of a run by the independent judge, with the supports held that were; where that cannot do it, the run
     /// [once more](Self::replayed).
     /// `system` makes the model's equations from the values of its parameters, for a compiled model
-    /// [`precise`](liftoff::system::precise). Takes some thousand times as long as the run; the tighter the run's tolerance,
+    /// [`precise`](liftoff_core::system::precise). Takes some thousand times as long as the run; the tighter the run's tolerance,
     /// the surer that its events are found again.
     ///
     /// # Errors

@@ -4,7 +4,7 @@ use core::time::Duration;
 use liftoff::Scales;
 use liftoff::method::Dop853;
 use liftoff::prelude::*;
-use liftoff::system::precise;
+use liftoff_core::system::precise;
 use liftoff_fixtures::Ladder;
 use liftoff_verification::{Precision, PrecisionError, Reference, ReferenceError, ReplayError};
 

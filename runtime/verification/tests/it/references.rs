@@ -1,12 +1,12 @@
 //! Runs computed once more in double-double, against values of 30 digits by mpmath: quadrature for the falling pair, a
 //! Taylor method for the double pendulum, closed forms for impacts. Parameters and starts are the doubles given.
 
+use liftoff::EventKind;
 use liftoff::Scales;
-use liftoff::event::EventKind;
 use liftoff::method::Dop853;
 use liftoff::prelude::*;
-use liftoff::scalar::{DoubleDouble, Scalar};
-use liftoff::system::precise;
+use liftoff_core::scalar::{DoubleDouble, Scalar};
+use liftoff_core::system::precise;
 use liftoff_fixtures::BouncingBar;
 use liftoff_fixtures::DoublePendulum;
 use liftoff_fixtures::PairOnCorners;

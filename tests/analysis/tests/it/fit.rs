@@ -1,9 +1,10 @@
 //! Fits to data of closed forms: parameters found again, intervals that cover, and what is refused.
 
-use liftoff::event::{EventFilter, Occurrence};
+use liftoff::__private::event::Occurrence;
+use liftoff::EventFilter;
 use liftoff::prelude::*;
-use liftoff::system::varied;
 use liftoff_analysis::{Datum, Ending, Fit, FitError, Fitted, Place, TrialError, Variable};
+use liftoff_core::system::varied;
 use liftoff_fixtures::Ladder;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -68,7 +69,7 @@ impl<M: BarSystem> Case<M> {
             self.vary.iter().zip(values).for_each(|(name, value)| all[place(name)] = *value);
             (self.simulate)(&all)
         };
-        let model = |parameters: &[liftoff::scalar::Dual4]| Ok(varied::<M>(parameters));
+        let model = |parameters: &[liftoff_core::scalar::Dual4]| Ok(varied::<M>(parameters));
         let variables = self.vary.iter().map(variable).collect();
         Fit { simulate: &simulate, model: &model, variables, data }.solve()
     }

@@ -1,8 +1,8 @@
 //! What a run passes that ends no phase or has derivatives to one side only: touches, singular positions, given times at events.
 
 use liftoff::prelude::*;
-use liftoff::system::varied;
 use liftoff_analysis::{Sensitivities, SensitivityError, Variable};
+use liftoff_core::system::varied;
 use liftoff_replay::ReplayError;
 
 /// Derivatives by all parameters of a run whose start depends on them so.

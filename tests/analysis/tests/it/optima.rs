@@ -1,10 +1,11 @@
 //! Least and greatest outputs beside closed forms: inside, at bounds, through events, and what is refused.
 
-use liftoff::event::{EventFilter, Occurrence};
+use liftoff::__private::event::Occurrence;
+use liftoff::EventFilter;
 use liftoff::prelude::*;
-use liftoff::scalar::Dual4;
-use liftoff::system::varied;
 use liftoff_analysis::{Best, Ending, Free, Optimum, OptimumError, Place, TrialError, Variable};
+use liftoff_core::scalar::Dual4;
+use liftoff_core::system::varied;
 
 /// A body with its centre at d from the pivot.
 #[derive(BarSystem)]

@@ -4,9 +4,9 @@ mod walker;
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use liftoff::prelude::*;
-use liftoff::scalar::Dual4;
-use liftoff::system::varied;
 use liftoff_analysis::{BranchEnd, Orbit, OrbitError, OrbitStability, ReturnMap, Section, Special};
+use liftoff_core::scalar::Dual4;
+use liftoff_core::system::varied;
 use liftoff_fixtures::Belt;
 
 fn state_names<M: BarSystem>() -> Vec<String> {

@@ -1,8 +1,8 @@
 //! Derivatives of outputs at given times and behind events, against central differences of runs by the engine's own methods.
 
 use liftoff::prelude::*;
-use liftoff::scalar::Dual4;
-use liftoff::system::varied;
+use liftoff_core::scalar::Dual4;
+use liftoff_core::system::varied;
 use liftoff_fixtures::{Belt, Block, BouncingBar, Zigzag};
 use liftoff_replay::{Moment, Reading, ReplayError, read};
 
@@ -15,7 +15,7 @@ const AGREES: f64 = 1e-8;
 struct Case {
     values: [f64; 4],
     run: fn([f64; 4]) -> Trajectory,
-    model: fn(&[Dual4]) -> liftoff::system::ModelOn<Dual4>,
+    model: fn(&[Dual4]) -> liftoff_core::system::ModelOn<Dual4>,
     /// The places of the four among the parameters.
     parameters: [usize; 4],
     outputs: &'static [&'static str],

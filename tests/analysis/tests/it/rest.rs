@@ -1,8 +1,8 @@
 //! Equilibria with their reactions, and what has none.
 
 use liftoff::prelude::*;
-use liftoff::system::precise;
 use liftoff_analysis::{AnalysisError, Equilibrium, LimitEnd, Stability, Subject, equilibria, load_limit};
+use liftoff_core::system::precise;
 use liftoff_fixtures::{Plank, SpringPendulum};
 
 fn resting<M: BarSystem>(model: &M, start: Pose) -> Result<Vec<Equilibrium>, AnalysisError> {

@@ -1,9 +1,9 @@
 //! Derivatives of runs against closed forms, laws of similarity and differences of runs computed in double-double.
 
 use liftoff::prelude::*;
-use liftoff::scalar::{DoubleDouble, Real};
-use liftoff::system::{ModelOn, precise, varied};
 use liftoff_analysis::{Sensitivities, SensitivityError, Variable};
+use liftoff_core::scalar::{DoubleDouble, Real};
+use liftoff_core::system::{ModelOn, precise, varied};
 use liftoff_fixtures::{Belt, BouncingBar, FallingPair, Ladder, Zigzag};
 use liftoff_replay::{ReplayError, replay};
 

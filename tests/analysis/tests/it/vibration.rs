@@ -3,8 +3,8 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use liftoff::prelude::*;
-use liftoff::system::precise;
 use liftoff_analysis::{AnalysisError, Equilibrium, Linearisation, Mode, Stability, Subject, equilibria};
+use liftoff_core::system::precise;
 use liftoff_fixtures::{DoublePendulum, SpringPendulum};
 use nalgebra::DMatrix;
 

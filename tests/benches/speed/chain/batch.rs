@@ -1,7 +1,7 @@
 use generated_BARS::Chain;
-use liftoff::model::BarSystem;
-use liftoff::scalar::Real;
-use liftoff::{Batch, Side};
+use liftoff_core::model::BarSystem;
+use liftoff_core::scalar::Real;
+use liftoff_core::batch::{Batch, Side};
 use std::hint::black_box;
 use std::time::Instant;
 

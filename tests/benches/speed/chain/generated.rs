@@ -1,4 +1,4 @@
-use liftoff::model::{BarSystem, ContactSet, Form, Phase, PhaseVisitor};
+use liftoff_core::model::{BarSystem, ContactSet, Form, Phase, PhaseVisitor};
 
 pub struct Rhs(<Chain as BarSystem>::Constants<f64>);
 

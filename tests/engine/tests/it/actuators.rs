@@ -2,8 +2,8 @@
 
 use liftoff::RunCause;
 use liftoff::method::MethodId;
-use liftoff::model::Layout;
 use liftoff::prelude::*;
+use liftoff_core::model::Layout;
 
 fn run(simulation: Simulation) -> Trajectory {
     simulation.run().unwrap_or_else(|error| panic!("{error}"))

@@ -1,9 +1,10 @@
 //! Many states at once against one by one.
 
+use liftoff::contact_set;
 use liftoff::method::MethodId;
-use liftoff::model::Array;
 use liftoff::prelude::*;
-use liftoff::{Batch, NoClosedForm, Side, contact_set};
+use liftoff_core::batch::{Batch, NoClosedForm, Side};
+use liftoff_core::model::Array;
 use liftoff_fixtures::{Belt, Bob, FallingPair, HangingChain, Ladder};
 
 /// The same bits as one by one, in a reduced phase and in a free one; the last states are fewer than stand side by side.

@@ -1,9 +1,9 @@
 //! Runs that take more than they may, or no time at all.
 
-use liftoff::impulse::{Collision, CollisionError, Row};
-use liftoff::model::Law;
+use liftoff::__private::impulse::{Collision, CollisionError, Row};
 use liftoff::prelude::*;
 use liftoff::{Budget, Exhausted, RunCause};
+use liftoff_core::model::Law;
 use liftoff_fixtures::Particle;
 use nalgebra::{DMatrix, DVector};
 use std::time::Duration;

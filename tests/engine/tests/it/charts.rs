@@ -4,8 +4,8 @@
 use core::f64::consts::PI;
 
 use liftoff::LoggedDecision;
-use liftoff::model::Form;
 use liftoff::prelude::*;
+use liftoff_core::model::Form;
 use liftoff_fixtures::BouncingBar;
 use liftoff_fixtures::RodOnSupports;
 use liftoff_fixtures::Zigzag;

@@ -1,7 +1,7 @@
 //! Discs, and circles that move, against closed forms.
 
-use liftoff::model::Layout;
 use liftoff::prelude::*;
+use liftoff_core::model::Layout;
 
 fn run(simulation: Simulation) -> Trajectory {
     simulation.run().unwrap_or_else(|error| panic!("{error}"))

@@ -1,7 +1,7 @@
 //! Motions without events, by series and by projected steps.
 
-use liftoff::model::BarSystem;
 use liftoff::{FlowError, flow};
+use liftoff_core::model::BarSystem;
 use liftoff_fixtures::{DoublePendulum, QuickReturn, SpringPendulum};
 
 /// φ = ω t and tan ψ = (h + r sin φ)/(r cos φ), with joints: projected.

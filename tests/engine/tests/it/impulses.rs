@@ -1,7 +1,7 @@
 //! The impulse problem in plain numbers: random collisions against their conditions, and closed forms.
 
-use liftoff::impulse::{Collision, CollisionError, Outcome, Row};
-use liftoff::model::Law;
+use liftoff::__private::impulse::{Collision, CollisionError, Outcome, Row};
+use liftoff_core::model::Law;
 use nalgebra::{DMatrix, DVector};
 
 fn kinetic(collision: &Collision, u: &DVector<f64>) -> f64 {

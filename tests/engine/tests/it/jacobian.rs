@@ -2,10 +2,10 @@
 
 use liftoff::contact_set;
 use liftoff::method::Radau;
-use liftoff::model::Form;
 use liftoff::prelude::*;
-use liftoff::scalar::{DoubleDouble, Real, Scalar};
-use liftoff::system::{Model, precise};
+use liftoff_core::model::Form;
+use liftoff_core::scalar::{DoubleDouble, Real, Scalar};
+use liftoff_core::system::{Model, precise};
 use liftoff_fixtures::FallingPair;
 use liftoff_fixtures::SpringPendulum;
 use std::sync::Arc;

@@ -1,9 +1,9 @@
 //! Loads drawn at random of sums, products, |a|, min, max and roots of sums of squares, by every method against steps of
 //! DOP853 that are cut at their kinks by hand.
 
-use liftoff::integrate::{Dop853, StepState, Stepper, Tolerance};
 use liftoff::method::MethodId;
 use liftoff::prelude::*;
+use liftoff_core::integrate::{Dop853, StepState, Stepper, Tolerance};
 
 /// x, y, ẋ, ẏ of a ball of mass 1.
 type State = [f64; 4];

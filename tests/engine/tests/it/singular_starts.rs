@@ -4,8 +4,8 @@ use core::f64::consts::{FRAC_PI_2, PI};
 
 use liftoff::method::MethodId;
 use liftoff::prelude::*;
-use liftoff::system::Model;
 use liftoff::{RunCause, StartError};
+use liftoff_core::system::Model;
 use liftoff_fixtures::AFrame;
 use liftoff_fixtures::{RodOnSupports, TwoBalls, Zigzag};
 

@@ -17,7 +17,7 @@ fn named(run: &Trajectory, after: f64) -> Vec<(EventKind, Vec<&'static str>)> {
 }
 
 /// Splits a run at each of its events and between them.
-fn splits(model: &liftoff::system::Model, start: Pose, end: f64) {
+fn splits(model: &liftoff_core::system::Model, start: Pose, end: f64) {
     for tolerance in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
         let new = || Simulation::new(model.clone()).unwrap().tolerance(tolerance);
         let whole = new().start(start.clone()).unwrap().limit(end).run().unwrap();

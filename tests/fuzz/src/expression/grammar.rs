@@ -1,6 +1,6 @@
 //! Expressions and conditions that a model understands.
 
-use liftoff::model::Layout;
+use liftoff_core::model::Layout;
 use liftoff_tests::random::Source;
 
 const NUMBERS: [&str; 16] = [

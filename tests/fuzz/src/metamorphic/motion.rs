@@ -87,7 +87,7 @@ pub struct ContactRow {
 }
 
 /// The start of a scene as coordinates and rates of its model.
-fn list_start(scene: &Scene, coordinates: &[liftoff::model::Coordinate]) -> Vec<(String, f64)> {
+fn list_start(scene: &Scene, coordinates: &[liftoff_core::model::Coordinate]) -> Vec<(String, f64)> {
     let mut start = Vec::new();
     for name in coordinates.iter().map(|coordinate| coordinate.name) {
         let value = match name.split_at(1) {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
-use liftoff::model::{Coordinate, Form, Layout};
+use liftoff_core::model::{Coordinate, Form, Layout};
 use liftoff_models::models;
 use liftoff_studio::RunSpec;
 use liftoff_studio::registry::{Entry, MethodId};

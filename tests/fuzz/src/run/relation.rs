@@ -3,7 +3,7 @@
 use std::{iter, slice};
 
 use liftoff::Trajectory;
-use liftoff::model::{Form, Layout};
+use liftoff_core::model::{Form, Layout};
 use liftoff_models::models;
 use liftoff_studio::RunSpec;
 use liftoff_studio::registry::{Dimension, MethodId};

@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use liftoff::model::Form;
 use liftoff::{Budget, Simulation, Trajectory};
+use liftoff_core::model::Form;
 use liftoff_studio::RunSpec;
 use liftoff_studio::registry::{Entry, MethodId, MotionError};
 

@@ -1,8 +1,8 @@
 //! Impacts: the model's M and J in the runtime's impulse solver, against Newton–Euler impulses of the contacts that act.
 
-use liftoff::impulse::{Collision, CollisionError, Outcome, Row};
-use liftoff::model::Law;
+use liftoff::__private::impulse::{Collision, CollisionError, Outcome, Row};
 use liftoff_codegen::motion::{ClosedSet, Motion};
+use liftoff_core::model::Law;
 use liftoff_tests::oracle::{Impact, State, Unsolvable};
 use liftoff_tests::random::Source;
 use nalgebra::{DMatrix, DVector};

@@ -1,8 +1,8 @@
 //! The same model interpreted, on the numbers that the engine uses.
 
-use liftoff::model::{ContactSet, Form};
-use liftoff::system::Phase;
 use liftoff_codegen::functions::PhaseFunctions;
+use liftoff_core::model::{ContactSet, Form};
+use liftoff_core::system::Phase;
 use liftoff_interpreter::Interpreted;
 use std::sync::Arc;
 

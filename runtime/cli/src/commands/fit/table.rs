@@ -4,7 +4,7 @@ use super::data::is_deviation;
 use crate::CommandError;
 use csv::StringRecord;
 use liftoff::Output;
-use liftoff::model::Layout;
+use liftoff_core::model::Layout;
 use std::path::Path;
 
 /// What follows the name of a column in that of its standard deviations.

@@ -1,11 +1,11 @@
 //! A pendulum whose pivot is driven, x = a (1 − cos ω t): time in the state, a row with drift, an odd reduced state.
 //! l φ̈ = −g sin φ − ẍ cos φ, with φ from the vertical.
 
-use crate::kernel;
 use crate::model::*;
 use crate::prelude::*;
 use crate::scalar::{Real, Scalar};
 use crate::{Output, Simulation};
+use liftoff_core::kernel;
 
 /// A point mass P at the distance `l` from the pivot.
 struct Driven {

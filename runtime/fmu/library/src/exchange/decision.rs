@@ -1,9 +1,9 @@
 //! What follows an event: a run of the engine from the state there, over a moment.
 
 use super::projected;
-use liftoff::expression::contact_set;
-use liftoff::model::ContactSet;
+use liftoff::contact_set;
 use liftoff::{EventKind, Pose, RunCause, Segment, Simulation, Trajectory};
+use liftoff_core::model::ContactSet;
 use liftoff_studio::registry::chain;
 
 /// The moment, in natural times: far below any motion.

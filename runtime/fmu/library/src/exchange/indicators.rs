@@ -10,8 +10,8 @@
 //! errors of some steps add up; u (t/T)³ is as large as K ε u, that of K steps, at τ.
 
 use crate::place::Place;
-use liftoff::model::{Layout, Slip};
 use liftoff::{Output, Simulation};
+use liftoff_core::model::{Layout, Slip};
 use liftoff_fmu::{Guard, Interface, Quantity};
 
 /// The indicators of a model.

@@ -10,7 +10,7 @@ use super::indicators::{STEPS, ends};
 use super::projected;
 use crate::place::Place;
 use liftoff::Simulation;
-use liftoff::model::{ContactSet, Slip};
+use liftoff_core::model::{ContactSet, Slip};
 use liftoff_fmu::Guard;
 
 /// Gaps below a tenth of this, in natural lengths, count as closed at a start.

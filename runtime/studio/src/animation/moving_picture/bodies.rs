@@ -7,8 +7,8 @@ use crate::plot::Colour;
 use crate::plot::svg::plane::{Px, along, left_of, minus, towards, unit};
 use crate::plot::svg::{Fill, Pen};
 use crate::registry::Configuration;
-use liftoff::model::geometry::{Look, Round, Solid, Spring, Thread};
 use liftoff::{EventKind, Trajectory};
+use liftoff_core::model::geometry::{Look, Round, Solid, Spring, Thread};
 
 const BAR: Pen = Pen::of(Colour::Black, 4.5);
 const OUTLINE: Pen = Pen::of(Colour::Black, 1.6);

@@ -8,8 +8,8 @@ use crate::plot::svg::plane::{Px, along, left_of, towards, unit};
 use crate::plot::svg::{Fill, Pen};
 use crate::registry::{Configuration, MotionError};
 use liftoff::Trajectory;
-use liftoff::model::geometry::Push;
-use liftoff::model::{Contact, ContactKind};
+use liftoff_core::model::geometry::Push;
+use liftoff_core::model::{Contact, ContactKind};
 
 const EDGES: Pen = Pen::of(Colour::Orange, 1.0);
 

@@ -7,8 +7,8 @@ use crate::plot::svg::plane::{Px, along, head, left_of, length, towards, unit};
 use crate::plot::svg::{Fill, Pen};
 use crate::registry::{Configuration, MotionError};
 use liftoff::Trajectory;
-use liftoff::model::geometry::Push;
-use liftoff::model::{Contact, ContactKind};
+use liftoff_core::model::geometry::Push;
+use liftoff_core::model::{Contact, ContactKind};
 
 /// The longest arrow, and the shortest that is seen.
 const LONGEST: f64 = 62.0;
@@ -56,7 +56,7 @@ impl Contacts {
         let contact = contacts.iter().position(|contact| contact.supports.contains(&name));
         let key = |t: f64| stage.timeline.key(t);
         let lasting = record.segments().into_iter().filter(|segment| segment.t1 > segment.t0);
-        let is = |set: &liftoff::model::ContactSet| contact.is_some_and(|i| set.iter().any(|j| i == j));
+        let is = |set: &liftoff_core::model::ContactSet| contact.is_some_and(|i| set.iter().any(|j| i == j));
         let mut all: Vec<_> = lasting.map(|segment| (key(segment.t0), is(&segment.set))).collect();
         if let Some(first) = all.first_mut() {
             first.0 = 0.0;

@@ -19,7 +19,7 @@ use crate::plot::svg::Fill;
 use crate::plot::svg::plane::{Box2, distance};
 use crate::registry::{Configuration, Entry, MotionError};
 use crate::run_spec::Values;
-use liftoff::system::Model;
+use liftoff_core::system::Model;
 
 /// Positions of a cycle, and its seconds on the screen.
 const FRAMES: usize = 24;

@@ -7,7 +7,7 @@ use crate::plot::Colour;
 use crate::plot::svg::Fill;
 use crate::plot::svg::plane::{Px, add, length, minus, towards};
 use core::f64::consts::{FRAC_PI_2, TAU};
-use liftoff::model::geometry::Look;
+use liftoff_core::model::geometry::Look;
 
 /// Names of more points than these would hide what they name.
 const MOST: usize = 12;

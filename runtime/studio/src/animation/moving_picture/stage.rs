@@ -4,7 +4,7 @@ use super::timeline::Timeline;
 use crate::plot::svg::plane::{Box2, Px};
 use crate::registry::Configuration;
 use liftoff::Trajectory;
-use liftoff::model::geometry::Shape;
+use liftoff_core::model::geometry::Shape;
 
 /// Width of the picture.
 const WIDTH: f64 = 720.0;

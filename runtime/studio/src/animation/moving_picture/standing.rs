@@ -6,7 +6,7 @@ use crate::plot::Colour;
 use crate::plot::svg::plane::{Px, add, along, arc, left_of, length, minus, towards};
 use crate::plot::svg::{Fill, Pen};
 use core::f64::consts::{FRAC_PI_2, TAU};
-use liftoff::model::geometry::{Fixture, Look, Shape, Solid};
+use liftoff_core::model::geometry::{Fixture, Look, Shape, Solid};
 
 /// Breadth of what is hatched.
 const STRIP: f64 = 9.0;

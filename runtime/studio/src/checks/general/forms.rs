@@ -3,7 +3,7 @@
 use super::{Effort, Pair, at, case, runs, same, shown};
 use crate::checks::{Answer, Case};
 use crate::registry::{Entry, MotionError, RunOptions};
-use liftoff::model::Form;
+use liftoff_core::model::Form;
 
 const TOLERANCE: f64 = 1e-12;
 /// Tolerances by which times, the last state and reactions may be off.

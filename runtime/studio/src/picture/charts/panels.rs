@@ -5,7 +5,7 @@ use crate::picture::sample::{Traced, seen};
 use crate::plot::{Axis, Chart, Colour, Curve, Dash};
 use crate::registry::Units;
 use liftoff::Trajectory;
-use liftoff::model::Contact;
+use liftoff_core::model::Contact;
 
 /// Curves of a panel at most.
 const MOST: usize = 6;

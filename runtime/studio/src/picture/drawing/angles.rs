@@ -6,7 +6,7 @@ use super::plane::{Px, along, arc, distance, towards};
 use super::script::Script;
 use crate::plot::Colour;
 use core::f64::consts::{PI, TAU};
-use liftoff::model::geometry::Reading;
+use liftoff_core::model::geometry::Reading;
 
 /// Radius of the first arc about a point, and how much more each further one has.
 const RADIUS: f64 = 34.0;

@@ -5,8 +5,8 @@ use super::canvas::{BAR, Fill, OUTLINE, Pen, Spot};
 use super::plane::{Px, add, along, distance, left_of, minus, towards, unit};
 use super::script::Script;
 use crate::plot::Colour;
-use liftoff::model::Bar;
-use liftoff::model::geometry::{Look, Round, Solid};
+use liftoff_core::model::Bar;
+use liftoff_core::model::geometry::{Look, Round, Solid};
 
 /// Radius of a point mass.
 const MASS: f64 = 7.0;

@@ -2,7 +2,7 @@
 
 use super::plane::{Box2, Px, towards};
 use crate::registry::Configuration;
-use liftoff::model::geometry::Shape;
+use liftoff_core::model::geometry::Shape;
 
 /// Pixels that the model may take at most.
 const ROOM: Px = [400.0, 300.0];

@@ -5,7 +5,7 @@ use super::canvas::{Fill, OUTLINE};
 use super::plane::{Px, add, along, left_of, minus, towards, unit};
 use super::script::Script;
 use crate::plot::Colour;
-use liftoff::model::geometry::{Body, Look, Mark};
+use liftoff_core::model::geometry::{Body, Look, Mark};
 
 /// Radius of a hinge.
 const HINGE: f64 = 4.2;

@@ -5,7 +5,7 @@ use super::canvas::{HELP, MEASURE, Spot};
 use super::plane::{Px, along, distance, left_of, middle, minus, unit};
 use super::script::Script;
 use crate::plot::{Colour, significant};
-use liftoff::model::geometry::{self, Number};
+use liftoff_core::model::geometry::{self, Number};
 
 /// Bars shorter than this bear no dimension.
 const SHORTEST: f64 = 40.0;

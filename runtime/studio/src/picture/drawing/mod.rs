@@ -21,7 +21,7 @@ use crate::registry::Configuration;
 use canvas::{Canvas, Pen, Placement, Spot};
 use frame::Frame;
 use labels::{PlacedLabel, placed};
-use liftoff::model::Geometry;
+use liftoff_core::model::Geometry;
 use plane::{Box2, Px, along, left_of, towards, unit};
 use script::Script;
 

@@ -4,7 +4,7 @@ use super::Draft;
 use super::canvas::{HELP, MEASURE};
 use super::plane::{Px, add, along, distance, left_of, middle, minus, unit};
 use super::script::Script;
-use liftoff::model::geometry::Reading;
+use liftoff_core::model::geometry::Reading;
 
 /// Distance of the first arrow from the model, and of each further one.
 const OFFSET: f64 = 20.0;

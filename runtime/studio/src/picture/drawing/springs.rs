@@ -6,7 +6,7 @@ use super::plane::{Px, along, distance, left_of, minus, towards, unit};
 use super::script::Script;
 use crate::plot::Colour;
 use core::f64::consts::TAU;
-use liftoff::model::geometry::{Look, Spiral, Spring};
+use liftoff_core::model::geometry::{Look, Spiral, Spring};
 
 /// Half the breadth of a coil and of a dashpot.
 const COIL: f64 = 6.5;

@@ -5,7 +5,7 @@ use super::canvas::{Fill, MEASURE, OUTLINE, Pen};
 use super::plane::{Px, along, arc, distance, dot, left_of, middle, minus, towards, unit};
 use crate::plot::Colour;
 use core::f64::consts::TAU;
-use liftoff::model::geometry::{Fixture, Number, Shape, Solid};
+use liftoff_core::model::geometry::{Fixture, Number, Shape, Solid};
 
 /// Pixels that lines go on beside the model.
 const BEYOND: f64 = 34.0;

@@ -1,8 +1,8 @@
 //! A ladder, a slider-crank and a pair of bodies, whose guides obey the laws of motion and friction.
 
 use liftoff::method::MethodId;
-use liftoff::model::Form;
 use liftoff::prelude::*;
+use liftoff_core::model::Form;
 
 use crate::friction::run;
 
