@@ -17,7 +17,7 @@ pub(crate) fn check(budgets: &[Budget], analysis: &Analysis) -> syn::Result<()> 
         if counted.peek().is_none() {
             let which = if set.is_some() { "this contact set" } else { "no contact set" };
             let has = if set.is_some() { "has no code of its own" } else { "has code of its own" };
-            report.at(budget.span, format!("nothing to count: {which} {has}"));
+            report.add_message(budget.span, format!("nothing to count: {which} {has}"));
         }
         counted.for_each(|phase| compare(budget, analysis, phase, &mut report));
     }
@@ -30,12 +30,12 @@ fn compare(budget: &Budget, analysis: &Analysis, phase: &PhaseFunctions, report:
     if cost.flops() > budget.flops {
         let text = format!(
             "the right-hand side {} takes {} operations, {} more than the budget of {}: {cost}",
-            place(analysis, phase.set.closed),
+            describe_set(analysis, phase.set.closed),
             cost.flops(),
             cost.flops() - budget.flops,
             budget.flops
         );
-        report.at(budget.span, text);
+        report.add_message(budget.span, text);
     }
 }
 
@@ -61,7 +61,7 @@ fn closed(budget: &Budget, analysis: &Analysis) -> syn::Result<Option<u64>> {
 }
 
 /// `on P, Q`.
-fn place(analysis: &Analysis, set: u64) -> String {
+fn describe_set(analysis: &Analysis, set: u64) -> String {
     let closed = analysis.motion.contacts.iter().enumerate().filter(|(i, _)| contains(set, *i));
     let labels: Vec<String> = closed.map(|(_, contact)| contact.label(&analysis.system)).collect();
     if labels.is_empty() { "in free motion".to_owned() } else { format!("on {}", labels.join(", ")) }

@@ -165,10 +165,10 @@ fn derived(description: &Description) -> syn::Result<Analysis> {
     if work::is_spent() {
         return Err(syn::Error::new(system.ident.span(), limits::TOO_MUCH));
     }
-    let dimensions = Dimensions::of(description)?;
-    let kinematics = Kinematics::of(&system)?;
+    let dimensions = Dimensions::infer(description)?;
+    let kinematics = Kinematics::derive(&system)?;
     kinematics.check_start(&system)?;
-    let motion = Motion::of(&system, &kinematics)?;
+    let motion = Motion::derive(&system, &kinematics)?;
     if let Some(tree) = motion.long_tree() {
         let functions = Functions::of_tree(&system, &kinematics, &motion, tree);
         return Ok(Analysis {
@@ -181,9 +181,9 @@ fn derived(description: &Description) -> syn::Result<Analysis> {
             functions,
         });
     }
-    let dense = Dense::of(&Scene { system: &system, kinematics: &kinematics }, &motion)?;
+    let dense = Dense::derive(&Scene { system: &system, kinematics: &kinematics }, &motion)?;
     let phases = phases::closed_forms(&system, &kinematics, &motion, &dense);
-    let functions = Functions::of(&system, &kinematics, &motion, &dense, &phases);
+    let functions = Functions::lower(&system, &kinematics, &motion, &dense, &phases);
     Ok(Analysis { system, dimensions, kinematics, motion, dense: Some(dense), phases, functions })
 }
 

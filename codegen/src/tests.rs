@@ -16,7 +16,7 @@ pub(crate) fn analysis(declaration: &str) -> Analysis {
 }
 
 /// All mistakes of a declaration.
-fn told(declaration: &str) -> Vec<String> {
+fn find_mistakes(declaration: &str) -> Vec<String> {
     let errors = crate::analyse(declaration.parse().unwrap()).err();
     errors.into_iter().flatten().map(|error| error.to_string()).collect()
 }

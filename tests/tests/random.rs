@@ -210,8 +210,8 @@ fn every_part_has_its_form() {
     for seed in 0..200 {
         let sample = sample_of(seed, Vocabulary::ALL);
         let system = liftoff_codegen::resolve(sample.tokens().unwrap()).unwrap();
-        let coordinates = Kinematics::of(&system).unwrap().coordinates;
-        let forms = Geometry::of(&system, &coordinates);
+        let coordinates = Kinematics::derive(&system).unwrap().coordinates;
+        let forms = Geometry::from_system(&system, &coordinates);
         let marks = |look| forms.marks.iter().filter(|(_, mark)| *mark == look).count();
         assert_eq!((marks(Look::Foot), marks(Look::Mass)), (system.pins.len(), system.particles.len()));
         assert_eq!((forms.bodies.len(), forms.readings.len()), (system.bodies.len(), coordinates.len()));

@@ -20,7 +20,7 @@ impl Angle {
     }
 
     /// The angle that a symbol stands for.
-    pub fn of(symbol: Symbol) -> Self {
+    pub fn from_symbol(symbol: Symbol) -> Self {
         Self::from_multipliers(Powers::single(symbol, 1))
     }
 

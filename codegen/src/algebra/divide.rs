@@ -43,7 +43,7 @@ impl Series {
 
 /// Leading terms only, without the refutation beforehand.
 pub(super) fn divide(mut remainder: Exponential, divisor: &Exponential) -> Option<Exponential> {
-    let bounds = Bounds::of(&remainder, divisor)?;
+    let bounds = Bounds::compute(&remainder, divisor)?;
     let ((monomial, z), leading) = divisor.last_key_value()?;
     let inverse = leading.recip();
     let mut quotient = Exponential::new();
@@ -70,7 +70,7 @@ struct Bounds {
 
 impl Bounds {
     /// `None` where a greatest degree would be below the least, or a least one not allowed.
-    fn of(numerator: &Exponential, divisor: &Exponential) -> Option<Self> {
+    fn compute(numerator: &Exponential, divisor: &Exponential) -> Option<Self> {
         let monomial = quotient_ranges(
             &ranges(numerator.keys().map(|(m, _)| &m.0)),
             &ranges(divisor.keys().map(|(m, _)| &m.0)),

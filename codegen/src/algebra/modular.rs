@@ -24,7 +24,7 @@ pub(super) fn refutes(numerator: &Series, divisor: &Series) -> bool {
         return false;
     };
     let mut image = Image::new(main);
-    match (image.of(numerator), image.of(divisor)) {
+    match (image.compute_coefficients(numerator), image.compute_coefficients(divisor)) {
         (Some(n), Some(d)) => !d.is_empty() && !divides(n, &d),
         _ => false,
     }
@@ -63,7 +63,7 @@ impl Image {
 
     /// Coefficients by falling powers, without zeros at either end; `None` where a denominator is
     /// 0 in F_p.
-    fn of(&mut self, series: &Series) -> Option<Vec<u64>> {
+    fn compute_coefficients(&mut self, series: &Series) -> Option<Vec<u64>> {
         let mut coefficients = BTreeMap::new();
         if !work::spend(series.len()) {
             return None;

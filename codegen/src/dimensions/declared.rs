@@ -38,15 +38,15 @@ impl<'d> Reader<'d> {
                 Beam::Bar(bar) => self.bar(&bar.name, &bar.mass_properties),
                 Beam::Chain(chain) => self.bar(&chain.name, &chain.mass_properties),
                 Beam::Body(body) => {
-                    self.of("the mass of", &body.name, [&body.mass], MASS);
-                    self.of("the inertia of", &body.name, &body.inertia, INERTIA);
-                    self.of("the centre of", &body.name, body.centre.iter().flatten(), LENGTH);
+                    self.expect_each("the mass of", &body.name, [&body.mass], MASS);
+                    self.expect_each("the inertia of", &body.name, &body.inertia, INERTIA);
+                    self.expect_each("the centre of", &body.name, body.centre.iter().flatten(), LENGTH);
                     self.positions("the place on its body of", &body.points);
                 }
             }
         }
         for mass in d.masses.iter().chain(&d.particles) {
-            self.of("the mass at", &mass.point, [&mass.mass], MASS);
+            self.expect_each("the mass at", &mass.point, [&mass.mass], MASS);
         }
         let gravity = Place { what: "gravity", owner: None };
         for component in d.gravity.iter().flat_map(|gravity| &gravity.components) {
@@ -55,44 +55,44 @@ impl<'d> Reader<'d> {
     }
 
     fn bar(&mut self, name: &'d Ident, mass_properties: &'d MassProperties) {
-        self.of("the mass of", name, [&mass_properties.mass], MASS);
-        self.of("the length of", name, [&mass_properties.length], LENGTH);
-        self.of("the inertia of", name, &mass_properties.inertia, INERTIA);
-        self.of("the centre of", name, mass_properties.centre.iter().flatten(), LENGTH);
+        self.expect_each("the mass of", name, [&mass_properties.mass], MASS);
+        self.expect_each("the length of", name, [&mass_properties.length], LENGTH);
+        self.expect_each("the inertia of", name, &mass_properties.inertia, INERTIA);
+        self.expect_each("the centre of", name, mass_properties.centre.iter().flatten(), LENGTH);
     }
 
     fn places(&mut self, d: &'d Description) {
         for point in &d.points {
-            self.of("the place on its bar of", &point.name, &point.at, LENGTH);
+            self.expect_each("the place on its bar of", &point.name, &point.at, LENGTH);
         }
         self.positions("the place of pin", &d.pins);
         self.positions("the place of", &d.ground);
         self.positions("the place in the figure of", &d.figure);
         for disc in &d.discs {
-            self.of("the radius of", &disc.centre, [&disc.radius], LENGTH);
+            self.expect_each("the radius of", &disc.centre, [&disc.radius], LENGTH);
         }
         for section in &d.sections {
-            self.of("the place of section", &section.name, [&section.at], LENGTH);
+            self.expect_each("the place of section", &section.name, [&section.at], LENGTH);
         }
         if let Some(mirror) = &d.mirror {
             self.expect(Place { what: "the place of the mirror", owner: None }, &mirror.at, LENGTH);
         }
         for weld in &d.welds {
-            self.of("the weld angle of", &weld.first, &weld.angle, NONE);
+            self.expect_each("the weld angle of", &weld.first, &weld.angle, NONE);
         }
         for slider in &d.sliders {
             match &slider.guide {
                 Track::Horizontal(at) | Track::Vertical(at) => {
-                    self.of("the place of slider", &slider.name, [at], LENGTH);
+                    self.expect_each("the place of slider", &slider.name, [at], LENGTH);
                 }
                 Track::Line(angle, through) => {
-                    self.of("the angle of slider", &slider.name, [angle], NONE);
+                    self.expect_each("the angle of slider", &slider.name, [angle], NONE);
                     let through = through.iter().flat_map(|pair| pair.iter());
-                    self.of("the place of slider", &slider.name, through, LENGTH);
+                    self.expect_each("the place of slider", &slider.name, through, LENGTH);
                 }
                 Track::Circle(centre, radius) => {
                     let lengths = centre.iter().chain([radius]);
-                    self.of("the place of slider", &slider.name, lengths, LENGTH);
+                    self.expect_each("the place of slider", &slider.name, lengths, LENGTH);
                 }
                 Track::Bar(_) => {}
             }
@@ -103,17 +103,17 @@ impl<'d> Reader<'d> {
         for support in &d.supports {
             self.shape(&support.name, &support.shape);
             self.contact_law(&support.name, &support.contact_law);
-            self.of("the velocity of the surface of", &support.name, &support.moving, VELOCITY);
+            self.expect_each("the velocity of the surface of", &support.name, &support.moving, VELOCITY);
         }
         for slider in &d.sliders {
             self.friction(&slider.name, slider.friction.as_ref());
         }
         for hinge in &d.hinges {
             self.friction(&hinge.point, Some(&hinge.friction));
-            self.of("the radius of hinge", &hinge.point, [&hinge.radius], LENGTH);
+            self.expect_each("the radius of hinge", &hinge.point, [&hinge.radius], LENGTH);
         }
         for thread in &d.threads {
-            self.of("the length of thread", &thread.name, [&thread.length], LENGTH);
+            self.expect_each("the length of thread", &thread.name, [&thread.length], LENGTH);
             self.contact_law(&thread.name, &thread.contact_law);
         }
     }
@@ -133,12 +133,12 @@ impl<'d> Reader<'d> {
             Shape::Bar(_) | Shape::Edge(_) | Shape::Disc(_) => (None, Vec::new()),
             Shape::Slot(angle, through, width) => (Some(angle), through.iter().chain([width]).collect()),
         };
-        self.of("the angle of support", name, angle, NONE);
-        self.of("the place of support", name, lengths, LENGTH);
+        self.expect_each("the angle of support", name, angle, NONE);
+        self.expect_each("the place of support", name, lengths, LENGTH);
     }
 
     fn contact_law(&mut self, name: &'d Ident, contact_law: &'d ContactLaw) {
-        self.of("the restitution of", name, &contact_law.restitution, NONE);
+        self.expect_each("the restitution of", name, &contact_law.restitution, NONE);
         self.switch(name, &contact_law.armed);
         self.friction(name, contact_law.friction.as_ref());
     }
@@ -147,7 +147,7 @@ impl<'d> Reader<'d> {
         let all =
             |law: &'d FrictionLaw| core::iter::once(&law.kinetic).chain(&law.limit).chain(&law.tangential);
         let coefficients = law.into_iter().flat_map(all);
-        self.of("the friction of", name, coefficients, NONE);
+        self.expect_each("the friction of", name, coefficients, NONE);
     }
 
     fn switch(&mut self, name: &'d Ident, armed: &'d Option<Switch>) {
@@ -158,21 +158,21 @@ impl<'d> Reader<'d> {
 
     fn loads(&mut self, d: &'d Description) {
         for spring in &d.springs {
-            self.of("the natural length of", &spring.name, &spring.length, LENGTH);
+            self.expect_each("the natural length of", &spring.name, &spring.length, LENGTH);
             self.resistance(&spring.name, &spring.law, LINEAR);
             self.switch(&spring.name, &spring.armed);
         }
         for torsion in &d.torsions {
-            self.of("the angle of the torsion of", &torsion.first, &torsion.angle, NONE);
+            self.expect_each("the angle of the torsion of", &torsion.first, &torsion.angle, NONE);
             self.resistance(&torsion.first, &torsion.law, TORSIONAL);
             self.switch(&torsion.first, &torsion.armed);
         }
         for force in &d.forces {
-            self.of("the force", &force.name, &force.value, FORCE);
+            self.expect_each("the force", &force.name, &force.value, FORCE);
             self.switch(&force.name, &force.armed);
         }
         for couple in &d.couples {
-            self.of("the couple", &couple.name, [&couple.value], TORQUE);
+            self.expect_each("the couple", &couple.name, [&couple.value], TORQUE);
             self.switch(&couple.name, &couple.armed);
         }
         for drive in &d.drives {
@@ -181,7 +181,7 @@ impl<'d> Reader<'d> {
                 Target::Angle(_) | Target::Turn(_) => NONE,
                 Target::Position(..) | Target::Distance(_) | Target::Along(..) => LENGTH,
             };
-            self.of("the drive of", drive.target.ident(), [&drive.value], dimension);
+            self.expect_each("the drive of", drive.target.ident(), [&drive.value], dimension);
             self.switch(drive.target.ident(), &drive.armed);
         }
     }
@@ -190,23 +190,23 @@ impl<'d> Reader<'d> {
         for (field, value) in d.fields.iter().zip(&d.values) {
             if let Some((parameter, [length, time, mass])) = &value.measured {
                 let dimension = powers((*length).into(), (*time).into(), (*mass).into());
-                self.of("the unit of", field, [parameter], dimension);
+                self.expect_each("the unit of", field, [parameter], dimension);
             }
         }
     }
 
     fn resistance(&mut self, name: &'d Ident, law: &'d Resistance, [stiffness, damping]: [Dimension; 2]) {
-        self.of("the stiffness of", name, &law.stiffness, stiffness);
-        self.of("the damping of", name, &law.damping, damping);
+        self.expect_each("the stiffness of", name, &law.stiffness, stiffness);
+        self.expect_each("the damping of", name, &law.damping, damping);
     }
 
     fn positions(&mut self, what: &'static str, positions: &'d [(Ident, Pair)]) {
         for (name, position) in positions {
-            self.of(what, name, position, LENGTH);
+            self.expect_each(what, name, position, LENGTH);
         }
     }
 
-    fn of(
+    fn expect_each(
         &mut self,
         what: &'static str,
         owner: &'d Ident,

@@ -54,7 +54,7 @@ impl Dimensions {
     ///
     /// # Errors
     /// Every expression whose dimension contradicts those before it.
-    pub(crate) fn of(description: &Description) -> syn::Result<Self> {
+    pub(crate) fn infer(description: &Description) -> syn::Result<Self> {
         if description.dimensionless {
             return Ok(Self { parameters: vec![None; description.fields.len()], covariant: false });
         }

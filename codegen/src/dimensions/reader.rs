@@ -70,7 +70,7 @@ impl<'d> Reader<'d> {
         let mut reader = Self { description, constants: BTreeMap::new(), place, equations: Vec::new() };
         for (name, expr) in &description.constants {
             reader.place = Place { what: "the constant", owner: Some(name) };
-            let value = reader.read(expr);
+            let value = reader.infer(expr);
             reader.constants.insert(plain(name), value);
         }
         reader
@@ -88,7 +88,7 @@ impl<'d> Reader<'d> {
             return;
         }
         self.place = Place { what, owner: Some(owner) };
-        if let (Some(a), Some(b)) = (self.read(sides[0]), self.read(sides[1])) {
+        if let (Some(a), Some(b)) = (self.infer(sides[0]), self.infer(sides[1])) {
             self.sum(a, b, sides[1]);
         }
     }
@@ -114,7 +114,7 @@ impl<'d> Reader<'d> {
     }
 
     fn need(&mut self, expr: &'d Expr, needed: Dimension) {
-        if let Some(value) = self.read(expr) {
+        if let Some(value) = self.infer(expr) {
             let numeric = value.number || !value.has_parameters();
             let zero = value.dimension.plus(-Rational::ONE, &Affine::known(needed));
             self.demand(zero, numeric, expr, Reason::Needed(needed));
@@ -125,12 +125,12 @@ impl<'d> Reader<'d> {
         self.equations.push(Equation { zero, numeric, at, reason, place: self.place });
     }
 
-    fn read(&mut self, expr: &'d Expr) -> Option<Value> {
+    fn infer(&mut self, expr: &'d Expr) -> Option<Value> {
         match expr {
             Expr::Lit(literal) if is_zero(&literal.lit) => None,
-            Expr::Paren(inner) => self.read(&inner.expr),
-            Expr::Group(inner) => self.read(&inner.expr),
-            Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => self.read(&unary.expr),
+            Expr::Paren(inner) => self.infer(&inner.expr),
+            Expr::Group(inner) => self.infer(&inner.expr),
+            Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => self.infer(&unary.expr),
             Expr::Binary(binary) => self.binary(&binary.left, &binary.op, &binary.right),
             Expr::Path(path) => path.path.get_ident().and_then(|name| self.name(name)),
             Expr::Call(call) => self.call(call),
@@ -162,7 +162,7 @@ impl<'d> Reader<'d> {
     }
 
     fn binary(&mut self, left: &'d Expr, op: &BinOp, right: &'d Expr) -> Option<Value> {
-        let (a, b) = (self.read(left), self.read(right));
+        let (a, b) = (self.infer(left), self.infer(right));
         match op {
             BinOp::Mul(_) => Some(a?.times(Rational::ONE, &b?)),
             BinOp::Div(_) => Some(a?.times(-Rational::ONE, &b?)),
@@ -205,7 +205,7 @@ impl<'d> Reader<'d> {
         let Some(exponent) = call.args.first() else {
             return self.function(&call.method.to_string(), &call.receiver);
         };
-        let base = self.read(&call.receiver);
+        let base = self.infer(&call.receiver);
         match whole(exponent).ok()? {
             0 => Some(Value::known(NONE)),
             exponent => Some(base?.power(Rational::integer(exponent.into()))),
@@ -214,10 +214,10 @@ impl<'d> Reader<'d> {
 
     fn function(&mut self, name: &str, argument: &'d Expr) -> Option<Value> {
         if name == "sqrt" {
-            return Some(self.read(argument)?.power(Rational::HALF));
+            return Some(self.infer(argument)?.power(Rational::HALF));
         }
         if name == "abs" {
-            return self.read(argument);
+            return self.infer(argument);
         }
         self.need(argument, NONE);
         Some(Value::known(NONE))

@@ -7,19 +7,19 @@ use super::{Dimension, Dimensions};
 use crate::algebra::Rational;
 use crate::syntax;
 
-fn of(item: &str) -> syn::Result<Dimensions> {
-    Dimensions::of(&syntax::parse(item.parse()?)?)
+fn infer(item: &str) -> syn::Result<Dimensions> {
+    Dimensions::infer(&syntax::parse(item.parse()?)?)
 }
 
 /// Those of an item with the given attributes and parameters that has no mistakes.
 fn found(attributes: &str, parameters: &str) -> Dimensions {
     let fields: Vec<String> = parameters.split(' ').map(|name| format!("{name}: f64")).collect();
-    of(&format!("{attributes} struct S {{ {} }}", fields.join(", "))).unwrap()
+    infer(&format!("{attributes} struct S {{ {} }}", fields.join(", "))).unwrap()
 }
 
 /// What is told, and the tokens that it is told of.
-fn told(item: &str) -> Vec<(String, String)> {
-    let Err(errors) = of(item) else { return Vec::new() };
+fn find_mistakes(item: &str) -> Vec<(String, String)> {
+    let Err(errors) = infer(item) else { return Vec::new() };
     let lines: Vec<&str> = item.lines().collect();
     let place = |LineColumn { line, column }: LineColumn| -> usize {
         let before = lines[..line - 1].iter().map(|line| line.chars().count() + 1);
@@ -35,7 +35,7 @@ fn told(item: &str) -> Vec<(String, String)> {
 fn told_of(attributes: &str) -> Vec<(String, String)> {
     let bar = "#[gravity(g)] #[bar(AB, mass = m, length = l)] #[pin(A = (0, 0))] \
                #[coordinate(phi = angle(AB))] #[coordinate(x = x(B))]";
-    told(&format!("{bar} {attributes} struct S {{ m: f64, l: f64, g: f64, f: f64, w: f64 }}"))
+    find_mistakes(&format!("{bar} {attributes} struct S {{ m: f64, l: f64, g: f64, f: f64, w: f64 }}"))
 }
 
 fn powers(length: i64, time: i64, mass: i64) -> Option<Dimension> {
@@ -200,7 +200,7 @@ fn models() -> Vec<(String, Dimensions, Vec<String>)> {
     let analysed = models.map(|item| {
         let description = syntax::parse(item.to_token_stream()).unwrap();
         let names = description.fields.iter().map(ToString::to_string).collect();
-        (item.ident.to_string(), Dimensions::of(&description).unwrap(), names)
+        (item.ident.to_string(), Dimensions::infer(&description).unwrap(), names)
     });
     analysed.collect()
 }
@@ -236,10 +236,10 @@ fn units_say_what_parameters_are() {
              struct S {{ m: f64, #[value(200, unit = \"{unit}\")] l: f64 }}"
         )
     };
-    assert_eq!(of(&bar("mm")).unwrap().parameters[1], powers(1, 0, 0));
+    assert_eq!(infer(&bar("mm")).unwrap().parameters[1], powers(1, 0, 0));
     // Of a number with a dimension of its own, `3 m/s · l`, the unit decides.
-    assert_eq!(of(&bar("ms")).unwrap().parameters[1], powers(0, 1, 0));
+    assert_eq!(infer(&bar("ms")).unwrap().parameters[1], powers(0, 1, 0));
     let item = bar("mm").replace("3 * l, 0", "l, 0").replace("\"mm\"", "\"kg\"");
     let text = "`l` is a mass here, but a length by the place in the figure of `A`";
-    assert_eq!(told(&item), [("\"kg\"".to_owned(), text.to_owned())]);
+    assert_eq!(find_mistakes(&item), [("\"kg\"".to_owned(), text.to_owned())]);
 }

@@ -19,7 +19,7 @@ pub(super) struct Constants<'a> {
 
 impl<'a> Constants<'a> {
     /// Collects what `outputs` use of the parameter-only part of `program`.
-    pub(super) fn of(system: &System, program: &'a Program, outputs: &[Id]) -> Self {
+    pub(super) fn new(system: &System, program: &'a Program, outputs: &[Id]) -> Self {
         let names = constant_names(system, program, outputs);
         Self { program, fields: names.into_iter().map(|(id, name)| (id, ident(&name))).collect() }
     }

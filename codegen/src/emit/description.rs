@@ -14,7 +14,7 @@ use crate::{Analysis, Dimension, in_bytes};
 
 /// The layout and the methods that need no equations.
 pub(super) fn methods(analysis: &Analysis) -> TokenStream {
-    let drawn = Geometry::of(&analysis.system, &analysis.kinematics.coordinates);
+    let drawn = Geometry::from_system(&analysis.system, &analysis.kinematics.coordinates);
     let layout = layout(analysis, &drawn);
     let fields = &analysis.system.parameters;
     let indices = 0..fields.len();

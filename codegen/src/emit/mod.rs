@@ -38,7 +38,7 @@ pub(crate) use functions::Entries;
 pub fn implementation(analysis: &Analysis) -> TokenStream {
     let model = model();
     let constants =
-        Constants::of(&analysis.system, &analysis.functions.program, &analysis.functions.outputs());
+        Constants::new(&analysis.system, &analysis.functions.program, &analysis.functions.outputs());
     let (definition, filled) = constants.tokens();
     let types = functions::types(analysis);
     let described = description::methods(analysis);

@@ -18,7 +18,7 @@ impl Identifiers {
 
     /// The identifier for a name: its letters and digits, Greek letters spelled, an underscore at its end for each time that it
     /// is taken.
-    pub fn of(&mut self, name: &str) -> String {
+    pub fn make_unique(&mut self, name: &str) -> String {
         let mut identifier = plain(name);
         while !self.taken.insert(identifier.clone()) {
             identifier.push('_');
@@ -51,7 +51,7 @@ mod tests {
     fn every_name_has_an_identifier_of_its_own() {
         let mut identifiers = Identifiers::new(["lambda"]);
         let names = ["lambda", "lambda", "N(A, E)", "μ_A", "2nd", "q̈", "φ1", "phi1"];
-        let given = names.map(|name| identifiers.of(name));
+        let given = names.map(|name| identifiers.make_unique(name));
         assert_eq!(given, ["lambda_", "lambda__", "N_A_E", "mu_A", "x2nd", "qu308", "phi1", "phi1_"]);
     }
 }

@@ -30,7 +30,7 @@ pub struct Chain {
 
 impl Chain {
     /// The constants, where the system is such a chain and long enough.
-    pub(super) fn of(
+    pub(super) fn recognise(
         lowering: &mut Lowering,
         system: &System,
         kinematics: &Kinematics,

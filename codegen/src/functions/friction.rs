@@ -23,7 +23,7 @@ pub(super) struct WithFriction {
 }
 
 impl WithFriction {
-    pub(super) fn of(program: &mut Program, system: &System, phase: &Phase) -> Self {
+    pub(super) fn lower(program: &mut Program, system: &System, phase: &Phase) -> Self {
         let every = phase.mass.iter().flatten().chain(&phase.forces).chain(&phase.velocity_terms);
         let normals: Vec<&Quotient> =
             phase.sliding.iter().map(|sliding| phase.reaction(sliding.contact)).collect();
@@ -33,7 +33,7 @@ impl WithFriction {
         for sliding in &phase.sliding {
             lowering.define(Symbol::reaction(sliding.row), zero);
         }
-        let inertia = Inertia::of(&mut lowering, phase);
+        let inertia = Inertia::lower(&mut lowering, phase);
         let free = inertia.accelerations(&mut lowering, |k| &phase.forces[k] - &phase.velocity_terms[k]);
         let units: Vec<Vec<Id>> = phase
             .sliding
@@ -132,14 +132,14 @@ enum Inertia {
 }
 
 impl Inertia {
-    fn of(lowering: &mut Lowering, phase: &Phase) -> Self {
+    fn lower(lowering: &mut Lowering, phase: &Phase) -> Self {
         let entry = |lowering: &mut Lowering, k: usize, l: usize| lowering.quotient(&phase.mass[k][l]);
         if phase.moving.len() == 1 {
             return Self::Single(entry(lowering, 0, 0));
         }
         let rows = (0..phase.moving.len()).map(|k| (0..=k).map(|l| entry(lowering, k, l)).collect());
         let mass: Vec<Vec<Id>> = rows.collect();
-        Self::Factored(Factored::of(lowering.program(), &mass))
+        Self::Factored(Factored::factor(lowering.program(), &mass))
     }
 
     fn accelerations(&self, lowering: &mut Lowering, force: impl Fn(usize) -> Quotient) -> Vec<Id> {

@@ -131,7 +131,7 @@ fn is_regular(
     let Some(numbers) = system.samples.first() else { return false };
     let nominal = kinematics.nominal(system, numbers);
     let input = |symbol: Symbol| match symbol {
-        Symbol::Parameter(_) => numbers.of(&Series::symbol(symbol)),
+        Symbol::Parameter(_) => numbers.evaluate(&Series::symbol(symbol)),
         Symbol::Coordinate { index, order: 0 } if usize::from(index) < motion.n => {
             nominal[usize::from(index)]
         }
@@ -183,7 +183,7 @@ impl Solution {
             program.neg(sum)
         });
         let right: Vec<Id> = right.collect();
-        let factored = Factored::of(program, &compliance);
+        let factored = Factored::factor(program, &compliance);
         let multipliers = factored.solve(program, &right);
         let pivots = compliance.iter().zip(&factored.pivots).map(|(row, &pivot)| [row[row.len() - 1], pivot]);
         let pivots = pivots.collect();

@@ -13,13 +13,13 @@ pub(super) fn functions(system: &System, kinematics: &Kinematics, motion: &Motio
     let accelerations = recursion(&mut program, system, kinematics, motion, tree, &[]).swap_remove(0);
     let mut quantities = full::quantities(&mut program, system, motion);
     let mut lowering = Lowering::new(&mut program, system, &motion.opaque_terms, []);
-    let geometry = Geometry::of(&mut lowering, system, kinematics, tree);
+    let geometry = Geometry::lower(&mut lowering, system, kinematics, tree);
     let first = quantities.len();
     quantities.extend(joints(&mut lowering, &geometry, motion));
     let together = first..quantities.len();
     quantities.extend(momenta(&mut lowering, &geometry));
     let zero = lowering.program().integer(0);
-    let inverse = Inverse::of(&mut lowering, &geometry, &vec![zero; motion.n], &motion.loads.actions);
+    let inverse = Inverse::lower(&mut lowering, &geometry, &vec![zero; motion.n], &motion.loads.actions);
     let force = inverse.couples.iter().map(|&couple| lowering.program().neg(couple)).collect();
     let mass = Mass::Paths(paths(&mut lowering, &geometry));
     let kernel = full::with_rows(&mut lowering, motion, mass, force);
@@ -30,7 +30,7 @@ pub(super) fn functions(system: &System, kinematics: &Kinematics, motion: &Motio
     let feet =
         feet.flat_map(|foot| [&foot.from_first, &foot.from_last]).map(|s| lowering.series(s)).collect();
     let figure = system.figure.iter().flatten().map(|s| lowering.series(s)).collect();
-    let chain = Chain::of(&mut lowering, system, kinematics, motion);
+    let chain = Chain::recognise(&mut lowering, system, kinematics, motion);
     let free = PhaseFunctions::of_all(lowering.program(), motion, accelerations, energy);
     let phases = vec![PhaseFunctions { chain, ..free }];
     let kinks = kinks::kinks(&program, &kernel);

@@ -173,7 +173,7 @@ pub struct Functions {
 
 impl Functions {
     /// Lowers everything that the model's implementation needs.
-    pub fn of(
+    pub fn lower(
         system: &System,
         kinematics: &Kinematics,
         motion: &Motion,

@@ -16,7 +16,7 @@ pub(super) fn functions(
     motion: &Motion,
     phase: &Phase,
 ) -> PhaseFunctions {
-    let rubbed = (!phase.sliding.is_empty()).then(|| WithFriction::of(program, system, phase));
+    let rubbed = (!phase.sliding.is_empty()).then(|| WithFriction::lower(program, system, phase));
     let Accelerations { values: accelerations, reduced } = match &rubbed {
         None => accelerations(program, system, kinematics, motion, phase),
         Some(rubbed) => Accelerations { values: rubbed.accelerations.clone(), reduced: None },
@@ -38,7 +38,7 @@ pub(super) fn functions(
     embedding.extend(phase.rates.iter().map(|rate| lowering.quotient(rate)));
     let pivots = phase.pivots.iter().map(|pivot| relative(&mut lowering, pivot)).collect();
     let rates = phase.kept.iter().map(|&i| lowering.quotient(&phase.rates[i])).collect();
-    let chain = Chain::of(&mut lowering, system, kinematics, motion);
+    let chain = Chain::recognise(&mut lowering, system, kinematics, motion);
     let (set, kept, moving) = (phase.set, phase.kept.clone(), phase.moving.clone());
     PhaseFunctions { set, kept, moving, rates, accelerations, chain, reactions, embedding, pivots, energy }
 }

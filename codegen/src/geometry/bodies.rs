@@ -96,7 +96,7 @@ impl Draft<'_> {
             let along = match &slider.guide {
                 Guide::Line { direction, .. } => Direction::Fixed(self.numbers.angle(direction)),
                 Guide::Circle { centre, .. } => {
-                    Direction::Towards(Spot::Fixed(self.numbers.place(centre)), Spot::Point(slider.point))
+                    Direction::Towards(Spot::Fixed(self.numbers.position(centre)), Spot::Point(slider.point))
                 }
                 Guide::Axis(body) => self.axis(*body),
             };

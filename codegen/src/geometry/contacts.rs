@@ -24,7 +24,7 @@ impl Draft<'_> {
                 | OneSided::Thread { .. }
                 | OneSided::Drive(_) => continue,
             };
-            fixtures.push(Fixture { name: support.name.clone(), at: self.numbers.place(at), shape });
+            fixtures.push(Fixture { name: support.name.clone(), at: self.numbers.position(at), shape });
         }
         for slider in &self.system.sliders {
             let (at, shape) = match &slider.guide {
@@ -37,7 +37,7 @@ impl Draft<'_> {
                 }
                 Guide::Axis(_) => continue,
             };
-            fixtures.push(Fixture { name: slider.name.clone(), at: self.numbers.place(at), shape });
+            fixtures.push(Fixture { name: slider.name.clone(), at: self.numbers.position(at), shape });
         }
         fixtures
     }
@@ -56,7 +56,7 @@ impl Draft<'_> {
                     pushes.push(push(Spot::Point(*point), along, 1, -sense));
                 }
                 OneSided::Corner { body, at, side } => {
-                    let at = Spot::Fixed(self.numbers.place(at));
+                    let at = Spot::Fixed(self.numbers.position(at));
                     let turns = if *side > 0 { 1 } else { 3 };
                     pushes.push(push(at, self.axis(*body), turns, -side * sense));
                 }
@@ -72,7 +72,7 @@ impl Draft<'_> {
                 }
                 OneSided::Circle { point, centre, inside, .. } => {
                     let centre = match centre {
-                        Centre::Ground(at) => Spot::Fixed(self.numbers.place(at)),
+                        Centre::Ground(at) => Spot::Fixed(self.numbers.position(at)),
                         Centre::Point { point, .. } => Spot::Point(*point),
                     };
                     let at = Spot::Point(*point);

@@ -62,7 +62,7 @@ struct Draft<'a> {
 
 impl Geometry {
     /// Of a system with its coordinates.
-    pub fn of(system: &System, coordinates: &[Coordinate]) -> Self {
+    pub fn from_system(system: &System, coordinates: &[Coordinate]) -> Self {
         let mut draft = Draft { system, numbers: Numbers::default() };
         Self {
             bodies: draft.bodies(),
@@ -77,7 +77,7 @@ impl Geometry {
             readings: coordinates.iter().map(|coordinate| draft.reading(&coordinate.reading)).collect(),
             lengths: draft.lengths(),
             pushes: draft.pushes(),
-            gravity: system.gravity.as_ref().map(|components| draft.numbers.place(components)),
+            gravity: system.gravity.as_ref().map(|components| draft.numbers.position(components)),
             numbers: draft.numbers,
         }
     }
@@ -93,7 +93,7 @@ impl Draft<'_> {
     fn axis(&mut self, body: usize) -> Direction {
         let [from, to] = self.ends(body);
         match self.system.oblique(body) {
-            Some(step) => Direction::Axis([from, to], self.numbers.place(&step)),
+            Some(step) => Direction::Axis([from, to], self.numbers.position(&step)),
             None => Direction::Towards(Spot::Point(from), Spot::Point(to)),
         }
     }

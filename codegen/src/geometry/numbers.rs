@@ -27,7 +27,7 @@ impl Numbers {
         self.index(Value::Angle(angle.clone()))
     }
 
-    pub(super) fn place(&mut self, at: &[Series; 2]) -> [Number; 2] {
+    pub(super) fn position(&mut self, at: &[Series; 2]) -> [Number; 2] {
         [self.length(&at[0]), self.length(&at[1])]
     }
 

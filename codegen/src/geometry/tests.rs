@@ -8,8 +8,8 @@ use crate::system::System;
 
 fn geometry(declaration: &str) -> (System, Geometry) {
     let system = resolve(declaration.parse().unwrap()).unwrap();
-    let coordinates = Kinematics::of(&system).unwrap().coordinates;
-    let geometry = Geometry::of(&system, &coordinates);
+    let coordinates = Kinematics::derive(&system).unwrap().coordinates;
+    let geometry = Geometry::from_system(&system, &coordinates);
     (system, geometry)
 }
 

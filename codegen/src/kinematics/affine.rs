@@ -25,7 +25,7 @@ impl Affine {
         Self { coefficients: BTreeMap::new(), constant: angle }
     }
 
-    pub fn of(unknown: Unknown) -> Self {
+    pub fn from_unknown(unknown: Unknown) -> Self {
         Self { coefficients: BTreeMap::from([(unknown, 1)]), constant: Angle::zero() }
     }
 

@@ -7,7 +7,7 @@ use proc_macro2::Span;
 
 use super::affine::{Affine, Unknown};
 use super::relations::{Relation, Subject, relations};
-use super::{Coordinate, DependentAngle, figure_direction, read};
+use super::{Coordinate, DependentAngle, evaluate_reading, figure_direction};
 use crate::algebra::{Angle, Series, Symbol};
 use crate::syntax::plain;
 use crate::system::{CoordinateKind, Declared, Numbers, Reference, Settled, System};
@@ -142,9 +142,9 @@ fn name(system: &System, solved: &Solved, settled: Vec<Settled>) -> Directions {
         }
     }
     let angle = |x: Unknown| match solved.get(&x) {
-        None => Angle::of(Symbol::coordinate(symbols[&x])),
+        None => Angle::from_symbol(Symbol::coordinate(symbols[&x])),
         Some(value) => value.coefficients.iter().fold(value.constant.clone(), |sum, (x, &k)| {
-            &sum + &Angle::of(Symbol::coordinate(symbols[x])).scale(k)
+            &sum + &Angle::from_symbol(Symbol::coordinate(symbols[x])).scale(k)
         }),
     };
     let directions = (0..system.bodies.len()).map(|body| angle(Unknown::Direction(body))).collect();
@@ -178,11 +178,11 @@ fn dependent(
     let turns = system.samples.first().map_or(0.0, |numbers| {
         let nominal = value.evaluate(&|symbol| match symbol {
             Symbol::Coordinate { index, .. } => {
-                read(system, numbers, &independent[usize::from(index)].reading)
+                evaluate_reading(system, numbers, &independent[usize::from(index)].reading)
             }
-            _ => numbers.of(&Series::symbol(symbol)),
+            _ => numbers.evaluate(&Series::symbol(symbol)),
         });
-        ((read(system, numbers, &declared.reading) - nominal) / core::f64::consts::TAU).round()
+        ((evaluate_reading(system, numbers, &declared.reading) - nominal) / core::f64::consts::TAU).round()
     });
     let quarters = i32::from(value.quarter_turns()) + 4 * turns as i32;
     Some(DependentAngle { declared, quarters, parameters, coordinates })

@@ -48,7 +48,7 @@ impl Kinematics {
             }
             Guide::Axis(body) => {
                 let first = system.local(*body, system.bodies[*body].from);
-                height(at, &self.place(system, *body, &first), &self.directions[*body])
+                height(at, &self.compute_position(system, *body, &first), &self.directions[*body])
             }
         }
     }
@@ -56,14 +56,14 @@ impl Kinematics {
     /// What a drive prescribes as a series, of a distance d its `d²/2d₀`, and a constant angle to be added to it.
     pub fn driven(&self, system: &System, driven: &Driven) -> (Series, Angle) {
         match driven {
-            Driven::Reading(reading) => self.read(system, *reading),
+            Driven::Reading(reading) => self.derive_reading(system, *reading),
             Driven::Distance { ends, inverse } => {
                 ((&self.squared_distance(*ends) * inverse).scale(Rational::HALF), Angle::zero())
             }
             Driven::Turn { from, body } => split(&(&self.directions[*body] - &self.directions[*from])),
             Driven::Along { point, body } => {
                 let first = system.local(*body, system.bodies[*body].from);
-                let span = span(&self.place(system, *body, &first), &self.points[*point]);
+                let span = span(&self.compute_position(system, *body, &first), &self.points[*point]);
                 let direction = &self.directions[*body];
                 let along = &(&Series::cos(direction) * &span[0]) + &(&Series::sin(direction) * &span[1]);
                 (along, Angle::zero())
@@ -85,7 +85,7 @@ impl Kinematics {
     }
 
     /// What is read off the motion as a series, and a constant angle to be added to it.
-    pub fn read(&self, system: &System, reading: Reading) -> (Series, Angle) {
+    pub fn derive_reading(&self, system: &System, reading: Reading) -> (Series, Angle) {
         match reading {
             Reading::Position(point, axis) => (self.points[point][axis].clone(), Angle::zero()),
             Reading::Direction(body) => split(&self.directions[body]),
@@ -122,7 +122,7 @@ fn split(angle: &Angle) -> (Series, Angle) {
     let (own, rest) = angle.terms().iter().partition::<Vec<_>, _>(|(symbol, _)| moving(*symbol));
     let series = own.iter().map(|&(symbol, k)| Series::symbol(symbol).scale(Rational::integer(k.into())));
     let rest = rest.iter().fold(Angle::quarters(angle.quarter_turns().into()), |sum, &(symbol, k)| {
-        &sum + &Angle::of(symbol).scale(k.into())
+        &sum + &Angle::from_symbol(symbol).scale(k.into())
     });
     (series.sum(), rest)
 }

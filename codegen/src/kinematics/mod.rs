@@ -136,9 +136,9 @@ impl Kinematics {
     /// # Errors
     /// Contradictory or redundant angles, coordinates that are determined already, loops without
     /// mobility, each at its place.
-    pub fn of(system: &System) -> syn::Result<Self> {
+    pub fn derive(system: &System) -> syn::Result<Self> {
         let Directions { mut coordinates, dependent, directions, settled } = Directions::solve(system)?;
-        let placed = positions::place(system, &directions, &mut coordinates)?;
+        let placed = positions::place_points(system, &directions, &mut coordinates)?;
         let Placed { points, joints, tree } = placed;
         let centres = Vec::new();
         let mut kinematics =
@@ -147,7 +147,7 @@ impl Kinematics {
             .bodies
             .iter()
             .enumerate()
-            .map(|(i, body)| kinematics.place(system, i, &body.centre))
+            .map(|(i, body)| kinematics.compute_position(system, i, &body.centre))
             .collect();
         kinematics.guide(system);
         kinematics.check(system)?;
@@ -155,7 +155,7 @@ impl Kinematics {
     }
 
     /// Where a point of a body's frame is.
-    pub fn place(&self, system: &System, body: usize, local: &[Series; 2]) -> [Series; 2] {
+    pub fn compute_position(&self, system: &System, body: usize, local: &[Series; 2]) -> [Series; 2] {
         let entry = self.tree.entry[body];
         let first = system.local(body, entry);
         let step = [&local[0] - &first[0], &local[1] - &first[1]];
@@ -179,7 +179,7 @@ impl Kinematics {
     /// The direction's reading `q = sign (δ − reference)` evaluated on the nominal figure, with the parameters of a
     /// sample.
     pub fn nominal(&self, system: &System, numbers: &Numbers) -> Vec<f64> {
-        self.coordinates.iter().map(|c| read(system, numbers, &c.reading)).collect()
+        self.coordinates.iter().map(|c| evaluate_reading(system, numbers, &c.reading)).collect()
     }
 }
 
@@ -189,14 +189,16 @@ pub(crate) fn offset(r: &[Series; 2], direction: &Angle, [along, across]: &[Seri
     [&r[0] + &(&(along * &cos) - &(across * &sin)), &r[1] + &(&(along * &sin) + &(across * &cos))]
 }
 
-fn read(system: &System, numbers: &Numbers, reading: &CoordinateKind) -> f64 {
+fn evaluate_reading(system: &System, numbers: &Numbers, reading: &CoordinateKind) -> f64 {
     match reading {
         CoordinateKind::Position { point, axis, sign } => {
-            f64::from(*sign) * numbers.of(&system.figure[*point][*axis])
+            f64::from(*sign) * numbers.evaluate(&system.figure[*point][*axis])
         }
         CoordinateKind::Angle { body, reference, sign } => {
             let from = match reference {
-                Reference::Ground(angle) => angle.evaluate(&|symbol| numbers.of(&Series::symbol(symbol))),
+                Reference::Ground(angle) => {
+                    angle.evaluate(&|symbol| numbers.evaluate(&Series::symbol(symbol)))
+                }
                 Reference::Body(other) => figure_direction(system, numbers, *other),
             };
             f64::from(*sign) * wrapped(figure_direction(system, numbers, *body) - from)
@@ -206,10 +208,10 @@ fn read(system: &System, numbers: &Numbers, reading: &CoordinateKind) -> f64 {
 
 /// Direction of a body in the nominal figure.
 fn figure_direction(system: &System, numbers: &Numbers, body: usize) -> f64 {
-    let at = |point: usize, axis: usize| numbers.of(&system.figure[point][axis]);
+    let at = |point: usize, axis: usize| numbers.evaluate(&system.figure[point][axis]);
     let Body { from, to, .. } = system.bodies[body];
     let [across, along] = [1, 0].map(|axis| {
-        let local = |point| numbers.of(&system.local(body, point)[axis]);
+        let local = |point| numbers.evaluate(&system.local(body, point)[axis]);
         local(to) - local(from)
     });
     (at(to, 1) - at(from, 1)).atan2(at(to, 0) - at(from, 0)) - across.atan2(along)

@@ -30,7 +30,7 @@ pub(super) struct Closure {
 }
 
 /// Places every point; appends the coordinates of unanchored components.
-pub(super) fn place(
+pub(super) fn place_points(
     system: &System,
     directions: &[Angle],
     coordinates: &mut Vec<Coordinate>,
@@ -153,7 +153,7 @@ impl Layout<'_> {
             shift.push(match pin {
                 Some(pin) => {
                     let pin = &self.system.pins[pin];
-                    &pin.at[axis] - self.at(pin.point, axis)
+                    &pin.at[axis] - self.relative_position(pin.point, axis)
                 }
                 None => match self.by_mirror(component, axis) {
                     Some(shift) => shift,
@@ -162,13 +162,13 @@ impl Layout<'_> {
             });
         }
         for &point in &component.members {
-            let position = core::array::from_fn(|axis| self.at(point, axis) + &shift[axis]);
+            let position = core::array::from_fn(|axis| self.relative_position(point, axis) + &shift[axis]);
             self.points[point] = Some(position);
         }
         self.close(component, pin)
     }
 
-    fn at(&self, point: usize, axis: usize) -> &Series {
+    fn relative_position(&self, point: usize, axis: usize) -> &Series {
         &self.relative[point][axis]
     }
 
@@ -178,12 +178,12 @@ impl Layout<'_> {
         let image = mirror.points[component.root];
         let twice = mirror.at.scale(Rational::integer(2));
         if component.members.contains(&image) {
-            let sum = self.at(component.root, axis) + self.at(image, axis);
+            let sum = self.relative_position(component.root, axis) + self.relative_position(image, axis);
             return (axis == mirror.axis).then(|| (&twice - &sum).scale(Rational::new(1, 2)));
         }
         let placed = self.points[image].as_ref()?;
         let target = if axis == mirror.axis { &twice - &placed[axis] } else { placed[axis].clone() };
-        Some(&target - self.at(component.root, axis))
+        Some(&target - self.relative_position(component.root, axis))
     }
 
     fn by_coordinate(
@@ -213,7 +213,7 @@ impl Layout<'_> {
         };
         let reading = CoordinateKind::Position { point, axis, sign };
         coordinates.push(Coordinate { name, reading });
-        &symbol.scale(Rational::integer(sign.into())) - self.at(point, axis)
+        &symbol.scale(Rational::integer(sign.into())) - self.relative_position(point, axis)
     }
 
     fn unused(&self) -> syn::Result<()> {

@@ -17,7 +17,7 @@ const ROUGH: f64 = 0.1;
 pub fn nominal_values(system: &System, numbers: &Numbers, coordinates: &[f64]) -> BTreeMap<Symbol, f64> {
     let parameters = (0..system.parameters.len() + system.constants.len()).map(|i| {
         let symbol = Symbol::parameter(i);
-        (symbol, numbers.of(&Series::symbol(symbol)))
+        (symbol, numbers.evaluate(&Series::symbol(symbol)))
     });
     let coordinates = coordinates.iter().enumerate().map(|(i, &q)| (Symbol::coordinate(i), q));
     parameters.chain(coordinates).collect()

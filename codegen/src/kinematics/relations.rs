@@ -33,10 +33,11 @@ pub(super) fn relations(system: &System) -> Vec<Relation> {
         let direction = Unknown::Direction(*body);
         let base = match reference {
             Reference::Ground(angle) => Affine::constant(angle.clone()),
-            Reference::Body(other) => Affine::of(Unknown::Direction(*other)),
+            Reference::Body(other) => Affine::from_unknown(Unknown::Direction(*other)),
         };
-        let affine =
-            Affine::of(direction).plus(-1, &base).plus(-i32::from(*sign), &Affine::of(Unknown::Declared(i)));
+        let affine = Affine::from_unknown(direction)
+            .plus(-1, &base)
+            .plus(-i32::from(*sign), &Affine::from_unknown(Unknown::Declared(i)));
         let subject = Subject::Angle;
         Some(Relation { affine, preferred: Some(direction), subject, span: coordinate.name.span() })
     });
@@ -57,12 +58,12 @@ pub(super) fn relations(system: &System) -> Vec<Relation> {
 fn welded(system: &System) -> impl Iterator<Item = Relation> + '_ {
     system.welds.iter().map(|weld| {
         let direction = Unknown::Direction(weld.body);
-        let own = Affine::of(direction).plus(-1, &Affine::constant(weld.angle.clone()));
+        let own = Affine::from_unknown(direction).plus(-1, &Affine::constant(weld.angle.clone()));
         let name = |body: usize| &system.bodies[body].name;
         let (affine, subject) = match weld.to {
             None => (own, format!("the direction of `{}`", name(weld.body))),
             Some(other) => (
-                own.plus(-1, &Affine::of(Unknown::Direction(other))),
+                own.plus(-1, &Affine::from_unknown(Unknown::Direction(other))),
                 format!("the weld of `{}` to `{}`", name(weld.body), name(other)),
             ),
         };
@@ -83,7 +84,7 @@ fn label(system: &System, (factor, direction): (i32, &Direction)) -> String {
 }
 
 fn unknown(direction: &Direction) -> Affine {
-    Affine::of(match direction {
+    Affine::from_unknown(match direction {
         Direction::Body(body) => Unknown::Direction(*body),
         Direction::Coordinate(i) => Unknown::Declared(*i),
     })
@@ -94,8 +95,8 @@ fn mirrored(system: &System) -> impl Iterator<Item = Relation> + '_ {
     system.mirror.iter().flat_map(|mirror| {
         mirror.bodies.iter().enumerate().filter(|(body, (image, _))| body <= image).map(
             |(body, &(image, _))| Relation {
-                affine: Affine::of(Unknown::Direction(body))
-                    .plus(1, &Affine::of(Unknown::Direction(image)))
+                affine: Affine::from_unknown(Unknown::Direction(body))
+                    .plus(1, &Affine::from_unknown(Unknown::Direction(image)))
                     .plus(-1, &Affine::constant(mirror.sum_of_directions(body))),
                 preferred: None,
                 subject: Subject::Angle,

@@ -17,7 +17,7 @@ impl Kinematics {
         for StartValue { name, powers, .. } in &system.run.start {
             let (bare, time) = name.strip_suffix('\'').map_or((name.as_str(), 0), |bare| (bare, -1));
             let Some(coordinate) = all().find(|known| known.name == bare) else {
-                report.at(span, unknown("coordinate", &bare, known()));
+                report.add_message(span, unknown("coordinate", &bare, known()));
                 continue;
             };
             let (length, what) = if coordinate.is_angle() { (0, "an angle") } else { (1, "a length") };
@@ -31,7 +31,7 @@ impl Kinematics {
                     (_, 0) => (format!("the rate of {what}"), "2 rad/s"),
                     (_, _) => (format!("the rate of {what}"), "2 mm/s"),
                 };
-                report.at(
+                report.add_message(
                     span,
                     format!(
                         "`{name}` is {what}; its unit measures something else: write `{name} = {example}`"

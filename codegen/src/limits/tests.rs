@@ -6,7 +6,7 @@ use super::{LENGTH, LEVELS};
 type Form<'a> = &'a dyn Fn(usize) -> String;
 
 /// The messages about a length, from a thread with 2 MiB of stack: the least that anything of the compiler has.
-fn told(length: String) -> Vec<String> {
+fn find_mistakes(length: String) -> Vec<String> {
     let derived = move || {
         let item = format!(
             "#[bar(AB, mass = m, length = l)] #[pin(A = (0, 0))] #[figure(A = (0, 0), B = (l, 0))]
@@ -22,7 +22,7 @@ fn told(length: String) -> Vec<String> {
 fn what_is_deep_is_read_or_refused() {
     for (open, close) in [("(", ")"), ("sqrt(2+", ")"), ("-(", ")"), ("sin(l+", ")"), ("(1/(1+", "))")] {
         for levels in [LEVELS / 2 - 3, LEVELS, 200, 10_000] {
-            let told = told(format!("{}l{}", open.repeat(levels), close.repeat(levels)));
+            let told = find_mistakes(format!("{}l{}", open.repeat(levels), close.repeat(levels)));
             let refused = told.iter().any(|text| text.starts_with("more than 48 brackets"));
             assert_eq!(refused, levels >= LEVELS, "{open} {levels}: {told:?}");
         }
@@ -39,7 +39,7 @@ fn what_is_long_is_read_or_refused() {
         // Some tokens stand around it.
         let least = (LENGTH - 20) / tokens;
         for count in [20, least, 3 * LENGTH, 100_000] {
-            let told = told(form(count));
+            let told = find_mistakes(form(count));
             let mut limits = ["this is too long", "a declaration has at most"].into_iter();
             let refused = limits.any(|limit| told.iter().any(|text| text.starts_with(limit)));
             assert_eq!(refused, count > LENGTH, "{name} {count}: {told:?}");

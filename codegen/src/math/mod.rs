@@ -79,11 +79,11 @@ impl Math {
 
     /// A symbol by its name as it is declared: `phi_inner`, `m1`.
     pub fn symbol(name: &str) -> Self {
-        Self::Symbol(Name::of(name), 0)
+        Self::Symbol(Name::new(name), 0)
     }
 
     /// What belongs to something named.
-    pub fn of(what: &'static str, name: &str) -> Self {
+    pub fn named(what: &'static str, name: &str) -> Self {
         Self::Of(what, name.to_owned())
     }
 

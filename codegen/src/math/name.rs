@@ -53,7 +53,7 @@ pub struct Name {
 
 impl Name {
     /// A declared name.
-    pub fn of(name: &str) -> Self {
+    pub fn new(name: &str) -> Self {
         let end = name.find(|c: char| c == '_' || c.is_ascii_digit());
         let (stem, suffix) = name.split_at(end.unwrap_or(name.len()));
         Self { stem: greek(stem).map_or_else(|| stem.to_owned(), String::from), suffix: suffix.to_owned() }

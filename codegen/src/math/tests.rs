@@ -3,7 +3,7 @@
 use super::{Equation, Math, Name};
 
 fn phi(dots: u8) -> Math {
-    Math::Symbol(Name::of("phi_inner"), dots)
+    Math::Symbol(Name::new("phi_inner"), dots)
 }
 
 fn cosine(power: u32, argument: Math) -> Math {

@@ -84,7 +84,7 @@ pub(super) struct Sums<const K: usize> {
 
 impl<const K: usize> Sums<K> {
     /// Of these values of each body.
-    pub fn of(values: impl Iterator<Item = [Series; K]>) -> Self {
+    pub fn from_values(values: impl Iterator<Item = [Series; K]>) -> Self {
         Self { of: values.collect(), known: BTreeMap::new() }
     }
 

@@ -28,7 +28,7 @@ pub(super) fn measure(
     ring: &Ring,
 ) -> Measured {
     let n = scene.n();
-    let feeler = Feeler::of(support, point);
+    let feeler = Feeler::new(support, point);
     let (sign, inverse) = (if ring.inside { -1 } else { 1 }, inverse(opaque_terms, ring.reach));
     let (at, turns) = match ring.centre {
         Centre::Ground(at) => (at, None),
@@ -42,18 +42,20 @@ pub(super) fn measure(
     let tangent = [-&outwards[1], outwards[0].clone()];
     let push = outwards.map(|part| part.scale(Rational::integer(sign.into())));
     let spins: Vec<(usize, Series)> = feeler.spin(-sign).into_iter().chain(turns).collect();
-    let slip = Sliding { spins: &spins, ..Sliding::of(&arm, &tangent) };
+    let slip = Sliding { spins: &spins, ..Sliding::new(&arm, &tangent) };
     let half = Rational::new(sign.into(), 2);
-    let mut row = Row::of(&(&bulge * &inverse).scale(half), n);
+    let mut row = Row::from_gap(&(&bulge * &inverse).scale(half), n);
     // The opaque term of a length is a constant.
     row.drift = Series::zero();
     row.bias = (&bias(&bulge, n) * &inverse).scale(half);
     let pair = |force: [Series; 2]| {
         let back = force.each_ref().map(|part| -part);
-        let place = feeler.place(scene, &push);
+        let place = feeler.compute_contact_point(scene, &push);
         let back = match *ring.centre {
             Centre::Ground(_) => None,
-            Centre::Point { point, body: Some(body) } => Some(feeler::at(scene, (body, point), place, back)),
+            Centre::Point { point, body: Some(body) } => {
+                Some(feeler::apply_force(scene, (body, point), place, back))
+            }
             Centre::Point { point, body: None } => Some(Action::at_point(scene, point, back)),
         };
         [feeler.bear(scene, &push, force)].into_iter().chain(back).collect()

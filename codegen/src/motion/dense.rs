@@ -21,7 +21,7 @@ impl Dense {
     ///
     /// # Errors
     /// A coordinate that neither mass nor constraint determines; rationals that overflow.
-    pub fn of(scene: &Scene, motion: &Motion) -> syn::Result<Self> {
+    pub fn derive(scene: &Scene, motion: &Motion) -> syn::Result<Self> {
         let n = motion.n;
         let mut dense = Self {
             mass: vec![vec![Series::zero(); n]; n],
@@ -59,8 +59,9 @@ impl Dense {
     /// all bodies for each pair of coordinates.
     fn inertias(&mut self, inertias: &[Inertia], gravity: Option<&[Series; 2]>) {
         let n = self.forces.len();
-        let mut masses = Sums::of(inertias.iter().map(|body| [body.mass.clone(), body.inertia.clone()]));
-        let mut biases = Sums::of(inertias.iter().map(|body| {
+        let mut masses =
+            Sums::from_values(inertias.iter().map(|body| [body.mass.clone(), body.inertia.clone()]));
+        let mut biases = Sums::from_values(inertias.iter().map(|body| {
             let bias = body.centre.each_ref().map(|x| bias(x, n));
             bias.map(|x| &body.mass * &x)
         }));
@@ -68,7 +69,7 @@ impl Dense {
         // From the last, so that what moves of a chain grows.
         for i in (0..n).rev() {
             for class in &classes[i] {
-                let momenta = Momenta::of(class, masses.over(&class.bodies));
+                let momenta = Momenta::new(class, masses.over(&class.bodies));
                 for j in 0..=i {
                     let entry = momenta.along(&classes[j], &mut masses);
                     self.mass[i][j] += entry;
@@ -107,7 +108,7 @@ struct Momenta<'a> {
 }
 
 impl<'a> Momenta<'a> {
-    fn of(class: &'a Class, [mass, inertia]: [Series; 2]) -> Self {
+    fn new(class: &'a Class, [mass, inertia]: [Series; 2]) -> Self {
         let linear = class.slope.each_ref().map(|slope| &mass * slope);
         Self { class, linear, angular: &inertia * &class.spin }
     }
@@ -124,7 +125,7 @@ impl<'a> Momenta<'a> {
             let Self { linear, angular, .. } = if common == self.class.bodies {
                 self
             } else {
-                part = Self::of(self.class, masses.over(&common));
+                part = Self::new(self.class, masses.over(&common));
                 &part
             };
             sum += dot(linear, &other.slope) + &(angular * &other.spin);

@@ -15,7 +15,7 @@ pub(super) fn measure(scene: &Scene, opaque_terms: &mut OpaqueTerms, i: usize) -
     let (gap, actions) = match &drive.driven {
         Driven::Distance { ends, .. } => {
             let one = Expression::series(Series::one());
-            let value = Expression::of(&drive.value, scene.system, scene.kinematics);
+            let value = Expression::from_formula(&drive.value, scene.system, scene.kinematics);
             let inverse = opaque_terms.motion(format!("1/f{}", i + 1), one.over(value));
             let square = scene.kinematics.squared_distance(*ends);
             let gap = (&(&square * &inverse) - &prescribed).scale(Rational::HALF);
@@ -26,7 +26,12 @@ pub(super) fn measure(scene: &Scene, opaque_terms: &mut OpaqueTerms, i: usize) -
             (gap, actions(scene, driven, &Series::one()))
         }
     };
-    Measured { row: Row::of(&gap, scene.n()), foot: None, tangent: None, actions: [actions, Vec::new()] }
+    Measured {
+        row: Row::from_gap(&gap, scene.n()),
+        foot: None,
+        tangent: None,
+        actions: [actions, Vec::new()],
+    }
 }
 
 /// The forces of a drive with the multiplier `lambda`.
@@ -58,7 +63,7 @@ pub(super) fn against(scene: &Scene, point: usize, body: usize, force: Vector) -
     let place = &scene.kinematics.points[point];
     let direction = &scene.kinematics.directions[body];
     let local = scene.system.local(body, scene.system.bodies[body].from);
-    let first = &scene.kinematics.place(scene.system, body, &local);
+    let first = &scene.kinematics.compute_position(scene.system, body, &local);
     let reach = [0, 1].map(|axis| &place[axis] - &first[axis]);
     let local = dot(&unit(direction), &reach);
     let back = force.each_ref().map(|part| -part);

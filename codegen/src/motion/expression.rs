@@ -26,7 +26,7 @@ impl Expression {
     }
 
     /// What a declared formula means in the generalised coordinates.
-    pub(super) fn of(formula: &Formula, system: &System, kinematics: &Kinematics) -> Self {
+    pub(super) fn from_formula(formula: &Formula, system: &System, kinematics: &Kinematics) -> Self {
         Self::of_slip(formula, system, kinematics, &Series::zero())
     }
 
@@ -43,7 +43,7 @@ impl Expression {
             Formula::Time => Self::Time,
             Formula::Slip => Self::series(slip.clone()),
             Formula::Motion { reading, rate } => {
-                let (series, constant) = kinematics.read(system, *reading);
+                let (series, constant) = kinematics.derive_reading(system, *reading);
                 match (rate, constant == Angle::zero()) {
                     (true, _) => Self::series(series.rate()),
                     (false, true) => Self::series(series),
@@ -176,7 +176,7 @@ impl OpaqueTerms {
     pub fn of_drives(system: &System, kinematics: &Kinematics) -> Self {
         let opaque_terms = system.drives.iter().enumerate().map(|(i, drive)| {
             let (_, constant) = kinematics.driven(system, &drive.driven);
-            let value = Expression::of(&drive.value, system, kinematics);
+            let value = Expression::from_formula(&drive.value, system, kinematics);
             let value = match &drive.driven {
                 Driven::Distance { inverse, .. } if !drive.switched => {
                     let half = Expression::series(inverse.scale(Rational::HALF));

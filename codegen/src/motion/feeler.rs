@@ -12,7 +12,7 @@ pub(super) struct Feeler<'a> {
 }
 
 impl<'a> Feeler<'a> {
-    pub fn of(support: &'a Support, point: usize) -> Self {
+    pub fn new(support: &'a Support, point: usize) -> Self {
         Self { point, disc: support.disc.as_ref() }
     }
 
@@ -22,7 +22,7 @@ impl<'a> Feeler<'a> {
     }
 
     /// Where it touches what pushes along a normal.
-    pub fn place(&self, scene: &Scene, normal: &[Series; 2]) -> [Series; 2] {
+    pub fn compute_contact_point(&self, scene: &Scene, normal: &[Series; 2]) -> [Series; 2] {
         let centre = &scene.kinematics.points[self.point];
         match self.disc {
             Some(disc) => [0, 1].map(|axis| &centre[axis] - &(&disc.radius * &normal[axis])),
@@ -39,14 +39,16 @@ impl<'a> Feeler<'a> {
     /// A force where it touches what pushes along a normal.
     pub fn bear(&self, scene: &Scene, normal: &[Series; 2], force: [Series; 2]) -> Action {
         match self.disc.and_then(|disc| disc.body) {
-            Some(body) => at(scene, (body, self.point), self.place(scene, normal), force),
+            Some(body) => {
+                apply_force(scene, (body, self.point), self.compute_contact_point(scene, normal), force)
+            }
             None => Action::at_point(scene, self.point, force),
         }
     }
 }
 
 /// A force at a place of a body, of which a point is known.
-pub(super) fn at(
+pub(super) fn apply_force(
     scene: &Scene,
     (body, point): (usize, usize),
     place: [Series; 2],

@@ -28,7 +28,7 @@ pub(super) fn multiplier(row: usize) -> Series {
 }
 
 impl<'a> Forces<'a> {
-    pub fn of(scene: &Scene<'a>, motion: &'a Motion) -> Self {
+    pub fn new(scene: &Scene<'a>, motion: &'a Motion) -> Self {
         let actions = motion.loads.actions.clone();
         let mut forces =
             Self { scene: *scene, motion, actions, joints: Vec::new(), undetermined: Vec::new() };

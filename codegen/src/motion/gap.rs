@@ -34,7 +34,7 @@ pub(super) fn measure(scene: &Scene, opaque_terms: &mut OpaqueTerms, support: &S
     // A guide goes on beyond the ends of its bar.
     measured.foot = measured.foot.filter(|_| !support.two_sided);
     if let (Some(slip), Some(velocity)) = (&mut measured.tangent, &support.moving) {
-        let velocity = Expression::of(velocity, scene.system, scene.kinematics);
+        let velocity = Expression::from_formula(velocity, scene.system, scene.kinematics);
         slip.move_with(&opaque_terms.velocity(&format!("w_{}", support.name), velocity));
     }
     measured
@@ -46,11 +46,11 @@ fn at_rest(scene: &Scene, opaque_terms: &mut OpaqueTerms, support: &Support) -> 
     let points = &scene.kinematics.points;
     match &support.contact {
         OneSided::Line { point, through, direction } => {
-            let feeler = Feeler::of(support, *point);
-            let row = Row::of(&feeler.less_radius(height(&points[*point], through, direction)), n);
+            let feeler = Feeler::new(support, *point);
+            let row = Row::from_gap(&feeler.less_radius(height(&points[*point], through, direction)), n);
             let (tangent, across) = (unit(direction), normal(direction));
             let spins: Vec<(usize, Series)> = feeler.spin(1).into_iter().collect();
-            let slip = Sliding { spins: &spins, ..Sliding::of(&points[*point], &tangent) }.row(scene);
+            let slip = Sliding { spins: &spins, ..Sliding::new(&points[*point], &tangent) }.row(scene);
             let force = |force: [Series; 2]| vec![feeler.bear(scene, &across, force)];
             let actions = [force(across.clone()), force(tangent)];
             Measured { row, foot: None, tangent: slips(support).then_some(slip), actions }
@@ -77,9 +77,9 @@ fn corner(scene: &Scene, body: usize, at: &[Series; 2], side: i8, slips: bool) -
     let direction = &scene.kinematics.directions[body];
     let bar = &scene.system.bodies[body];
     let local = scene.system.local(body, bar.from);
-    let first = &scene.kinematics.place(scene.system, body, &local);
+    let first = &scene.kinematics.compute_position(scene.system, body, &local);
     let side = Rational::integer(side.into());
-    let row = Row::of(&height(first, at, direction).scale(side), n);
+    let row = Row::from_gap(&height(first, at, direction).scale(side), n);
     let (along, across) = (unit(direction), normal(direction));
     let reach = [0, 1].map(|axis| &at[axis] - &first[axis]);
     let from_first = dot(&along, &reach);

@@ -23,7 +23,7 @@ pub struct Loads {
 }
 
 impl Loads {
-    pub(super) fn of(scene: &Scene, opaque_terms: &mut OpaqueTerms) -> Self {
+    pub(super) fn derive(scene: &Scene, opaque_terms: &mut OpaqueTerms) -> Self {
         let mut loads = Self { actions: Vec::new(), potential: Series::zero(), tensions: Vec::new() };
         for spring in &scene.system.springs {
             loads.spring(scene, opaque_terms, spring);
@@ -41,7 +41,7 @@ impl Loads {
         let [a, b] = spring.ends.map(|end| &scene.kinematics.points[end]);
         let span = [0, 1].map(|axis| &b[axis] - &a[axis]);
         let value = |series: &Series| Expression::series(series.clone());
-        let of = |formula| Expression::of(formula, scene.system, scene.kinematics);
+        let of = |formula| Expression::from_formula(formula, scene.system, scene.kinematics);
         let (approach, distance) = (dot(&span, &span.each_ref().map(Series::rate)), dot(&span, &span));
         let distance = value(&(&distance + &apart(spring.switch))).sqrt();
         let name = &spring.name;
@@ -80,7 +80,7 @@ impl Loads {
             Some(from) => direction(torsion.body) - direction(from),
         };
         let name = torsion.name.replace(", ", "_");
-        let of = |formula| Expression::of(formula, scene.system, scene.kinematics);
+        let of = |formula| Expression::from_formula(formula, scene.system, scene.kinematics);
         let turn = Expression::Angle(turned.clone());
         let turn = match torsion.from {
             Some(from) => turn.plus_turns(scene.kinematics.lost_turns(from, torsion.body)),
@@ -110,7 +110,7 @@ impl Loads {
 
     fn applied(&mut self, scene: &Scene, opaque_terms: &mut OpaqueTerms, load: &Load) {
         let mut symbol = |part: &str, formula| {
-            let expression = Expression::of(formula, scene.system, scene.kinematics);
+            let expression = Expression::from_formula(formula, scene.system, scene.kinematics);
             switched(load.switch, opaque_terms.symbol(&format!("{}{part}", load.name), expression))
         };
         match &load.kind {

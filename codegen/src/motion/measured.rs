@@ -48,7 +48,7 @@ pub(super) struct Sliding<'a> {
 
 impl<'a> Sliding<'a> {
     /// Along a tangent that does not turn, or turns with what slips alone: `ṫ · ẋ = 0`.
-    pub fn of(span: &'a [Series; 2], tangent: &'a [Series; 2]) -> Self {
+    pub fn new(span: &'a [Series; 2], tangent: &'a [Series; 2]) -> Self {
         Self { span, tangent, spins: &[], bias: Series::zero() }
     }
 

@@ -75,7 +75,7 @@ pub struct ClosedSet {
 
 impl ClosedSet {
     /// The set in which no contact sticks.
-    pub const fn of(closed: u64) -> Self {
+    pub const fn without_stick(closed: u64) -> Self {
         Self { closed, stick: 0 }
     }
 }
@@ -128,7 +128,7 @@ impl Motion {
     /// # Errors
     /// A support whose point cannot move; more than [`MOST_CONTACTS`] contacts or [`MOST_GUIDES`] guides with friction; rationals
     /// that overflow.
-    pub fn of(system: &System, kinematics: &Kinematics) -> syn::Result<Self> {
+    pub fn derive(system: &System, kinematics: &Kinematics) -> syn::Result<Self> {
         let n = kinematics.coordinates.len();
         let scene = Scene { system, kinematics };
         let inertias = inertias(system, kinematics);
@@ -143,8 +143,8 @@ impl Motion {
             let text = format!("a model has at most {MOST_GUIDES} guides with friction; this is one more");
             return Err(syn::Error::new(first.support(system).span, text));
         }
-        let loads = Loads::of(&scene, &mut opaque_terms);
-        let joints = kinematics.joints.iter().map(|joint| Row::of(&joint.equation, n));
+        let loads = Loads::derive(&scene, &mut opaque_terms);
+        let joints = kinematics.joints.iter().map(|joint| Row::from_gap(&joint.equation, n));
         let slips = contacts.iter().flat_map(|c| c.tangents.iter().map(|tangent| tangent.row.clone()));
         let tangents = contacts.iter().enumerate().flat_map(|(i, c)| c.tangents.iter().map(move |_| i));
         let mut motion = Self {
@@ -160,8 +160,8 @@ impl Motion {
             tree: None,
             switches: system.switches.len(),
         };
-        motion.tree = Tree::of(&scene, &motion);
-        motion.quantities = quantities::of(&scene, &motion, &mut opaque_terms);
+        motion.tree = Tree::recognise(&scene, &motion);
+        motion.quantities = quantities::derive_quantities(&scene, &motion, &mut opaque_terms);
         motion.opaque_terms = opaque_terms.0;
         motion.hinge_forces(system)?;
         match motion.rows.iter().any(Row::is_overflow) {
@@ -198,7 +198,7 @@ impl Motion {
 
     /// Every load, and the forces of the rows by their multipliers; `None` where these are not known one by one.
     pub fn actions(&self, scene: &Scene) -> Option<Vec<Action>> {
-        Forces::of(scene, self).known()
+        Forces::new(scene, self).known()
     }
 
     /// Whether a row is closed in a contact set; the slip of a contact with friction where it sticks.

@@ -45,12 +45,12 @@ impl Part {
         let pieces = [true, false].map(|far| Piece { body: section.body, at: section.at.clone(), far });
         let parts = pieces.into_iter().map(|piece| {
             let held = piece.share(scene, opaque_terms, entry);
-            (Self::of(scene, opaque_terms, piece), &Series::one() - &held)
+            (Self::derive(scene, opaque_terms, piece), &Series::one() - &held)
         });
         parts.filter(|(_, counts)| !counts.is_zero()).collect()
     }
 
-    fn of(scene: &Scene, opaque_terms: &mut OpaqueTerms, piece: Piece) -> Self {
+    fn derive(scene: &Scene, opaque_terms: &mut OpaqueTerms, piece: Piece) -> Self {
         let tree = &scene.kinematics.tree;
         let mut holders = Vec::new();
         for body in hanging(scene, |point| tree.owner[point] == Some(piece.body)) {
@@ -158,7 +158,7 @@ impl Piece {
         let mass = &(&bar.mass * &inverse(opaque_terms, &bar.length)) * &length;
         let inertia = (&(&mass * &length) * &length).scale(Rational::new(1, 12));
         let middle = &start + &length.scale(Rational::new(1, 2));
-        let centre = scene.kinematics.place(scene.system, self.body, &[middle, Series::zero()]);
+        let centre = scene.kinematics.compute_position(scene.system, self.body, &[middle, Series::zero()]);
         let spin = scene.kinematics.directions[self.body].rate();
         Inertia { on: Some(Holder::Body(self.body)), mass, inertia, centre, spin }
     }

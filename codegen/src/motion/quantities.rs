@@ -14,8 +14,12 @@ use crate::system::{Drive, Driven, System};
 const BODIES: usize = 16;
 
 /// Joint forces, tensions, forces of drives, internal forces, momenta.
-pub(super) fn of(scene: &Scene, motion: &Motion, opaque_terms: &mut OpaqueTerms) -> Vec<Quantity<Products>> {
-    let forces = Forces::of(scene, motion);
+pub(super) fn derive_quantities(
+    scene: &Scene,
+    motion: &Motion,
+    opaque_terms: &mut OpaqueTerms,
+) -> Vec<Quantity<Products>> {
+    let forces = Forces::new(scene, motion);
     let tensions = motion.loads.tensions.iter();
     let mut named: Vec<_> =
         tensions.map(|of| Quantity::new(of.name.clone(), of.kind, once(of.value.clone()))).collect();
@@ -74,7 +78,7 @@ fn force(scene: &Scene, opaque_terms: &mut OpaqueTerms, drive: &Drive) -> Series
 
 /// f(t) of a drive.
 fn prescribed(scene: &Scene, opaque_terms: &mut OpaqueTerms, drive: &Drive) -> Series {
-    let value = Expression::of(&drive.value, scene.system, scene.kinematics);
+    let value = Expression::from_formula(&drive.value, scene.system, scene.kinematics);
     opaque_terms.symbol(&format!("d_{}", drive.name), value)
 }
 
@@ -173,8 +177,11 @@ impl Forces<'_> {
             if !parts.iter().all(|(part, _)| self.is_determined(part)) {
                 continue;
             }
-            let place =
-                scene.kinematics.place(scene.system, section.body, &[section.at.clone(), Series::zero()]);
+            let place = scene.kinematics.compute_position(
+                scene.system,
+                section.body,
+                &[section.at.clone(), Series::zero()],
+            );
             let (mut force, mut couple) = ([Series::zero(), Series::zero()], Products::new());
             for (part, counts) in &parts {
                 let far = part.piece.as_ref().is_some_and(|piece| piece.far);

@@ -17,7 +17,7 @@ pub struct Row {
 
 impl Row {
     /// The row of a gap that is a series of the coordinates and of opaque terms that depend on time alone.
-    pub(super) fn of(gap: &Series, n: usize) -> Self {
+    pub(super) fn from_gap(gap: &Series, n: usize) -> Self {
         let jacobian = (0..n).map(|i| gap.derivative(Symbol::coordinate(i))).collect();
         Self { gap: gap.clone(), jacobian, bias: bias(gap, n), drift: drift(gap) }
     }

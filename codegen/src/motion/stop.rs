@@ -11,7 +11,7 @@ pub(super) fn measure(scene: &Scene, point: usize, body: usize, is_last: bool) -
     let bar = &scene.system.bodies[body];
     let place = &scene.kinematics.points[point];
     let local = scene.system.local(body, bar.from);
-    let first = scene.kinematics.place(scene.system, body, &local);
+    let first = scene.kinematics.compute_position(scene.system, body, &local);
     let along = unit(&scene.kinematics.directions[body]);
     let from_first = dot(&along, &[0, 1].map(|axis| &place[axis] - &first[axis]));
     let gap = if is_last { &bar.length - &from_first } else { from_first.clone() };
@@ -20,5 +20,10 @@ pub(super) fn measure(scene: &Scene, point: usize, body: usize, is_last: bool) -
     let reach: Series = &local[0] + &from_first;
     let actions =
         vec![Action::at_point(scene, point, push), Action::at_place(body, place.clone(), reach, back)];
-    Measured { row: Row::of(&gap, scene.n()), foot: None, tangent: None, actions: [actions, Vec::new()] }
+    Measured {
+        row: Row::from_gap(&gap, scene.n()),
+        foot: None,
+        tangent: None,
+        actions: [actions, Vec::new()],
+    }
 }

@@ -76,7 +76,7 @@ fn polynomial(
     let inverse = inverse(opaque_terms, free);
     let slack = &(free * free) - &dot(&segment.span, &segment.span);
     let gap = (&slack * &inverse).scale(Rational::new(1, 2));
-    let mut row = Row::of(&gap, scene.n());
+    let mut row = Row::from_gap(&gap, scene.n());
     // The opaque terms of a thread are constants.
     row.drift = Series::zero();
     row.bias = -(&bias(&dot(&segment.span, &segment.span), scene.n()) * &inverse).scale(Rational::new(1, 2));

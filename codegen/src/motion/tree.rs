@@ -56,7 +56,7 @@ pub struct LumpedMass {
 
 impl Tree {
     /// The tree that a system is but for its joints; `None` for one with bodies that turn together, or a mirror.
-    pub fn of(scene: &Scene, motion: &Motion) -> Option<Self> {
+    pub fn recognise(scene: &Scene, motion: &Motion) -> Option<Self> {
         let (system, kinematics) = (scene.system, scene.kinematics);
         let count = system.bodies.len();
         if system.mirror.is_some() || count == 0 {
@@ -72,7 +72,7 @@ impl Tree {
             };
             let ready: Vec<usize> = (0..count).filter(ready).collect();
             for &body in &ready {
-                branches.push(Branch::of(scene, body, &placed, &mut bases)?);
+                branches.push(Branch::recognise(scene, body, &placed, &mut bases)?);
                 placed[body] = Some(branches.len() - 1);
             }
             if ready.is_empty() {
@@ -103,7 +103,12 @@ impl Tree {
 }
 
 impl Branch {
-    fn of(scene: &Scene, body: usize, placed: &[Option<usize>], bases: &mut Vec<Base>) -> Option<Self> {
+    fn recognise(
+        scene: &Scene,
+        body: usize,
+        placed: &[Option<usize>],
+        bases: &mut Vec<Base>,
+    ) -> Option<Self> {
         let (system, kinematics) = (scene.system, scene.kinematics);
         let &[(Symbol::Coordinate { index, order: 0 }, sign @ (1 | -1))] =
             kinematics.directions[body].terms()
@@ -122,7 +127,7 @@ impl Branch {
             None => kinematics.points[entry].clone(),
         };
         let fixed = reach.iter().all(|part| part.symbols().iter().all(|symbol| symbol.is_parameter()));
-        let base = if fixed { None } else { Some(Base::at(entry, &reach, bases)?) };
+        let base = if fixed { None } else { Some(Base::find_or_insert(entry, &reach, bases)?) };
         let parent = above.and_then(|above| placed[above]);
         let (coordinate, sign) = (index.into(), sign as i8);
         let (own, first) = (&system.bodies[body], system.local(body, entry));
@@ -153,7 +158,7 @@ impl Branch {
 
 impl Base {
     /// The base at a point that is placed by coordinates alone, entered among `bases`.
-    fn at(point: usize, place: &[Series; 2], bases: &mut Vec<Self>) -> Option<usize> {
+    fn find_or_insert(point: usize, place: &[Series; 2], bases: &mut Vec<Self>) -> Option<usize> {
         if let Some(known) = bases.iter().position(|base| base.point == point) {
             return Some(known);
         }

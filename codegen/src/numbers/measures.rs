@@ -20,10 +20,10 @@ pub struct Measures {
 }
 
 impl Measures {
-    pub(super) fn of(analysis: &Analysis) -> Self {
+    pub(super) fn lower(analysis: &Analysis) -> Self {
         let all = physical(analysis);
-        let open = Open::of(analysis);
-        let numbers = Numbers::of(&analysis.system, |lowering| {
+        let open = Open::new(analysis);
+        let numbers = Numbers::lower(&analysis.system, |lowering| {
             let values: Vec<Id> = all.iter().map(|(_, _, value)| lowering.series(value)).collect();
             values.into_iter().chain(open.lowered(lowering)).collect()
         });

@@ -26,7 +26,7 @@ pub struct Numbers {
 }
 
 impl Numbers {
-    fn of(system: &System, lower: impl FnOnce(&mut Lowering) -> Vec<Id>) -> Self {
+    fn lower(system: &System, lower: impl FnOnce(&mut Lowering) -> Vec<Id>) -> Self {
         let mut program = Program::default();
         let ids = lower(&mut Lowering::new(&mut program, system, &[], []));
         Self { program, ids }
@@ -54,24 +54,24 @@ pub fn restitution(analysis: &Analysis) -> Option<Numbers> {
         return None;
     }
     let zero = Series::zero();
-    Some(Numbers::of(&analysis.system, |lowering| {
+    Some(Numbers::lower(&analysis.system, |lowering| {
         restitution.iter().map(|e| lowering.series(e.as_ref().unwrap_or(&zero))).collect()
     }))
 }
 
 /// Masses, lengths, inertias, stiffnesses, gravity, and what the figure settled.
 pub fn measures(analysis: &Analysis) -> Measures {
-    Measures::of(analysis)
+    Measures::lower(analysis)
 }
 
 /// The coordinates of the nominal figure.
 pub fn nominal(analysis: &Analysis) -> Nominal {
-    Nominal::of(analysis)
+    Nominal::lower(analysis)
 }
 
 /// Lengths, angles and places that a drawing refers to.
 pub fn drawn(analysis: &Analysis, geometry: &Geometry) -> Numbers {
-    Numbers::of(&analysis.system, |lowering| {
+    Numbers::lower(&analysis.system, |lowering| {
         let value = |value: &geometry::Value| match value {
             geometry::Value::Length(length) => lowering.series(length),
             geometry::Value::Angle(angle) => lowering.angle(angle),

@@ -54,11 +54,11 @@ pub struct Direction {
 }
 
 impl Nominal {
-    pub(super) fn of(analysis: &Analysis) -> Self {
+    pub(super) fn lower(analysis: &Analysis) -> Self {
         let system = &analysis.system;
         let frames: Vec<usize> =
             (0..system.bodies.len()).filter(|&body| system.oblique(body).is_some()).collect();
-        let numbers = Numbers::of(system, |lowering| {
+        let numbers = Numbers::lower(system, |lowering| {
             let mut ids: Vec<Id> = system.figure.iter().flatten().map(|s| lowering.series(s)).collect();
             for body in &frames {
                 let of = system.local(*body, system.bodies[*body].from);

@@ -16,7 +16,7 @@ pub(super) struct Open<'a> {
 
 impl<'a> Open<'a> {
     /// Everything that was settled for samples of the parameters.
-    pub fn of(analysis: &'a Analysis) -> Self {
+    pub fn new(analysis: &'a Analysis) -> Self {
         let mut branches: Vec<(String, &Branch)> = Vec::new();
         for elimination in analysis.phases.iter().flat_map(|phase| &phase.eliminated) {
             let known = |branch: &Branch| branches.iter().any(|(_, other)| *other == branch);
@@ -75,8 +75,9 @@ impl<'a> Open<'a> {
 
     /// An angle without its coordinates.
     fn constant(&self, angle: &Angle) -> Angle {
-        self.terms(angle)
-            .fold(angle.clone(), |rest, (i, k)| &rest - &Angle::of(Symbol::coordinate(i)).scale(i32::from(k)))
+        self.terms(angle).fold(angle.clone(), |rest, (i, k)| {
+            &rest - &Angle::from_symbol(Symbol::coordinate(i)).scale(i32::from(k))
+        })
     }
 }
 

@@ -133,7 +133,7 @@ impl Substitution<'_> {
     fn coordinate(&self, i: usize) -> Value {
         match self.eliminated.iter().find(|e| e.coordinate == i) {
             Some(Elimination { value: value @ (Value::Length(_) | Value::Angle(_)), .. }) => value.clone(),
-            _ => Value::Angle(Angle::of(Symbol::coordinate(i))),
+            _ => Value::Angle(Angle::from_symbol(Symbol::coordinate(i))),
         }
     }
 }

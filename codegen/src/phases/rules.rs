@@ -75,7 +75,7 @@ pub(super) fn equal_angles(kinematics: &Kinematics, row: usize, gap: &Series) ->
         if !angle || !term.wave.is_one() {
             return None;
         }
-        zero = &zero + &Angle::of(symbol).scale(whole?);
+        zero = &zero + &Angle::from_symbol(symbol).scale(whole?);
     }
     solve_angle(kinematics, row, &zero)
 }
@@ -142,7 +142,7 @@ fn solve_angle(kinematics: &Kinematics, row: usize, zero: &Angle) -> Option<Elim
         let k = zero.coefficient(Symbol::coordinate(i));
         (k.abs() == 1).then_some((i, k))
     })?;
-    let own = Angle::of(Symbol::coordinate(coordinate)).scale(i32::from(k));
+    let own = Angle::from_symbol(Symbol::coordinate(coordinate)).scale(i32::from(k));
     let value = Value::Angle((&own - zero).scale(i32::from(k)));
     Some(Elimination { coordinate, row, value, pivot: None, branch: None })
 }

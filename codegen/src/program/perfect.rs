@@ -72,7 +72,7 @@ mod tests {
     #[test]
     fn squares_of_monomials_have_a_root() {
         let (l, u) = (Series::symbol(Symbol::parameter(0)), Series::symbol(Symbol::rate(0)));
-        let phi = crate::algebra::Angle::of(Symbol::coordinate(0));
+        let phi = crate::algebra::Angle::from_symbol(Symbol::coordinate(0));
         let arm = &l * &u;
         let [across, along] =
             [Series::cos(&phi), Series::sin(&phi)].map(|turn| Expression::series(&arm * &turn));

@@ -8,7 +8,7 @@ pub fn solve_symmetric(program: &mut Program, mass: &[Vec<Id>], force: &[Id]) ->
         0 => Vec::new(),
         1 => vec![program.div(force[0], mass[0][0])],
         2 if !program.is_zero(mass[1][0]) => cramer(program, mass, force),
-        _ => Factored::of(program, mass).solve(program, force),
+        _ => Factored::factor(program, mass).solve(program, force),
     }
 }
 
@@ -40,7 +40,7 @@ pub struct Factored {
 
 impl Factored {
     /// `w_ij = m_ij − Σ w_ik l_jk`, `l_ij = w_ij / d_j`, `d_i = m_ii − Σ w_ik l_ik`; `mass[i][j]` is read for `j ≤ i`.
-    pub fn of(program: &mut Program, mass: &[Vec<Id>]) -> Self {
+    pub fn factor(program: &mut Program, mass: &[Vec<Id>]) -> Self {
         Self::bordered(program, mass, 0)
     }
 

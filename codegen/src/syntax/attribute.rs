@@ -14,72 +14,76 @@ type Reader = fn(ParseStream, &mut Description) -> syn::Result<()>;
 
 pub(super) const ATTRIBUTES: [(&str, &str, Reader); 29] = [
     ("liftoff", "#[liftoff(crate = path, sets = 16)]", settings),
-    ("budget", "#[budget(flops = 120)]", |input, d| budget::read(input).map(|budget| d.budgets.push(budget))),
-    ("constant", "#[constant(h = l / 2)]", |input, d| {
-        constant::read(input).map(|constant| d.constants.push(constant))
+    ("budget", "#[budget(flops = 120)]", |input, d| {
+        budget::parse(input).map(|budget| d.budgets.push(budget))
     }),
-    ("gravity", "#[gravity(g)]", |input, d| gravity::read(input, &mut d.gravity)),
+    ("constant", "#[constant(h = l / 2)]", |input, d| {
+        constant::parse(input).map(|constant| d.constants.push(constant))
+    }),
+    ("gravity", "#[gravity(g)]", |input, d| gravity::parse(input, &mut d.gravity)),
     ("bar", "#[bar(AD, mass = m, length = l)]", |input, d| {
-        bar::read(input).map(|bar| d.beams.push(Beam::Bar(bar)))
+        bar::parse(input).map(|bar| d.beams.push(Beam::Bar(bar)))
     }),
     ("chain", "#[chain(c, links = 16, from = O, mass = m, length = l)]", |input, d| {
-        chain::read(input).map(|chain| d.beams.push(Beam::Chain(chain)))
+        chain::parse(input).map(|chain| d.beams.push(Beam::Chain(chain)))
     }),
     ("body", "#[body(hull, points(A = (0, 0), B = (l, 0), C = (l / 2, h)), mass = m)]", |input, d| {
-        body::read(input).map(|body| d.beams.push(Beam::Body(body)))
+        body::parse(input).map(|body| d.beams.push(Beam::Body(body)))
     }),
     ("particle", "#[particle(P, mass = m)]", |input, d| {
-        particle::read(input).map(|particle| d.particles.push(particle))
+        particle::parse(input).map(|particle| d.particles.push(particle))
     }),
     ("point", "#[point(G = AD, at = l / 2)]", |input, d| {
-        point::read(input).map(|point| d.points.push(point))
+        point::parse(input).map(|point| d.points.push(point))
     }),
-    ("mass", "#[mass(A, m)]", |input, d| mass::read(input).map(|mass| d.masses.push(mass))),
-    ("disc", "#[disc(P, radius = r)]", |input, d| disc::read(input).map(|disc| d.discs.push(disc))),
+    ("mass", "#[mass(A, m)]", |input, d| mass::parse(input).map(|mass| d.masses.push(mass))),
+    ("disc", "#[disc(P, radius = r)]", |input, d| disc::parse(input).map(|disc| d.discs.push(disc))),
     ("pin", "#[pin(O = (0, 0))]", hinge::pin),
     ("ground", "#[ground(O = (0, 0))]", |input, d| {
         figure::positions(input).map(|points| d.ground.extend(points))
     }),
-    ("weld", "#[weld(AB, BC)]", |input, d| weld::read(input).map(|weld| d.welds.push(weld))),
+    ("weld", "#[weld(AB, BC)]", |input, d| weld::parse(input).map(|weld| d.welds.push(weld))),
     ("slider", "#[slider(P = horizontal(0))]", |input, d| {
-        slider::read(input).map(|slider| d.sliders.push(slider))
+        slider::parse(input).map(|slider| d.sliders.push(slider))
     }),
-    ("drive", "#[drive(phi = omega * t)]", |input, d| drive::read(input).map(|drive| d.drives.push(drive))),
+    ("drive", "#[drive(phi = omega * t)]", |input, d| drive::parse(input).map(|drive| d.drives.push(drive))),
     ("spring", "#[spring(AB, stiffness = k, length = l)]", |input, d| {
-        spring::read(input).map(|spring| d.springs.push(spring))
+        spring::parse(input).map(|spring| d.springs.push(spring))
     }),
     ("torsion", "#[torsion(AB, BC, stiffness = k)]", |input, d| {
-        torsion::read(input).map(|torsion| d.torsions.push(torsion))
+        torsion::parse(input).map(|torsion| d.torsions.push(torsion))
     }),
-    ("force", "#[force(P = (fx, fy))]", |input, d| force::read(input).map(|force| d.forces.push(force))),
-    ("couple", "#[couple(AB = c)]", |input, d| couple::read(input).map(|couple| d.couples.push(couple))),
+    ("force", "#[force(P = (fx, fy))]", |input, d| force::parse(input).map(|force| d.forces.push(force))),
+    ("couple", "#[couple(AB = c)]", |input, d| couple::parse(input).map(|couple| d.couples.push(couple))),
     ("section", "#[section(S = AB, at = l / 2)]", |input, d| {
-        section::read(input).map(|section| d.sections.push(section))
+        section::parse(input).map(|section| d.sections.push(section))
     }),
     ("thread", "#[thread(AB, length = s)]", |input, d| {
-        thread::read(input).map(|thread| d.threads.push(thread))
+        thread::parse(input).map(|thread| d.threads.push(thread))
     }),
     ("support", "#[support(A = floor)]", |input, d| {
-        support::read(input).map(|support| d.supports.push(support))
+        support::parse(input).map(|support| d.supports.push(support))
     }),
     ("coordinate", "#[coordinate(phi = angle(AD), from = horizontal)]", |input, d| {
-        coordinate::read(input).map(|coordinate| d.coordinates.push(coordinate))
+        coordinate::parse(input).map(|coordinate| d.coordinates.push(coordinate))
     }),
     ("equal", "#[equal(angle(AB), angle(CD))]", |input, d| {
-        equal::read(input).map(|equal| d.equal.push(equal))
+        equal::parse(input).map(|equal| d.equal.push(equal))
     }),
     ("figure", "#[figure(A = (0, 0), D = (l, 0))]", |input, d| {
         figure::positions(input).map(|places| d.figure.extend(places))
     }),
-    ("run", "#[run(start = \"phi = 0.1\", until = \"phi = pi/2\")]", |input, d| run::read(input, &mut d.run)),
-    ("hinge", "#[hinge(A, friction = mu, radius = r)]", |input, d| {
-        hinge::read(input).map(|hinge| d.hinges.push(hinge))
+    ("run", "#[run(start = \"phi = 0.1\", until = \"phi = pi/2\")]", |input, d| {
+        run::parse(input, &mut d.run)
     }),
-    ("mirror", "#[mirror(x = 0)]", |input, d| mirror::read(input, &mut d.mirror)),
+    ("hinge", "#[hinge(A, friction = mu, radius = r)]", |input, d| {
+        hinge::parse(input).map(|hinge| d.hinges.push(hinge))
+    }),
+    ("mirror", "#[mirror(x = 0)]", |input, d| mirror::parse(input, &mut d.mirror)),
 ];
 
 /// Reads one attribute of the struct; those of others are left alone.
-pub(super) fn read(attribute: &Attribute, description: &mut Description) {
+pub(super) fn parse(attribute: &Attribute, description: &mut Description) {
     value::misplaced(attribute, description);
     let kind = ATTRIBUTES.iter().find(|(name, ..)| attribute.path().is_ident(name));
     let Some(&(name, example, reader)) = kind else {
@@ -94,7 +98,7 @@ pub(super) fn read(attribute: &Attribute, description: &mut Description) {
         description.broken.push(name);
         description.malformed.extend(mentioned(attribute));
         for error in errors {
-            description.report.at(error.span(), format!("{error} (for example `{example}`)"));
+            description.report.add_message(error.span(), format!("{error} (for example `{example}`)"));
         }
     }
 }

@@ -136,7 +136,7 @@ impl Known<'_> {
             Some(meant) => format!("did you mean `{meant}`?"),
             None => format!("those of a bar system are `{}`", self.shown.join("`, `")),
         };
-        report.at(name.span(), format!("there is no attribute `{name}`; {hint}"));
+        report.add_message(name.span(), format!("there is no attribute `{name}`; {hint}"));
     }
 }
 

@@ -48,8 +48,8 @@ impl MassProperties {
 }
 
 /// Reads a bar.
-pub(super) fn read(input: ParseStream) -> syn::Result<Bar> {
+pub(super) fn parse(input: ParseStream) -> syn::Result<Bar> {
     let (name, [from, to]) = route::ends("bar", input)?;
-    let mass_properties = MassProperties::take(&mut Options::read(input, &MASS_PROPERTIES)?, &name)?;
+    let mass_properties = MassProperties::take(&mut Options::parse(input, &MASS_PROPERTIES)?, &name)?;
     Ok(Bar { name, from, to, mass_properties })
 }

@@ -22,10 +22,10 @@ pub struct RigidBody {
 }
 
 /// Reads a body.
-pub(super) fn read(input: ParseStream) -> syn::Result<RigidBody> {
+pub(super) fn parse(input: ParseStream) -> syn::Result<RigidBody> {
     let name: Ident = input.parse()?;
     let points = points(&name, input)?;
-    let mut options = Options::read(input, &["mass", "inertia", "centre"])?;
+    let mut options = Options::parse(input, &["mass", "inertia", "centre"])?;
     Ok(RigidBody {
         points,
         mass: options.require("mass", &name)?,

@@ -23,7 +23,7 @@ pub struct Budget {
 }
 
 /// Reads a budget.
-pub(super) fn read(input: ParseStream) -> syn::Result<Budget> {
+pub(super) fn parse(input: ParseStream) -> syn::Result<Budget> {
     let name: Ident = input.parse()?;
     if name != "flops" {
         return Err(syn::Error::new(name.span(), "a budget is a number of operations: `flops = 120`"));

@@ -26,9 +26,9 @@ pub struct Chain {
 }
 
 /// Reads a chain.
-pub(super) fn read(input: ParseStream) -> syn::Result<Chain> {
+pub(super) fn parse(input: ParseStream) -> syn::Result<Chain> {
     let name: Ident = input.parse()?;
-    let mut options = Options::read(input, &[&MASS_PROPERTIES[..], &["links", "from", "to"]].concat())?;
+    let mut options = Options::parse(input, &[&MASS_PROPERTIES[..], &["links", "from", "to"]].concat())?;
     let links = options::whole("links", &options.require("links", &name)?, 1..=MOST)?;
     let begin = syn::Error::new(name.span(), format!("`{name}` has no beginning; add `from = …`, a point"));
     Ok(Chain {

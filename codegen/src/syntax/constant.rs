@@ -4,7 +4,7 @@ use syn::parse::ParseStream;
 use syn::{Expr, Ident, Token};
 
 /// Reads a named constant.
-pub(super) fn read(input: ParseStream) -> syn::Result<(Ident, Expr)> {
+pub(super) fn parse(input: ParseStream) -> syn::Result<(Ident, Expr)> {
     let name = input.parse()?;
     input.parse::<Token![=]>()?;
     Ok((name, input.parse()?))

@@ -47,12 +47,12 @@ pub enum Origin {
 }
 
 /// Reads a coordinate.
-pub(super) fn read(input: ParseStream) -> syn::Result<Coordinate> {
+pub(super) fn parse(input: ParseStream) -> syn::Result<Coordinate> {
     let name = input.parse()?;
     input.parse::<Token![=]>()?;
     let negative = input.parse::<Option<Token![-]>>()?.is_some();
     let (kind, target) = measured(input)?;
-    let from = Options::read(input, &["from"])?.take_name("from")?;
+    let from = Options::parse(input, &["from"])?.take_name("from")?;
     let reading = reading(&kind, target, from.as_ref())?;
     let text = "an angle from the horizontal or vertical is positive in the figure; remove the minus or \
                 measure it `from = right`, `up`, `left` or `down`";

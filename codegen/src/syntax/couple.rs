@@ -22,10 +22,10 @@ pub struct Couple {
 }
 
 /// Reads a couple.
-pub(super) fn read(input: ParseStream) -> syn::Result<Couple> {
+pub(super) fn parse(input: ParseStream) -> syn::Result<Couple> {
     let name = input.parse()?;
     let value = options::assigned(input)?;
-    let mut options = Options::read(input, &["on", "from", "while"])?;
+    let mut options = Options::parse(input, &["on", "from", "while"])?;
     let armed = options.take_switch();
     Ok(Couple { name, on: options.take_name("on")?, from: options.take_name("from")?, value, armed })
 }

@@ -17,8 +17,8 @@ pub struct DiscDeclaration {
 }
 
 /// Reads a disc.
-pub(super) fn read(input: ParseStream) -> syn::Result<DiscDeclaration> {
+pub(super) fn parse(input: ParseStream) -> syn::Result<DiscDeclaration> {
     let centre: Ident = input.parse()?;
-    let mut options = Options::read(input, &["radius", "on"])?;
+    let mut options = Options::parse(input, &["radius", "on"])?;
     Ok(DiscDeclaration { radius: options.require("radius", &centre)?, on: options.take_name("on")?, centre })
 }

@@ -56,7 +56,7 @@ impl Target {
 }
 
 /// Reads a drive.
-pub(super) fn read(input: ParseStream) -> syn::Result<DriveDeclaration> {
+pub(super) fn parse(input: ParseStream) -> syn::Result<DriveDeclaration> {
     let target = target(input)?;
     let value = options::assigned(input)?;
     if !input.peek2(Token![while]) {
@@ -65,7 +65,7 @@ pub(super) fn read(input: ParseStream) -> syn::Result<DriveDeclaration> {
     if input.peek(Token![,]) && !(input.peek2(Token![while]) && input.peek3(syn::token::Paren)) {
         return Err(input.error("one drive has one value; write another `#[drive(…)]`"));
     }
-    let armed = Options::read(input, &["while"])?.take_switch();
+    let armed = Options::parse(input, &["while"])?.take_switch();
     Ok(DriveDeclaration { target, value, armed })
 }
 

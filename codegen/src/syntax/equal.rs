@@ -42,7 +42,7 @@ impl Member {
 }
 
 /// Reads a constraint.
-pub(super) fn read(input: ParseStream) -> syn::Result<EqualAngles> {
+pub(super) fn parse(input: ParseStream) -> syn::Result<EqualAngles> {
     let span = input.span();
     let members: Vec<Multiple> =
         Punctuated::<_, Token![,]>::parse_terminated_with(input, multiple)?.into_iter().collect();

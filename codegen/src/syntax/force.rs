@@ -23,10 +23,10 @@ pub struct Force {
 }
 
 /// Reads a force.
-pub(super) fn read(input: ParseStream) -> syn::Result<Force> {
+pub(super) fn parse(input: ParseStream) -> syn::Result<Force> {
     let name = input.parse()?;
     let value = options::pair(options::assigned(input)?)?;
-    let mut options = Options::read(input, &["at", "frame", "while"])?;
+    let mut options = Options::parse(input, &["at", "frame", "while"])?;
     let armed = options.take_switch();
     Ok(Force { name, at: options.take_name("at")?, value, frame: options.take_name("frame")?, armed })
 }

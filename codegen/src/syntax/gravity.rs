@@ -17,7 +17,7 @@ pub struct Gravity {
 }
 
 /// Reads gravity, once.
-pub(super) fn read(input: ParseStream, gravity: &mut Option<Gravity>) -> syn::Result<()> {
+pub(super) fn parse(input: ParseStream, gravity: &mut Option<Gravity>) -> syn::Result<()> {
     let span = input.span();
     let ahead = input.fork();
     if ahead.parse::<Expr>().is_ok() {

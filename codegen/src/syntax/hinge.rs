@@ -21,7 +21,7 @@ pub struct HingeDeclaration {
 }
 
 /// Reads the friction of a hinge.
-pub(super) fn read(input: ParseStream) -> syn::Result<HingeDeclaration> {
+pub(super) fn parse(input: ParseStream) -> syn::Result<HingeDeclaration> {
     let point: Ident = input.parse()?;
     if input.is_empty() {
         let text = format!(
@@ -66,7 +66,7 @@ fn refuse_friction_of_place(input: ParseStream) -> syn::Result<()> {
 /// Reads pins, or the friction of one that is declared.
 pub(super) fn pin(input: ParseStream, description: &mut Description) -> syn::Result<()> {
     if input.peek(Ident) && input.peek2(Token![,]) {
-        return read(input).map(|hinge| description.hinges.push(hinge));
+        return parse(input).map(|hinge| description.hinges.push(hinge));
     }
     refuse_friction_of_place(input)?;
     figure::positions(input).map(|pins| description.pins.extend(pins))

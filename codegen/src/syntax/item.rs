@@ -35,11 +35,11 @@ pub(super) fn fields(input: &DeriveInput, description: &mut Description) -> syn:
         }
         attribute::misplaced(field, description);
         if name == "pi" {
-            description.report.at(name.span(), "`pi` is the number π here; rename the field");
+            description.report.add_message(name.span(), "`pi` is the number π here; rename the field");
         }
         description.fields.push(name.clone());
         description.meanings.push(summary(&field.attrs));
-        value::read(field, description);
+        value::parse(field, description);
     }
     Ok(())
 }

@@ -15,7 +15,7 @@ pub struct PointMass {
 }
 
 /// Reads a point mass.
-pub(super) fn read(input: ParseStream) -> syn::Result<PointMass> {
+pub(super) fn parse(input: ParseStream) -> syn::Result<PointMass> {
     let point = input.parse()?;
     input.parse::<Token![,]>()?;
     let mass = input.parse()?;

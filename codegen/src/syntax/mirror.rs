@@ -18,7 +18,7 @@ pub struct MirrorLine {
 }
 
 /// Reads the mirror, once.
-pub(super) fn read(input: ParseStream, mirror: &mut Option<MirrorLine>) -> syn::Result<()> {
+pub(super) fn parse(input: ParseStream, mirror: &mut Option<MirrorLine>) -> syn::Result<()> {
     let name: Ident = input.parse()?;
     let axis = match name.to_string().as_str() {
         "x" => 0,

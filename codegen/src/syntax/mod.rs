@@ -192,7 +192,7 @@ pub fn parse(tokens: TokenStream) -> syn::Result<Description> {
     description.summary = item::summary(&input.attrs);
     item::fields(&input, &mut description)?;
     for attribute in &input.attrs {
-        attribute::read(attribute, &mut description);
+        attribute::parse(attribute, &mut description);
     }
     Ok(description)
 }

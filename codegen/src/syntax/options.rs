@@ -47,7 +47,7 @@ pub(super) struct Options(Vec<(Ident, Option<Expr>)>);
 
 impl Options {
     /// Reads options of the given names up to the end of the attribute.
-    pub fn read(input: ParseStream, allowed: &[&str]) -> syn::Result<Self> {
+    pub fn parse(input: ParseStream, allowed: &[&str]) -> syn::Result<Self> {
         Self::with_flags(input, allowed, &[])
     }
 

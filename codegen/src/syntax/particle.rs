@@ -6,8 +6,8 @@ use super::mass::PointMass;
 use super::options::Options;
 
 /// Reads a particle.
-pub(super) fn read(input: ParseStream) -> syn::Result<PointMass> {
+pub(super) fn parse(input: ParseStream) -> syn::Result<PointMass> {
     let point = input.parse()?;
-    let mass = Options::read(input, &["mass"])?.require("mass", &point)?;
+    let mass = Options::parse(input, &["mass"])?.require("mass", &point)?;
     Ok(PointMass { point, mass })
 }

@@ -17,10 +17,10 @@ pub struct PointOnBar {
 }
 
 /// Reads a point.
-pub(super) fn read(input: ParseStream) -> syn::Result<PointOnBar> {
+pub(super) fn parse(input: ParseStream) -> syn::Result<PointOnBar> {
     let name: Ident = input.parse()?;
     input.parse::<Token![=]>()?;
     let bar = input.parse()?;
-    let at = Options::read(input, &["at"])?.require("at", &name)?;
+    let at = Options::parse(input, &["at"])?.require("at", &name)?;
     Ok(PointOnBar { name, bar, at: options::one_or_two(at)? })
 }

@@ -11,7 +11,7 @@ pub(crate) struct Report(Option<syn::Error>);
 
 impl Report {
     /// Adds a mistake at a place.
-    pub fn at(&mut self, span: Span, message: impl Display) {
+    pub fn add_message(&mut self, span: Span, message: impl Display) {
         self.add(syn::Error::new(span, message));
     }
 

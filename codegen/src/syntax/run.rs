@@ -39,7 +39,7 @@ impl RunDeclaration {
 }
 
 /// Reads it.
-pub(super) fn read(input: ParseStream, known: &mut Option<RunDeclaration>) -> syn::Result<()> {
+pub(super) fn parse(input: ParseStream, known: &mut Option<RunDeclaration>) -> syn::Result<()> {
     if known.is_some() {
         return Err(input.error("a model has one default run; join the two attributes `run`"));
     }

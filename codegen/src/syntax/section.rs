@@ -17,10 +17,10 @@ pub struct SectionDeclaration {
 }
 
 /// Reads a section.
-pub(super) fn read(input: ParseStream) -> syn::Result<SectionDeclaration> {
+pub(super) fn parse(input: ParseStream) -> syn::Result<SectionDeclaration> {
     let name = input.parse()?;
     input.parse::<Token![=]>()?;
     let bar = input.parse()?;
-    let at = Options::read(input, &["at"])?.require("at", &name)?;
+    let at = Options::parse(input, &["at"])?.require("at", &name)?;
     Ok(SectionDeclaration { name, bar, at })
 }

@@ -41,7 +41,7 @@ pub enum Track {
 const TRACKS: [&str; 5] = ["horizontal", "vertical", "line", "circle", "bar"];
 
 /// Reads a slider.
-pub(super) fn read(input: ParseStream) -> syn::Result<SliderDeclaration> {
+pub(super) fn parse(input: ParseStream) -> syn::Result<SliderDeclaration> {
     let name: Ident = input.parse()?;
     input.parse::<Token![=]>()?;
     let kind: Ident = input.parse()?;

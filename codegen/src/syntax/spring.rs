@@ -48,9 +48,9 @@ impl Resistance {
 }
 
 /// Reads a spring.
-pub(super) fn read(input: ParseStream) -> syn::Result<SpringDeclaration> {
+pub(super) fn parse(input: ParseStream) -> syn::Result<SpringDeclaration> {
     let (name, ends) = route::ends("spring", input)?;
-    let mut options = Options::read(input, &[&RESISTANCE[..], &["length", "while"]].concat())?;
+    let mut options = Options::parse(input, &[&RESISTANCE[..], &["length", "while"]].concat())?;
     let law = Resistance::take(&mut options, &name)?;
     let armed = options.take_switch();
     Ok(SpringDeclaration { ends, length: options.take("length"), law, armed, name })

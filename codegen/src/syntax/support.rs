@@ -50,7 +50,7 @@ pub enum Facing {
 }
 
 /// Reads a support.
-pub(super) fn read(input: ParseStream) -> syn::Result<SupportDeclaration> {
+pub(super) fn parse(input: ParseStream) -> syn::Result<SupportDeclaration> {
     let name = input.parse()?;
     input.parse::<Token![=]>()?;
     let kind: Ident = input.parse()?;

@@ -21,7 +21,7 @@ pub struct Thread {
 }
 
 /// Reads a thread.
-pub(super) fn read(input: ParseStream) -> syn::Result<Thread> {
+pub(super) fn parse(input: ParseStream) -> syn::Result<Thread> {
     let (name, path) = route::route("thread", input)?;
     let mut options = Options::with_flags(input, &[&["length"], &CONTACT_LAW[..]].concat(), &["stop"])?;
     Ok(Thread {

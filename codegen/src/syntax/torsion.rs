@@ -23,9 +23,9 @@ pub struct TorsionDeclaration {
 }
 
 /// Reads a torsion spring.
-pub(super) fn read(input: ParseStream) -> syn::Result<TorsionDeclaration> {
+pub(super) fn parse(input: ParseStream) -> syn::Result<TorsionDeclaration> {
     let (first, second) = options::one_or_two_names(input)?;
-    let mut options = Options::read(input, &[&RESISTANCE[..], &["angle", "while"]].concat())?;
+    let mut options = Options::parse(input, &[&RESISTANCE[..], &["angle", "while"]].concat())?;
     let law = Resistance::take(&mut options, &first)?;
     let armed = options.take_switch();
     Ok(TorsionDeclaration { first, second, angle: options.take("angle"), law, armed })

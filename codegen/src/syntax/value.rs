@@ -23,14 +23,14 @@ pub(super) const NAME: &str = "value";
 const EXAMPLE: &str = "(for example `#[value = 9.81]` or `#[value(9.81, unit = \"m/s²\")]`)";
 
 /// Reads that of a field.
-pub(super) fn read(field: &Field, description: &mut Description) {
+pub(super) fn parse(field: &Field, description: &mut Description) {
     let mut given = field.attrs.iter().filter(|attribute| attribute.path().is_ident(NAME));
     let read = given.next().map(|attribute| value(attribute, field)).transpose();
     if let Some(second) = given.next() {
         description.report.over(second, "a parameter has one value");
     }
     let found = read.unwrap_or_else(|error| {
-        description.report.at(error.span(), format!("{error} {EXAMPLE}"));
+        description.report.add_message(error.span(), format!("{error} {EXAMPLE}"));
         None
     });
     description.values.push(found.unwrap_or_default());

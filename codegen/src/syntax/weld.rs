@@ -17,9 +17,9 @@ pub struct WeldDeclaration {
 }
 
 /// Reads a weld.
-pub(super) fn read(input: ParseStream) -> syn::Result<WeldDeclaration> {
+pub(super) fn parse(input: ParseStream) -> syn::Result<WeldDeclaration> {
     let (first, second) = options::one_or_two_names(input)?;
-    let angle = Options::read(input, &["angle"])?.take("angle");
+    let angle = Options::parse(input, &["angle"])?.take("angle");
     if second.is_none() && angle.is_none() {
         let text = format!(
             "what is `{first}` welded to? Name another bar, or the direction it keeps: `{first}, angle = a`"

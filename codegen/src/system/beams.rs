@@ -13,12 +13,12 @@ impl Structure {
     pub(super) fn beam(&mut self, scope: &mut Scope, beam: &Beam) {
         match beam {
             Beam::Bar(bar) => {
-                let values = Values::of(scope, &bar.mass_properties, &bar.name);
+                let values = Values::evaluate(scope, &bar.mass_properties, &bar.name);
                 self.beam_between(scope, bar, &values);
             }
             Beam::Body(body) => self.rigid_body(scope, body),
             Beam::Chain(chain) => {
-                let values = Values::of(scope, &chain.mass_properties, &chain.name);
+                let values = Values::evaluate(scope, &chain.mass_properties, &chain.name);
                 chain.bars().for_each(|bar| self.beam_between(scope, &bar, &values));
             }
         }
@@ -36,7 +36,7 @@ impl Structure {
                 ),
                 false => format!("bar `{name}` begins and ends at the same point `{from}`"),
             };
-            return scope.report.at(name.span(), text);
+            return scope.report.add_message(name.span(), text);
         }
         let zero = Series::zero;
         let points = [(from, [zero(), zero()]), (to, [values.length.clone(), zero()])];
@@ -50,9 +50,10 @@ impl Structure {
         let mut named: Vec<&Ident> = Vec::new();
         for point in &description.points {
             if named.contains(&&point.name) {
-                scope
-                    .report
-                    .at(point.name.span(), format!("point `{0}` is declared twice; remove one", point.name));
+                scope.report.add_message(
+                    point.name.span(),
+                    format!("point `{0}` is declared twice; remove one", point.name),
+                );
             } else {
                 self.point_on_bar(scope, point);
                 named.push(&point.name);
@@ -73,7 +74,7 @@ impl Structure {
                 "`{}` is a point of `{}` already; give this one another name",
                 declared.name, declared.bar
             );
-            return scope.report.at(declared.name.span(), text);
+            return scope.report.add_message(declared.name.span(), text);
         }
         self.attach(point, body, local);
     }

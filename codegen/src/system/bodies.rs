@@ -77,7 +77,9 @@ impl Structure {
         if self.is_bar(body) {
             return Some(body);
         }
-        scope.report.at(name.span(), format!("`{name}` is no bar; this needs a bar, which has an axis"));
+        scope
+            .report
+            .add_message(name.span(), format!("`{name}` is no bar; this needs a bar, which has an axis"));
         None
     }
 
@@ -87,7 +89,7 @@ impl Structure {
         if self.points[point].ground.is_none() {
             return Some(point);
         }
-        scope.report.at(name.span(), format!("`{name}` is a fixed point; name one that moves"));
+        scope.report.add_message(name.span(), format!("`{name}` is a fixed point; name one that moves"));
         None
     }
 

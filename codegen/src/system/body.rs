@@ -14,14 +14,16 @@ impl Structure {
     pub(super) fn rigid_body(&mut self, scope: &mut Scope, declared: &RigidBody) {
         let name = &declared.name;
         if self.bodies.iter().any(|other| plain(name) == other.name) {
-            return scope.report.at(name.span(), format!("body `{name}` is declared twice; rename one"));
+            return scope
+                .report
+                .add_message(name.span(), format!("body `{name}` is declared twice; rename one"));
         }
         let mut places: Vec<Place> = Vec::new();
         for (i, (point, at)) in declared.points.iter().enumerate() {
             if declared.points[..i].iter().any(|(other, _)| other == point) {
                 scope.joined = false;
                 let text = format!("body `{name}` has point `{point}` twice; remove one");
-                return scope.report.at(point.span(), text);
+                return scope.report.add_message(point.span(), text);
             }
             let place = scope.position(at);
             let place = scope.report.keep(place);
@@ -32,7 +34,9 @@ impl Structure {
         if let Some((i, j)) = coincident(&places) {
             let [(a, _), (b, _)] = [&declared.points[i], &declared.points[j]];
             scope.placed = false;
-            scope.report.at(b.span(), format!("points `{a}` and `{b}` of body `{name}` are at one place"));
+            scope
+                .report
+                .add_message(b.span(), format!("points `{a}` and `{b}` of body `{name}` are at one place"));
         }
         let values = values(scope, declared, &places);
         let points: Vec<_> = declared.points.iter().map(|(name, _)| name).zip(places).collect();
@@ -65,7 +69,7 @@ fn values(scope: &mut Scope, declared: &RigidBody, places: &[Place]) -> Values {
             "`{name}` is no triangle, so its centre of mass and inertia are not known; add `inertia = …` and \
              `centre = (x, y)`"
         );
-        scope.report.at(name.span(), text);
+        scope.report.add_message(name.span(), text);
     }
     let inertia = inertia.unwrap_or_else(|| inertia_of_triangle(scope, &mass, places));
     let centre = centre.unwrap_or_else(|| mean(places));

@@ -28,7 +28,7 @@ pub(super) fn untied(scope: &mut Scope, structure: &Structure) {
                 body.kind(),
                 body.name
             );
-            scope.report.at(body.span, text);
+            scope.report.add_message(body.span, text);
         }
     }
 }

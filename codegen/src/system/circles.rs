@@ -28,7 +28,7 @@ pub(super) fn circle(
 ) -> Option<OneSided> {
     let name = declared.under.as_ref().unwrap_or(&declared.name);
     if structure.is_body(name) {
-        scope.report.at(name.span(), under_a_bar(&declared.shape, name));
+        scope.report.add_message(name.span(), under_a_bar(&declared.shape, name));
         return None;
     }
     let ring = ring(scope, structure, declared);
@@ -41,11 +41,11 @@ pub(super) fn circle(
         && (centre == point || structure.rigid(centre, point))
     {
         let other: Ident = syn::parse_str(&structure.points[centre].name).ok()?;
-        scope.report.at(declared.span, nothing_moves("support", &declared.name, [name, &other]));
+        scope.report.add_message(declared.span, nothing_moves("support", &declared.name, [name, &other]));
         return None;
     }
     let reach = reach(scope, structure, declared, (point, &radius), inside)?;
-    let at = place(scope, structure, figure.as_mut()?, declared, (point, &centre));
+    let at = find_positions(scope, structure, figure.as_mut()?, declared, (point, &centre));
     if let Some([place, at]) = at {
         on_its_side(scope, &place, (&at, &reach), inside, declared.span);
     }
@@ -96,7 +96,7 @@ fn disc(scope: &mut Scope, structure: &Structure, name: &Ident) -> Option<Ring> 
         let text = format!(
             "there is no disc about `{name}`; add `#[disc({name}, radius = r)]`, or write `circle({name}, r)`"
         );
-        scope.report.at(name.span(), text);
+        scope.report.add_message(name.span(), text);
     }
     None
 }
@@ -117,7 +117,7 @@ fn about(
              a point of that body alone: `#[point(C = {}, at = …)]`",
             structure.bodies[on[0].0].name
         );
-        scope.report.at(name.span(), text);
+        scope.report.add_message(name.span(), text);
         return None;
     }
     let body = if let [(body, _)] = &on[..] { Some(*body) } else { None };
@@ -136,14 +136,14 @@ fn reach(
     let reach = if inside { radius - &disc.radius } else { radius + &disc.radius };
     if reach.as_constant().is_some_and(|reach| reach.signum() <= 0) {
         let text = format!("the disc about `{}` has no room in this bowl", structure.points[point].name);
-        scope.report.at(declared.span, text);
+        scope.report.add_message(declared.span, text);
         return None;
     }
     Some(reach)
 }
 
 /// Where the figure has the point and the centre, if both are given.
-fn place(
+fn find_positions(
     scope: &mut Scope,
     structure: &Structure,
     figure: &mut Figure,

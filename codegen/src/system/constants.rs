@@ -115,7 +115,7 @@ impl Constants {
                 angle = angle + Angle::quarters(quarters);
                 exact += Series::symbol(symbol).scale(Rational::new(quarters.into(), 2));
             } else if let Some(k) = whole(coefficient) {
-                angle = angle + Angle::of(symbol).scale(k);
+                angle = angle + Angle::from_symbol(symbol).scale(k);
                 exact += Series::symbol(symbol).scale(coefficient);
             }
         }
@@ -130,7 +130,7 @@ impl Constants {
         let denominator = Rational::integer(rest.content().0.denominator());
         let numerator = rest.scale(denominator * Rational::integer(leading.into()));
         let symbol = self.define(Definition::Ratio(numerator, Series::constant(denominator)));
-        Angle::of(symbol).scale(leading)
+        Angle::from_symbol(symbol).scale(leading)
     }
 
     fn reduce(&self, a: Series) -> Series {

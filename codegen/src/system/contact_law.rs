@@ -21,7 +21,7 @@ impl Contacts {
     /// Claims a name; that it is taken is reported, with what helps.
     pub fn claim(&mut self, scope: &mut Scope, kind: &str, written: &Ident, name: String, help: &str) {
         if self.names.contains(&name) {
-            scope.report.at(written.span(), format!("{kind} `{name}` is declared twice; {help}"));
+            scope.report.add_message(written.span(), format!("{kind} `{name}` is declared twice; {help}"));
         }
         self.names.push(name);
     }

@@ -25,7 +25,7 @@ pub(super) fn resolve(
         if let Some(other) = resolved.iter().find(|other| measures_the_same(&other.kind, &kind)) {
             let text =
                 format!("`{}` measures what `{}` measures already; remove one", declared.name, other.name);
-            scope.report.at(declared.name.span(), text);
+            scope.report.add_message(declared.name.span(), text);
         }
         resolved.push(Declared { name: declared.name.clone(), kind });
     }
@@ -69,7 +69,7 @@ fn ground(quarters: i64) -> Reference {
 fn relative(scope: &mut Scope, structure: &Structure, bar: &Ident, other: &Ident) -> Option<Reference> {
     if other == bar {
         let text = format!("`{other}` cannot be measured from itself");
-        scope.report.at(other.span(), text);
+        scope.report.add_message(other.span(), text);
         return None;
     }
     structure.body(scope, other).map(Reference::Body)
@@ -107,7 +107,7 @@ fn acute(
                  `up`, `left` or `down`",
                 declared.name
             );
-            scope.report.at(declared.name.span(), text);
+            scope.report.add_message(declared.name.span(), text);
             None
         }
     }

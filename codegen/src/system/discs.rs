@@ -22,9 +22,10 @@ impl Structure {
         let radius = positive(scope, "the radius", name, &declared.radius);
         let (centre, radius) = (centre?, radius?);
         if self.disc(centre).is_some() {
-            scope
-                .report
-                .at(name.span(), format!("`{name}` has two discs; remove one, or name a second point there"));
+            scope.report.add_message(
+                name.span(),
+                format!("`{name}` has two discs; remove one, or name a second point there"),
+            );
             return None;
         }
         let on = &self.points[centre].on;
@@ -32,7 +33,7 @@ impl Structure {
             Some(body) => {
                 let body_index = self.body(scope, body)?;
                 if on.iter().all(|(other, _)| *other != body_index) {
-                    scope.report.at(body.span(), format!("`{name}` is no point of `{body}`"));
+                    scope.report.add_message(body.span(), format!("`{name}` is no point of `{body}`"));
                     return None;
                 }
                 Some(body_index)
@@ -45,7 +46,7 @@ impl Structure {
                     super::listed(bodies.iter()),
                     bodies[0]
                 );
-                scope.report.at(name.span(), text);
+                scope.report.add_message(name.span(), text);
                 return None;
             }
             None => on.first().map(|(body, _)| *body),

@@ -25,7 +25,7 @@ pub(super) fn resolve(
         if let Some(drive) = drive(scope, readable, figure, declared) {
             if resolved.iter().any(|other| other.driven == drive.driven) {
                 let text = format!("`{}` is driven twice; remove one drive", drive.name);
-                scope.report.at(drive.span, text);
+                scope.report.add_message(drive.span, text);
             }
             if let Some(armed) = &declared.armed {
                 one_motion(scope, &drive);
@@ -76,7 +76,7 @@ fn one_motion(scope: &mut Scope, drive: &Drive) {
              `force` or a stiff `spring` with `while(\"…\")`",
             drive.name
         );
-        scope.report.at(drive.span, text);
+        scope.report.add_message(drive.span, text);
     }
 }
 
@@ -84,7 +84,7 @@ fn coordinate(scope: &mut Scope, readable: &Readable, name: &Ident) -> Option<Re
     let structure = readable.structure;
     if structure.bodies.iter().any(|body| plain(name) == body.name) && readable.coordinate(name).is_none() {
         let text = format!("`{name}` is a bar; write `angle({name})` for its direction");
-        scope.report.at(name.span(), text);
+        scope.report.add_message(name.span(), text);
         return None;
     }
     readable.declared(scope, name).map(Reading::Coordinate)
@@ -109,13 +109,13 @@ fn distance(
     let (a, b) = (a?, b?);
     if a == b || structure.rigid(a, b) {
         let name = format!("distance({}, {})", ends[0], ends[1]);
-        scope.report.at(ends[0].span(), nothing_moves("drive", &name, ends.each_ref()));
+        scope.report.add_message(ends[0].span(), nothing_moves("drive", &name, ends.each_ref()));
         return None;
     }
     let figure = figure?;
     let step = [0, 1].map(|axis| &figure.positions[b][axis] - &figure.positions[a][axis]);
     let near = |sample: &super::figure::Sample| {
-        let [x, y] = step.each_ref().map(|part| sample.numbers.of(part));
+        let [x, y] = step.each_ref().map(|part| sample.numbers.evaluate(part));
         x.hypot(y) <= NEAR
     };
     let nominal = scope.norm(&step);
@@ -125,7 +125,7 @@ fn distance(
             "the figure shows `{}` and `{}` at one place, where the drive of their distance has no direction; draw them apart",
             ends[0], ends[1]
         );
-        scope.report.at(ends[0].span(), text);
+        scope.report.add_message(ends[0].span(), text);
         return None;
     }
     Some(Driven::Distance { ends: [a.min(b), a.max(b)], inverse: inverse? })
@@ -135,7 +135,7 @@ fn turn(scope: &mut Scope, structure: &Structure, bars: &[Ident; 2]) -> Option<D
     let [from, body] = bars.each_ref().map(|bar| structure.body(scope, bar));
     let (from, body) = (from?, body?);
     if from == body {
-        scope.report.at(bars[1].span(), format!("`{}` does not turn against itself", bars[1]));
+        scope.report.add_message(bars[1].span(), format!("`{}` does not turn against itself", bars[1]));
         return None;
     }
     Some(Driven::Turn { from, body })
@@ -145,7 +145,9 @@ fn along(scope: &mut Scope, structure: &Structure, point: &Ident, bar: &Ident) -
     let (at, body) = (structure.point(scope, point), structure.bar(scope, bar));
     let (at, body) = (at?, body?);
     if structure.members(body).iter().any(|(member, _)| *member == at) {
-        scope.report.at(point.span(), format!("`{point}` is a point of `{bar}`; it does not move along it"));
+        scope
+            .report
+            .add_message(point.span(), format!("`{point}` is a point of `{bar}`; it does not move along it"));
         return None;
     }
     Some(Driven::Along { point: at, body })

@@ -26,7 +26,7 @@ pub(super) fn support(
             "`{name}` is a point of `{}`; a body does not meet itself",
             structure.bodies[edge.body].name
         );
-        scope.report.at(name.span(), text);
+        scope.report.add_message(name.span(), text);
         return None;
     }
     let side = edge_side(scope, structure, figure.as_mut()?, declared, (point, &edge))?;
@@ -54,7 +54,7 @@ pub(super) fn both_sides(scope: &mut Scope, structure: &Structure, supports: &[S
              `{}` or `{}`; declare one of them, say when each is there by `while(\"…\")`, or give the body two sides",
             other.name, support.name
         );
-        scope.report.at(support.span, text);
+        scope.report.add_message(support.span, text);
     }
 }
 
@@ -76,7 +76,7 @@ fn between(scope: &mut Scope, structure: &Structure, names: &[Ident; 2]) -> Opti
     let [from, to] = names.each_ref().map(|name| structure.point(scope, name));
     let ends = [from?, to?];
     let wrong = |scope: &mut Scope, text: String| {
-        scope.report.at(names[1].span(), text);
+        scope.report.add_message(names[1].span(), text);
         None
     };
     if ends[0] == ends[1] {

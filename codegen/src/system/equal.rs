@@ -68,6 +68,6 @@ fn angle(scope: &mut Scope, structure: &Structure, coordinates: &[Declared], nam
             unknown("coordinate", name, declared.iter().map(String::as_str))
         }
     };
-    scope.report.at(name.span(), text);
+    scope.report.add_message(name.span(), text);
     None
 }

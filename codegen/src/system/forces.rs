@@ -36,7 +36,9 @@ fn turning(scope: &mut Scope, readable: &Readable, declared: &Couple) -> Option<
     let value = readable.formula(scope, &declared.value);
     let from = match from {
         Some((bar, from)) if from.is_some() && from == body => {
-            scope.report.at(bar.span(), format!("couple `{}` acts on `{bar}` from itself", declared.name));
+            scope
+                .report
+                .add_message(bar.span(), format!("couple `{}` acts on `{bar}` from itself", declared.name));
             return None;
         }
         Some((_, from)) => Some(from?),

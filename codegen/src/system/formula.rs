@@ -44,28 +44,28 @@ enum Reads {
 impl Readable<'_> {
     /// The formula of an expression, or its mistakes are kept.
     pub fn formula(&self, scope: &mut Scope, expr: &Expr) -> Option<Formula> {
-        let formula = Reader { scope, readable: self, reads: Reads::Motion }.read(expr)?;
+        let formula = Reader { scope, readable: self, reads: Reads::Motion }.parse(expr)?;
         scope.note(Signal::new(&scope.description.constants, expr, &formula, false));
         Some(formula)
     }
 
     /// The formula of an expression of time and parameters, or its mistakes are kept; `why` it contains no motion.
     pub fn of_time(&self, scope: &mut Scope, expr: &Expr, why: &'static str) -> Option<Formula> {
-        let formula = Reader { scope, readable: self, reads: Reads::Time(why) }.read(expr)?;
+        let formula = Reader { scope, readable: self, reads: Reads::Time(why) }.parse(expr)?;
         scope.note(Signal::new(&scope.description.constants, expr, &formula, false));
         Some(formula)
     }
 
     /// The same of a prescribed motion.
     pub fn prescribed(&self, scope: &mut Scope, expr: &Expr, why: &'static str) -> Option<Formula> {
-        let formula = Reader { scope, readable: self, reads: Reads::Time(why) }.read(expr)?;
+        let formula = Reader { scope, readable: self, reads: Reads::Time(why) }.parse(expr)?;
         scope.note(Signal::new(&scope.description.constants, expr, &formula, true));
         Some(formula)
     }
 
     /// The formula of an expression of a slip velocity `v` and parameters, or its mistakes are kept.
     pub fn of_slip(&self, scope: &mut Scope, expr: &Expr) -> Option<Formula> {
-        Reader { scope, readable: self, reads: Reads::Slip }.read(expr)
+        Reader { scope, readable: self, reads: Reads::Slip }.parse(expr)
     }
 
     /// The index of a coordinate.
@@ -83,17 +83,17 @@ impl Readable<'_> {
 }
 
 impl Reader<'_, '_, '_> {
-    fn read(&mut self, expr: &Expr) -> Option<Formula> {
+    fn parse(&mut self, expr: &Expr) -> Option<Formula> {
         let formula = match expr {
             Expr::Lit(_) => self.scope.number(expr).map(Formula::Constant),
-            Expr::Paren(inner) => self.read(&inner.expr),
-            Expr::Group(inner) => self.read(&inner.expr),
+            Expr::Paren(inner) => self.parse(&inner.expr),
+            Expr::Group(inner) => self.parse(&inner.expr),
             Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => {
-                let inner = self.read(&unary.expr)?;
+                let inner = self.parse(&unary.expr)?;
                 self.apply(Function::Negate, inner, expr)
             }
             Expr::Binary(binary) => {
-                let (left, right) = (self.read(&binary.left), self.read(&binary.right));
+                let (left, right) = (self.parse(&binary.left), self.parse(&binary.right));
                 let Some(operator) = operator(&binary.op) else {
                     self.scope.report.over(&binary.op, FORMS);
                     return None;
@@ -128,7 +128,7 @@ impl Reader<'_, '_, '_> {
         if name == "v" && self.reads == Reads::Slip {
             if self.scope.knows(name) {
                 let text = "`v` is the slip velocity in a friction; give the parameter another name";
-                self.scope.report.at(name.span(), text);
+                self.scope.report.add_message(name.span(), text);
             }
             return Some(Formula::Slip);
         }
@@ -145,7 +145,7 @@ impl Reader<'_, '_, '_> {
         self.scope.mistaken(name, &known);
         if !self.scope.description.malformed.contains(&plain(name)) {
             let text = unknown("parameter or coordinate", name, known.iter().map(String::as_str));
-            self.scope.report.at(name.span(), text);
+            self.scope.report.add_message(name.span(), text);
         }
         None
     }
@@ -208,7 +208,7 @@ impl Reader<'_, '_, '_> {
         match (call.method == "powi", call.args.first(), call.args.len()) {
             (true, Some(exponent), 1) => {
                 let exponent = self.scope.report.keep(whole(exponent));
-                let base = self.read(&call.receiver)?;
+                let base = self.parse(&call.receiver)?;
                 self.apply(Function::Power(exponent?), base, call)
             }
             (false, None, 0) => self.function(&call.method.to_string(), &call.receiver, call, &call.method),
@@ -230,13 +230,13 @@ impl Reader<'_, '_, '_> {
             "tan" => Function::Tan,
             // √(x x) is |x|: its kink is found where x changes its sign.
             "abs" => {
-                let argument = self.read(argument)?;
+                let argument = self.parse(argument)?;
                 let square = self.apply(Function::Power(2), argument, whole)?;
                 return self.apply(Function::Sqrt, square, whole);
             }
             _ => return self.refuse(argument, at),
         };
-        let argument = self.read(argument)?;
+        let argument = self.parse(argument)?;
         self.apply(function, argument, whole)
     }
 

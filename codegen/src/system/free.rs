@@ -36,7 +36,7 @@ impl Structure {
                 }
                 Some(None) => format!("point `{name}` is declared twice; remove one"),
             };
-        scope.report.at(name.span(), text);
+        scope.report.add_message(name.span(), text);
         None
     }
 }

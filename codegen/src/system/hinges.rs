@@ -21,7 +21,7 @@ pub(super) fn resolve(scope: &mut Scope, structure: &Structure, contacts: &mut C
                 "in a mirrored model hinges turn without friction: how that of `{name}` and of its image act on the motion is not \
                  known; leave `mirror` out"
             );
-            scope.report.at(name.span(), text);
+            scope.report.add_message(name.span(), text);
             continue;
         }
         if let Some(struck) = contacts.resolved.iter().find(|contact| contact.law != Law::Newton) {
@@ -29,7 +29,7 @@ pub(super) fn resolve(scope: &mut Scope, structure: &Structure, contacts: &mut C
                 "beside the friction of hinge `{name}` impacts are those of `law = newton` alone; `{}` has another law",
                 struck.name
             );
-            scope.report.at(name.span(), text);
+            scope.report.add_message(name.span(), text);
         }
         let (Some(law), Some(radius), Some((point, body, from))) = (law, radius, turning) else { continue };
         contacts.guide(name, OneSided::Hinge { point, body, from, radius }, law);
@@ -56,6 +56,6 @@ fn turning(
              known; friction is that of a point which two bodies share, or by which one is pinned"
         ),
     };
-    scope.report.at(name.span(), text);
+    scope.report.add_message(name.span(), text);
     None
 }

@@ -19,7 +19,7 @@ pub(super) struct Values {
 
 impl Values {
     /// Evaluates and checks the mass properties of `owner`.
-    pub fn of(scope: &mut Scope, mass_properties: &MassProperties, owner: &Ident) -> Self {
+    pub fn evaluate(scope: &mut Scope, mass_properties: &MassProperties, owner: &Ident) -> Self {
         let mass = scope.number(&mass_properties.mass);
         not_negative(scope, "the mass", owner, &mass_properties.mass, mass.as_ref());
         let mass = mass.unwrap_or_else(Series::one);

@@ -21,7 +21,8 @@ impl Scope<'_> {
             _ => None,
         };
         let signs = along.map(|x| {
-            let values: Vec<f64> = self.candidates().take(SAMPLES).map(|numbers| numbers.of(x)).collect();
+            let values: Vec<f64> =
+                self.candidates().take(SAMPLES).map(|numbers| numbers.evaluate(x)).collect();
             (x, values.iter().all(|x| *x >= 0.0), values.iter().all(|x| *x <= 0.0))
         });
         match signs {
@@ -37,7 +38,7 @@ impl Scope<'_> {
 
     /// The value of a series, if it is the same for all parameters.
     pub fn literal(&self, series: &Series) -> Option<f64> {
-        self.constants.independent(series).then(|| self.nominal().of(series)).filter(|x| x.is_finite())
+        self.constants.independent(series).then(|| self.nominal().evaluate(series)).filter(|x| x.is_finite())
     }
 
     /// The value of a position, if it is the same for all parameters.

@@ -33,9 +33,10 @@ impl Line {
         for [a, b] in &declared.swaps {
             let pair = [structure.point(scope, a), structure.point(scope, b)];
             if pair.iter().flatten().any(|p| swaps.iter().flatten().flatten().any(|q| p == q)) {
-                scope
-                    .report
-                    .at(a.span(), format!("`{a}` or `{b}` is swapped twice; a point has one mirror image"));
+                scope.report.add_message(
+                    a.span(),
+                    format!("`{a}` or `{b}` is swapped twice; a point has one mirror image"),
+                );
                 swaps = None;
             }
             swaps = swaps.zip(pair[0].zip(pair[1])).map(|(mut all, (a, b))| {

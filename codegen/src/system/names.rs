@@ -24,7 +24,7 @@ pub(super) fn check(scope: &mut Scope) {
     let threads = d.threads.iter().map(|thread| ("thread", &thread.name));
     for (kind, name) in supports.chain(threads) {
         if d.coordinates.iter().any(|c| c.name == *name) {
-            scope.report.at(name.span(), collision(kind, "coordinate", name));
+            scope.report.add_message(name.span(), collision(kind, "coordinate", name));
         }
     }
     Namespace::default().claim(scope, "slider", d.sliders.iter().map(|slider| &slider.name));
@@ -51,7 +51,7 @@ impl Namespace {
         for name in names {
             let other = *self.known.get(&plain(name)).unwrap_or(&kind);
             if self.known.insert(plain(name), kind).is_some() {
-                scope.report.at(name.span(), collision(kind, other, name));
+                scope.report.add_message(name.span(), collision(kind, other, name));
             }
         }
     }
@@ -85,13 +85,13 @@ impl Names for ParameterNames {
 impl System {
     /// Names of the parameters and derived constants.
     pub fn names(&self) -> ParameterNames {
-        ParameterNames::of(&self.parameters, &self.constants)
+        ParameterNames::new(&self.parameters, &self.constants)
     }
 }
 
 impl ParameterNames {
     /// Names of parameters, then of derived constants.
-    pub(super) fn of(parameters: &[syn::Ident], constants: &[Definition]) -> Self {
+    pub(super) fn new(parameters: &[syn::Ident], constants: &[Definition]) -> Self {
         let mut names = Self(parameters.iter().map(|name| Math::symbol(&plain(name))).collect());
         for constant in constants {
             let written = names.definition(constant);

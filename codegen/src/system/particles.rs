@@ -60,7 +60,7 @@ impl Structure {
         };
         let span = name.span();
         match self.pins.iter().any(|pin| pin.point == point) {
-            true => scope.report.at(span, format!("point `{name}` is pinned twice; remove one pin")),
+            true => scope.report.add_message(span, format!("point `{name}` is pinned twice; remove one pin")),
             false => self.pins.push(Pin { point, at, span }),
         }
     }

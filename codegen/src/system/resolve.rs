@@ -53,7 +53,7 @@ impl System {
         names::check(&mut scope);
         let structure = Structure::resolve(&mut scope);
         if description.beams.is_empty() && description.particles.is_empty() && scope.joined {
-            scope.report.at(
+            scope.report.add_message(
                 description.ident.span(),
                 "nothing is declared; add a bar: `#[bar(AD, mass = m, length = l)]`",
             );

@@ -140,7 +140,7 @@ impl<'a> Scope<'a> {
     /// Reports an unknown name, unless a malformed attribute may have declared it.
     pub fn unknown_at(&mut self, name: &Ident, text: String) {
         if !self.description.malformed.contains(&plain(name)) {
-            self.report.at(name.span(), text);
+            self.report.add_message(name.span(), text);
         }
     }
 
@@ -173,7 +173,7 @@ impl<'a> Scope<'a> {
         for (kind, name) in parameters.chain(constants.map(|name| ("constant", name))) {
             if !self.used.contains(&plain(name)) {
                 let text = format!("{kind} `{name}` is used nowhere; use it or remove it");
-                self.report.at(name.span(), text);
+                self.report.add_message(name.span(), text);
             }
         }
     }

@@ -21,7 +21,7 @@ fn section(scope: &mut Scope, structure: &Structure, declared: &SectionDeclarati
             "a section needs a uniform bar; how the mass of `{bar}` is spread is not known from its \
              inertia and centre"
         );
-        scope.report.at(bar.span(), text);
+        scope.report.add_message(bar.span(), text);
         return None;
     }
     let at = at?;

@@ -34,7 +34,7 @@ pub(super) fn free_side(
         Verdict::Several(_) => "the figure lies evenly about this wall",
         Verdict::None => "the figure lies on one side of this wall or the other, as the parameters are",
     };
-    scope.report.at(declared.span, format!("{text}; say its free side: `facing = left` or `right`"));
+    scope.report.add_message(declared.span, format!("{text}; say its free side: `facing = left` or `right`"));
     None
 }
 
@@ -61,7 +61,7 @@ pub(super) fn side(
     };
     let (kind, bar) = (structure.bodies[body].kind(), &structure.bodies[body].name);
     let text = format!("{kind} `{bar}` {how}, so a corner is neither under nor over it; tilt the figure");
-    scope.report.at(declared.span, text);
+    scope.report.add_message(declared.span, text);
     None
 }
 
@@ -101,7 +101,7 @@ pub(super) fn edge_side(
     let text = format!(
         "the figure shows `{at}` {how}; say on which side it stays, seen from `{from}` to `{to}`: `facing = left` or `right`"
     );
-    scope.report.at(declared.span, text);
+    scope.report.add_message(declared.span, text);
     None
 }
 
@@ -124,6 +124,6 @@ pub(super) fn on_its_side(
         let text = format!(
             "the figure's point is {distance} from the centre of this circle; it must be {must} {radius}"
         );
-        scope.report.at(span, text);
+        scope.report.add_message(span, text);
     }
 }

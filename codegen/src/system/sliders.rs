@@ -112,7 +112,7 @@ fn slider(scope: &mut Scope, structure: &Structure, declared: &SliderDeclaration
     {
         let text =
             format!("`{name}` is a point of `{}`; it cannot slide along it", structure.bodies[body].name);
-        scope.report.at(name.span(), text);
+        scope.report.add_message(name.span(), text);
         return None;
     }
     let (name, rubs) = (plain(&declared.name), declared.friction.is_some());

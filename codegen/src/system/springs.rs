@@ -30,7 +30,7 @@ fn spring(scope: &mut Scope, readable: &Readable, declared: &SpringDeclaration) 
     let (a, b) = (a?, b?);
     if a == b || structure.rigid(a, b) {
         let [from, to] = &declared.ends;
-        scope.report.at(name.span(), nothing_moves("spring", name, [from, to]));
+        scope.report.add_message(name.span(), nothing_moves("spring", name, [from, to]));
         return None;
     }
     let (name, span) = (plain(name), name.span());
@@ -46,7 +46,7 @@ pub(super) fn torsions(scope: &mut Scope, readable: &Readable) -> Vec<Torsion> {
         if let Some(torsion) = torsion(scope, readable, declared) {
             if resolved.iter().any(|other| other.name == torsion.name) {
                 let text = format!("torsion `{}` is declared twice; remove one", torsion.name);
-                scope.report.at(torsion.span, text);
+                scope.report.add_message(torsion.span, text);
             }
             resolved.push(torsion);
         }
@@ -68,7 +68,7 @@ fn torsion(scope: &mut Scope, readable: &Readable, declared: &TorsionDeclaration
         _ => (plain(&declared.first), first?, None),
     };
     if from == Some(body) {
-        scope.report.at(span, format!("`{}` cannot be turned against itself", declared.first));
+        scope.report.add_message(span, format!("`{}` cannot be turned against itself", declared.first));
         return None;
     }
     let switch = scope.switch(&format!("torsion {name}"), declared.armed.as_ref());

@@ -103,7 +103,7 @@ fn corner(
             "`{name}` is no bar; a corner under a side of a body is a fixed point at it: \
              `#[ground(P = (x, y))] #[support(P = edge(A, B))]`"
         );
-        scope.report.at(name.span(), text);
+        scope.report.add_message(name.span(), text);
         return None;
     }
     let side = side(scope, structure, figure.as_mut()?, declared, body)?;

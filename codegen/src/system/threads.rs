@@ -63,7 +63,7 @@ fn path(scope: &mut Scope, structure: &Structure, declared: &Thread) -> Option<V
     } else {
         return Some(path);
     };
-    scope.report.at(declared.name.span(), text);
+    scope.report.add_message(declared.name.span(), text);
     None
 }
 
@@ -76,7 +76,7 @@ fn refuse_discs(scope: &mut Scope, structure: &Structure, declared: &Thread, pat
              lead it through a second point there, without a disc",
             declared.name
         );
-        scope.report.at(point.span(), text);
+        scope.report.add_message(point.span(), text);
     }
 }
 

@@ -15,8 +15,8 @@ impl Numbers {
         let mut numbers = Self(parameters.to_vec());
         for constant in constants {
             let value = match constant {
-                Definition::Sqrt(a) => numbers.of(a).sqrt(),
-                Definition::Ratio(a, b) => numbers.of(a) / numbers.of(b),
+                Definition::Sqrt(a) => numbers.evaluate(a).sqrt(),
+                Definition::Ratio(a, b) => numbers.evaluate(a) / numbers.evaluate(b),
             };
             numbers.0.push(value);
         }
@@ -34,7 +34,7 @@ impl Numbers {
     }
 
     /// Of a series of parameters; NaN if it contains anything else.
-    pub fn of(&self, series: &Series) -> f64 {
+    pub fn evaluate(&self, series: &Series) -> f64 {
         series.evaluate(&|symbol| match symbol {
             Symbol::Parameter(i) => self.0.get(usize::from(i)).copied().unwrap_or(f64::NAN),
             _ => f64::NAN,
@@ -43,18 +43,18 @@ impl Numbers {
 
     /// Of a position.
     pub fn pair(&self, position: &[Series; 2]) -> [f64; 2] {
-        [self.of(&position[0]), self.of(&position[1])]
+        [self.evaluate(&position[0]), self.evaluate(&position[1])]
     }
 }
 
 impl System {
     /// The value of a series at the first sample: with every parameter 1 where the figure can be drawn there.
     pub fn nominal_number(&self, series: &Series) -> f64 {
-        self.samples.first().map_or(f64::NAN, |numbers| numbers.of(series))
+        self.samples.first().map_or(f64::NAN, |numbers| numbers.evaluate(series))
     }
 
     /// The value of a series of parameters.
     pub fn parameter_value(&self, series: &Series, values: &[f64]) -> f64 {
-        Numbers::new(values, &self.constants).of(series)
+        Numbers::new(values, &self.constants).evaluate(series)
     }
 }

@@ -15,7 +15,7 @@ pub(super) fn resolve(scope: &mut Scope, structure: &Structure, figure: &mut Opt
         if let Some(weld) = weld(scope, structure, figure, declared) {
             let repeated = resolved.iter().any(|other| held(other) == held(&weld));
             if repeated {
-                scope.report.at(weld.span, "this weld is declared twice; remove one");
+                scope.report.add_message(weld.span, "this weld is declared twice; remove one");
             }
             resolved.push(weld);
         }
@@ -51,7 +51,7 @@ fn weld(
             true => format!("`{second}` is welded to itself"),
             false => format!("`{}` and `{second}` share no point at which they are welded", declared.first),
         };
-        scope.report.at(second.span(), text);
+        scope.report.add_message(second.span(), text);
         return None;
     }
     let angle = match angle {
@@ -84,6 +84,6 @@ fn drawn(
     }
     let text = "the figure shows no multiple of a quarter turn between these bars for all parameters; \
                 give the angle from the first to the second: `angle = …`";
-    scope.report.at(declared.first.span(), text);
+    scope.report.add_message(declared.first.span(), text);
     None
 }

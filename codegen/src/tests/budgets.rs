@@ -1,9 +1,9 @@
 //! Budgets of operations.
 
-use super::{PAIR, told};
+use super::{PAIR, find_mistakes};
 
 fn told_of(budget: &str) -> Vec<String> {
-    told(&format!("{budget} {PAIR}"))
+    find_mistakes(&format!("{budget} {PAIR}"))
 }
 
 #[test]
@@ -43,6 +43,6 @@ fn a_set_without_code_of_its_own_has_no_budget() {
     let three = "#[budget(flops = 9, on(A, B, C))] #[bar(AB, mass = m, length = l)] #[bar(BC, mass = m, length = l)]
         #[support(A = floor)] #[support(B = floor)] #[support(C = floor)] #[support(D = wall(0), under = A, facing = right)]
         #[liftoff(sets = 1)] #[figure(A = (0, 0), B = (l, 0), C = (2 * l, 0))] struct S { m: f64, l: f64 }";
-    let told = told(three);
+    let told = find_mistakes(three);
     assert_eq!(told, ["nothing to count: this contact set has no code of its own"]);
 }

@@ -1,6 +1,6 @@
 //! Angles that are multiples of one another.
 
-use super::{analysis, told};
+use super::{analysis, find_mistakes};
 use crate::algebra::Symbol;
 
 const BARS: &str = "#[bar(AB, mass = m, length = l)] #[bar(CD, mass = m, length = l)] #[bar(EF, mass = m, length = l)] \
@@ -49,7 +49,7 @@ fn mistakes_are_told() {
         ),
     ];
     for (attributes, expected) in cases {
-        assert_eq!(told(&format!("{BARS} {attributes} {STRUCT}")), [expected], "{attributes}");
+        assert_eq!(find_mistakes(&format!("{BARS} {attributes} {STRUCT}")), [expected], "{attributes}");
     }
 }
 
@@ -65,6 +65,7 @@ fn long_trains_are_told() {
         })
         .collect();
     let gears: String = (0..7).map(|i| format!("#[equal(angle(b{}), 64 * angle(b{i}))] ", i + 1)).collect();
-    let told = told(&format!("{bars} {gears} #[gravity(g)] struct Train {{ m: f64, l: f64, g: f64 }}"));
+    let told =
+        find_mistakes(&format!("{bars} {gears} #[gravity(g)] struct Train {{ m: f64, l: f64, g: f64 }}"));
     assert!(told.iter().any(|text| text.contains("overflow")), "{told:?}");
 }

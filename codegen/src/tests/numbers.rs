@@ -17,7 +17,7 @@ struct Model {
 }
 
 impl Model {
-    fn of(declaration: &str) -> Self {
+    fn from_declaration(declaration: &str) -> Self {
         let analysis = analysis(declaration);
         let n = analysis.motion.n;
         let value = |i: usize, least: f64| least + (0.37 + 0.618_034 * i as f64).fract() * 0.7;
@@ -29,7 +29,7 @@ impl Model {
         }
     }
 
-    fn at(&self, ids: &[Id], q: &[f64], u: &[f64]) -> Vec<f64> {
+    fn evaluate(&self, ids: &[Id], q: &[f64], u: &[f64]) -> Vec<f64> {
         self.analysis.evaluate(ids, &self.parameters, &[q, u].concat())
     }
 
@@ -40,7 +40,7 @@ impl Model {
     }
 
     fn energy(&self, q: &[f64], u: &[f64]) -> [f64; 2] {
-        let energy = self.at(&self.analysis.functions.energy, q, u);
+        let energy = self.evaluate(&self.analysis.functions.energy, q, u);
         [energy[0], energy[1]]
     }
 
@@ -63,7 +63,7 @@ fn close(value: f64, expected: f64, what: &str) {
 #[test]
 fn masses_are_the_curvature_of_the_kinetic_energy() {
     for declaration in SCENES {
-        let model = Model::of(declaration);
+        let model = Model::from_declaration(declaration);
         let mass = model.analysis.mass(&model.parameters, &[&model.q[..], &model.u].concat());
         for (i, row) in mass.iter().enumerate() {
             for (j, entry) in row.iter().enumerate() {
@@ -81,8 +81,8 @@ fn masses_are_the_curvature_of_the_kinetic_energy() {
 #[test]
 fn forces_follow_from_the_energies() {
     for declaration in SCENES {
-        let model = Model::of(declaration);
-        let force = model.at(&model.analysis.functions.kernel.force, &model.q, &model.u);
+        let model = Model::from_declaration(declaration);
+        let force = model.evaluate(&model.analysis.functions.kernel.force, &model.q, &model.u);
         for (i, value) in force.iter().enumerate() {
             let lagrangian = |q: &[f64]| {
                 let [kinetic, potential] = model.energy(q, &model.u);
@@ -98,14 +98,14 @@ fn forces_follow_from_the_energies() {
 #[test]
 fn rows_are_derivatives_of_gaps() {
     for declaration in SCENES {
-        let model = Model::of(declaration);
+        let model = Model::from_declaration(declaration);
         let kernel = &model.analysis.functions.kernel;
         let jacobian: Vec<Vec<f64>> =
-            kernel.jacobian.iter().map(|row| model.at(row, &model.q, &model.u)).collect();
-        let bias = model.at(&kernel.bias, &model.q, &model.u);
+            kernel.jacobian.iter().map(|row| model.evaluate(row, &model.q, &model.u)).collect();
+        let bias = model.evaluate(&kernel.bias, &model.q, &model.u);
         // Slips have velocities only.
         for row in 0..kernel.gap.len() - model.analysis.motion.tangents.len() {
-            let gap = |q: &[f64]| model.at(&kernel.gap[row..=row], q, &model.u)[0];
+            let gap = |q: &[f64]| model.evaluate(&kernel.gap[row..=row], q, &model.u)[0];
             for (i, entry) in jacobian[row].iter().enumerate() {
                 close(*entry, model.slope(i, gap), &format!("{declaration}: J {row}, {i}"));
             }
@@ -122,7 +122,7 @@ fn rows_are_derivatives_of_gaps() {
 /// `M_kj = m l² (N − j − ½) cos(θ_k − θ_j)` for k < j, `m l² (N − k − ⅔)` on the diagonal.
 #[test]
 fn a_chain_has_the_masses_of_the_books() {
-    let model = Model::of(SCENES[10]);
+    let model = Model::from_declaration(SCENES[10]);
     let mass = model.analysis.mass(&model.parameters, &[&model.q[..], &model.u].concat());
     let scale = model.parameters[0] * model.parameters[1].powi(2);
     for k in 0..10 {

@@ -97,7 +97,9 @@ fn everything_has_equations() {
 #[test]
 fn angles_that_are_equal_already_or_never_are_told() {
     let bars = "#[bar(AB, mass = m, length = l)] #[bar(BC, mass = m, length = l)] #[figure(A = (0, 0), B = (l, 0), C = (2 * l, 0))]";
-    let told = |attributes: &str| super::told(&format!("{bars} {attributes} struct S {{ m: f64, l: f64 }}"));
+    let told = |attributes: &str| {
+        super::find_mistakes(&format!("{bars} {attributes} struct S {{ m: f64, l: f64 }}"))
+    };
     let again = told("#[equal(angle(AB), angle(BC))] #[equal(angle(BC), angle(AB))]");
     assert_eq!(again, ["angle(BC) and angle(AB) are equal already; remove this constraint"]);
     let welded = told("#[weld(AB, BC)] #[equal(angle(AB), angle(BC))]");
@@ -128,6 +130,6 @@ fn guides_with_friction_are_the_first_contacts_and_bounded() {
     assert_eq!(labels.collect::<Vec<_>>(), ["P0", "P1", "P2", "Q"]);
     let sets = analysis.motion.sets(4);
     assert!(sets.len() == 16 && sets.iter().all(|set| set.closed & 0b111 == 0b111), "{sets:?}");
-    let error = super::told(&beads(65));
+    let error = super::find_mistakes(&beads(65));
     assert_eq!(error, ["a model has at most 64 guides with friction; this is one more"]);
 }

@@ -1,6 +1,6 @@
 //! What a declaration has and nothing follows from.
 
-use super::told;
+use super::find_mistakes;
 
 #[test]
 fn supports_of_what_cannot_move_are_told() {
@@ -13,8 +13,8 @@ fn supports_of_what_cannot_move_are_told() {
     };
     let useless = |name: &str| format!("support `{name}` does nothing: what it supports cannot move");
     assert_eq!(
-        told(&declaration("#[support(O = floor)] #[support(P = floor)]")),
+        find_mistakes(&declaration("#[support(O = floor)] #[support(P = floor)]")),
         [useless("O"), useless("P")]
     );
-    assert!(told(&declaration("#[support(A = floor)]")).is_empty());
+    assert!(find_mistakes(&declaration("#[support(A = floor)]")).is_empty());
 }

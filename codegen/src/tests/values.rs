@@ -1,6 +1,6 @@
 //! Default values of parameters.
 
-use super::{analysis, told};
+use super::{analysis, find_mistakes};
 
 fn pendulum(field: &str) -> String {
     format!(
@@ -42,11 +42,11 @@ fn mistakes_are_told() {
         ("#[value(2, unit = \"kg\", 3)]", "expected nothing more"),
     ];
     for (field, expected) in cases {
-        assert_eq!(told(&pendulum(field)), [format!("{expected} {example}")], "{field}");
+        assert_eq!(find_mistakes(&pendulum(field)), [format!("{expected} {example}")], "{field}");
     }
-    assert_eq!(told(&pendulum("#[value = 2] #[value = 3]")), ["a parameter has one value"]);
+    assert_eq!(find_mistakes(&pendulum("#[value = 2] #[value = 3]")), ["a parameter has one value"]);
     let misplaced = format!("#[value = 2] {}", pendulum(""));
-    assert_eq!(told(&misplaced), ["`value` is that of one parameter; put it on its field"]);
+    assert_eq!(find_mistakes(&misplaced), ["`value` is that of one parameter; put it on its field"]);
 }
 
 #[test]
@@ -89,7 +89,7 @@ fn units_are_converted_or_refused() {
         ("m", "phi = 5", "\"5 mm\"", limit.to_owned()),
         ("m", "phi = 5", "\"-5 ms\"", "the latest end is a positive time".to_owned()),
     ] {
-        let all = told(&swing(value, start, until));
+        let all = find_mistakes(&swing(value, start, until));
         assert!(all.len() == 1 && all[0].starts_with(&wrong), "{all:?} for {wrong}");
     }
 }

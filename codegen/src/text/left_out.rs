@@ -6,7 +6,7 @@ use crate::motion::Dense;
 use crate::phases::Phase;
 
 /// A sentence for each thing left out, each read off the analysis that the code is made from.
-pub(super) fn of(analysis: &Analysis, dense: &Dense, phases: &[Phase]) -> Vec<String> {
+pub(super) fn describe_omissions(analysis: &Analysis, dense: &Dense, phases: &[Phase]) -> Vec<String> {
     let mut all = Vec::new();
     mass_and_loads(analysis, &mut all);
     contacts(analysis, phases, &mut all);

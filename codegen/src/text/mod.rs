@@ -145,12 +145,12 @@ impl Equations {
 
 /// The equations of `analysis`.
 pub(crate) fn equations(analysis: &Analysis) -> syn::Result<Equations> {
-    let writer = Writer::of(analysis);
+    let writer = Writer::new(analysis);
     let (dense, phases) = written_out(analysis)?;
     let mut equations = writer.system(&dense);
     equations.phases = phases.iter().map(|phase| writer.phase(phase)).collect();
     (equations.others, equations.general) = writer.without_closed_form(&dense, &phases);
-    equations.left_out = left_out::of(analysis, &dense, &phases);
+    equations.left_out = left_out::describe_omissions(analysis, &dense, &phases);
     Ok(equations)
 }
 
@@ -160,7 +160,7 @@ pub(crate) fn written_out(analysis: &Analysis) -> syn::Result<(Dense, Vec<Phase>
     if let Some(dense) = &analysis.dense {
         return Ok((dense.clone(), analysis.phases.clone()));
     }
-    let dense = Dense::of(&Scene { system, kinematics }, motion)?;
+    let dense = Dense::derive(&Scene { system, kinematics }, motion)?;
     let phases = closed_forms(system, kinematics, motion, &dense);
     Ok((dense, phases))
 }

@@ -85,7 +85,7 @@ impl Writer<'_> {
     fn multiplier(&self, row: usize) -> Math {
         let contacts = self.analysis.motion.contacts.len();
         let joint = row.checked_sub(contacts).and_then(|i| self.analysis.kinematics.joints.get(i));
-        joint.map_or_else(|| self.row(row), |joint| Math::of("λ", &joint.name))
+        joint.map_or_else(|| self.row(row), |joint| Math::named("λ", &joint.name))
     }
 
     /// `R(A) = −μ N(A) sgn v(A)` of each contact that slides, of a guide with `N(A) sgn N(A)`.
@@ -96,8 +96,9 @@ impl Writer<'_> {
             let contact_of = &motion.contacts[contact];
             let label = contact_of.label(&self.analysis.system);
             let side =
-                (contact_of.two_sided && contact_of.force.is_none()).then(|| Math::of("sgn N", &label));
-            let factors = [mu, self.row(contact)].into_iter().chain(side).chain([Math::of("sgn v", &label)]);
+                (contact_of.two_sided && contact_of.force.is_none()).then(|| Math::named("sgn N", &label));
+            let factors =
+                [mu, self.row(contact)].into_iter().chain(side).chain([Math::named("sgn v", &label)]);
             Some(Equation::new(self.row(row), Math::product(factors).minus()))
         })
     }
@@ -112,7 +113,7 @@ impl Writer<'_> {
             let squares = contact.force?.map(|entry| {
                 let (what, of) = motion.quantities[entry].name.split_at(2);
                 let component = if what == "fx" { "fx" } else { "fy" };
-                Math::of(component, of.trim_matches(['(', ')'])).power(2)
+                Math::named(component, of.trim_matches(['(', ')'])).power(2)
             });
             Some(Equation::new(self.row(i), Math::Root(Box::new(Math::sum(squares)))))
         });

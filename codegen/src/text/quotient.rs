@@ -102,7 +102,7 @@ fn multiple(wave: &Wave, base: &Wave) -> Option<usize> {
 /// The common factor of all pieces, by way of waves that keep them apart.
 fn content(pieces: &[Piece]) -> (Rational, Monomial) {
     let apart = pieces.iter().enumerate().map(|(i, piece)| {
-        let wave = Series::cos(&Angle::of(Symbol::Reaction(0)).scale(i as i32 + 1));
+        let wave = Series::cos(&Angle::from_symbol(Symbol::Reaction(0)).scale(i as i32 + 1));
         &Series::monomial(piece.coefficient, piece.monomial.clone()) * &wave
     });
     let (content, monomial) = apart.sum::<Series>().content();

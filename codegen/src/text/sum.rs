@@ -13,7 +13,7 @@ type Collected = BTreeMap<(Monomial, Wave), Series>;
 impl Writer<'_> {
     /// A series; as it stands where no coefficient is a sum.
     pub(super) fn series(&self, series: &Series) -> Math {
-        let mut shorthand = Shorthand::of(self);
+        let mut shorthand = Shorthand::new(self);
         let shortened = shorthand.shortened(series);
         Sums { names: &shorthand }.series(&shortened)
     }
@@ -105,7 +105,7 @@ impl Sums<'_> {
     }
 
     fn is_mass(&self, symbol: Symbol) -> bool {
-        matches!(symbol, Symbol::Parameter(index) if self.names.place(index) == MASS)
+        matches!(symbol, Symbol::Parameter(index) if self.names.rank_parameter(index) == MASS)
     }
 }
 

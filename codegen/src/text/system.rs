@@ -14,11 +14,11 @@ impl Writer<'_> {
         let energy = |name, series| Equation::new(Math::symbol(name), self.series(series));
         let opaque_terms = motion.opaque_terms.iter().enumerate();
         let gap = |contact: &crate::motion::Contact| {
-            Equation::new(Math::of("gap", &contact.label(system)), self.series(&contact.row.gap))
+            Equation::new(Math::named("gap", &contact.label(system)), self.series(&contact.row.gap))
         };
         let joints = self.analysis.kinematics.joints.iter();
         let switches = system.switches.iter().enumerate().map(|(i, switch)| {
-            Equation::new(self.symbol(Symbol::Switch(i as u16)), Math::of("while", &switch.condition))
+            Equation::new(self.symbol(Symbol::Switch(i as u16)), Math::named("while", &switch.condition))
         });
         Equations {
             name: plain(&system.ident),

@@ -14,14 +14,14 @@ pub struct Writer<'a> {
 
 impl<'a> Writer<'a> {
     /// With the names of this model.
-    pub fn of(analysis: &'a Analysis) -> Self {
-        let places = (0..analysis.system.parameters.len()).map(|i| place(analysis, i)).collect();
+    pub fn new(analysis: &'a Analysis) -> Self {
+        let places = (0..analysis.system.parameters.len()).map(|i| rank_parameter(analysis, i)).collect();
         Self { analysis, parameters: analysis.system.names(), places }
     }
 }
 
 /// Numbers, masses and what has mass in it, `g` and what else has time in it, lengths.
-fn place(analysis: &Analysis, parameter: usize) -> u8 {
+fn rank_parameter(analysis: &Analysis, parameter: usize) -> u8 {
     let symbol = Symbol::parameter(parameter);
     let weighs = || analysis.system.gravity.iter().flatten().any(|g| g.depends_on(symbol));
     match analysis.dimensions.parameters[parameter] {
@@ -43,7 +43,7 @@ impl Names for Writer<'_> {
         self.parameters.parameter(index)
     }
 
-    fn place(&self, index: u16) -> u8 {
+    fn rank_parameter(&self, index: u16) -> u8 {
         self.places.get(usize::from(index)).copied().unwrap_or(NUMBER)
     }
 
@@ -73,9 +73,9 @@ impl Writer<'_> {
             _ if row < contacts && motion.contacts[row].driven => {
                 Math::Words(format!("force of {}", motion.contacts[row].label(system)))
             }
-            _ if row < contacts => Math::of("N", &motion.contacts[row].label(system)),
+            _ if row < contacts => Math::named("N", &motion.contacts[row].label(system)),
             _ if row < slips => Math::Words(format!("force of {}", kinematics.joints[row - contacts].name)),
-            _ => Math::of("R", &motion.contacts[motion.tangents[row - slips]].label(system)),
+            _ => Math::named("R", &motion.contacts[motion.tangents[row - slips]].label(system)),
         }
     }
 

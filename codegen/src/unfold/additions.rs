@@ -12,7 +12,7 @@ use crate::syntax::{Description, ident, identifiers, plain};
 use crate::system::{Mirror, System};
 
 /// The attributes to be added.
-pub(super) fn of(
+pub(super) fn derive_attributes(
     description: &Description,
     system: &System,
     kinematics: &Kinematics,

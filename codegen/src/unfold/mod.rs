@@ -41,7 +41,7 @@ impl Unfolded {
     ///
     /// # Errors
     /// Mistakes of the declaration; it has no mirror; both halves are not a model, or are not drawn as the mirror draws them.
-    pub fn of(input: TokenStream) -> syn::Result<Self> {
+    pub fn from_tokens(input: TokenStream) -> syn::Result<Self> {
         let description = crate::parse(input.clone())?;
         let system = crate::resolve(input.clone())?;
         let Some(mirror) = system.mirror.clone() else {
@@ -51,8 +51,8 @@ impl Unfolded {
             );
             return Err(syn::Error::new(system.ident.span(), text));
         };
-        let kinematics = Kinematics::of(&system)?;
-        let added = additions::of(&description, &system, &kinematics, &mirror)?;
+        let kinematics = Kinematics::derive(&system)?;
+        let added = additions::derive_attributes(&description, &system, &kinematics, &mirror)?;
         let mut item: DeriveInput = syn::parse2(input)?;
         item.attrs.retain(|attribute| !LEFT_OUT.iter().any(|name| attribute.path().is_ident(name)));
         item.attrs.extend(added);
@@ -110,7 +110,7 @@ impl Unfolded {
     fn check_figure(&self) -> syn::Result<()> {
         let Some(numbers) = self.system.samples.first() else { return Ok(()) };
         let parameters: Vec<f64> = (0..self.system.parameters.len())
-            .map(|i| numbers.of(&Series::symbol(Symbol::parameter(i))))
+            .map(|i| numbers.evaluate(&Series::symbol(Symbol::parameter(i))))
             .collect();
         let whole = Numbers::new(&parameters, &self.analysis.system.constants);
         let places = self.system.figure.iter().zip(&self.analysis.system.figure);

@@ -87,13 +87,13 @@ struct Case {
 }
 
 fn cases() -> impl Iterator<Item = Case> {
-    MIRRORED.into_iter().flat_map(|declaration| [1.0, 2.0].map(|k| Case::of(declaration, k)))
+    MIRRORED.into_iter().flat_map(|declaration| [1.0, 2.0].map(|k| Case::new(declaration, k)))
 }
 
 impl Case {
-    fn of(declaration: &'static str, k: f64) -> Self {
+    fn new(declaration: &'static str, k: f64) -> Self {
         let half = analysis(declaration);
-        let unfolded = Unfolded::of(declaration.parse().unwrap());
+        let unfolded = Unfolded::from_tokens(declaration.parse().unwrap());
         let unfolded = unfolded.unwrap_or_else(|error| panic!("{declaration}: {error}"));
         let value = |name: &syn::Ident| match name.to_string().as_str() {
             "m" => 0.7,
@@ -283,23 +283,24 @@ fn named(unfolded: &Unfolded) -> Vec<String> {
 
 #[test]
 fn coordinates_keep_their_names_and_are_equal_to_their_images() {
-    let four = Case::of(MIRRORED[1], 1.0);
+    let four = Case::new(MIRRORED[1], 1.0);
     assert_eq!(named(&four.unfolded), ["phi", "psi", "phi_image", "psi_image", "x_C", "y"]);
     let [phi, psi, y] = four.q[..] else { panic!("{:?}", four.q) };
     assert_eq!(four.position(&four.q), [phi, psi, phi, psi, 0.0, y]);
     // Images of equal angles are equal.
-    assert_eq!(named(&Case::of(MIRRORED[2], 1.0).unfolded), ["phi", "psi", "x_C", "y_C"]);
-    assert_eq!(named(&Case::of(MIRRORED[3], 1.0).unfolded), ["phi", "phi_image"]);
+    assert_eq!(named(&Case::new(MIRRORED[2], 1.0).unfolded), ["phi", "psi", "x_C", "y_C"]);
+    assert_eq!(named(&Case::new(MIRRORED[3], 1.0).unfolded), ["phi", "phi_image"]);
     // Names that the model has already are not taken twice.
     let taken = MIRRORED[1].replace("a: f64", "phi_image: f64").replace("= a,", "= phi_image,");
-    let unfolded = Unfolded::of(taken.parse().unwrap()).unwrap();
+    let unfolded = Unfolded::from_tokens(taken.parse().unwrap()).unwrap();
     assert!(named(&unfolded).contains(&"phi_image_".to_owned()));
 }
 
 #[test]
 fn what_is_not_unfolded_is_told() {
-    let told = |declaration: &str| Unfolded::of(declaration.parse().unwrap()).unwrap_err().to_string();
-    let whole = Unfolded::of(PAIR.parse().unwrap()).unwrap().analysis.system.declaration;
+    let told =
+        |declaration: &str| Unfolded::from_tokens(declaration.parse().unwrap()).unwrap_err().to_string();
+    let whole = Unfolded::from_tokens(PAIR.parse().unwrap()).unwrap().analysis.system.declaration;
     assert!(told(&whole).starts_with("`Pair` has no mirror"), "{}", told(&whole));
     // Without gravity a bar of which one point is known lies to the right, its image to the left.
     let hanging = "#[bar(CA, mass = m, length = l)] #[bar(CB, mass = m, length = l)] #[pin(C = (0, 0))] \

@@ -77,7 +77,7 @@ fn level(analysis: &Analysis, phase: &Phase, index: usize, start: Start) -> Leve
     let [at, rate] = [0, 1].map(|order| start_of(analysis, index, order));
     let angle = match start {
         Start::Quarters(turns) => Angle::quarters(turns),
-        Start::Rest | Start::Moving => Angle::of(at),
+        Start::Rest | Start::Moving => Angle::from_symbol(at),
     };
     let mass = &phase.mass[0][0];
     let at_start = |quotient: &Quotient| quotient.substitute_angle(coordinate, &angle);

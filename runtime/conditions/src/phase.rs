@@ -39,7 +39,7 @@ pub(crate) fn find<'a>(analysis: &'a Analysis, asked: &str) -> Result<&'a Phase,
 
 impl<'a> Named<'a> {
     pub fn of(analysis: &'a Analysis, phase: &'a Phase) -> Self {
-        Self { analysis, phase, writer: Writer::of(analysis) }
+        Self { analysis, phase, writer: Writer::new(analysis) }
     }
 
     /// `on A, E, C`, or `free`.
@@ -171,8 +171,8 @@ impl Names for Named<'_> {
         self.writer.parameter(index)
     }
 
-    fn place(&self, index: u16) -> u8 {
-        self.writer.place(index)
+    fn rank_parameter(&self, index: u16) -> u8 {
+        self.writer.rank_parameter(index)
     }
 
     fn coordinate(&self, index: u16) -> String {

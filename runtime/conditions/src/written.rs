@@ -55,7 +55,7 @@ impl Written<'_> {
         let single = factor.len() == 1;
         let plain = exponents.iter().position(|&k| k > 0).map(|at| self.ring.variables[at]);
         let class = match (single, plain) {
-            (true, Some(Variable::Plain(Symbol::Parameter(i)))) => self.names.place(i).into(),
+            (true, Some(Variable::Plain(Symbol::Parameter(i)))) => self.names.rank_parameter(i).into(),
             (true, Some(Variable::Sine(_) | Variable::Cosine(_))) => 12,
             (true, _) => 10,
             (false, _) if self.ring.is_constant(factor) => 1,
@@ -125,7 +125,7 @@ impl Written<'_> {
             .filter(|(_, k)| *k > 0)
             .collect();
         factors.sort_by_key(|(variable, _)| match variable {
-            Variable::Plain(Symbol::Parameter(i)) => (0, self.names.place(*i), *i, None),
+            Variable::Plain(Symbol::Parameter(i)) => (0, self.names.rank_parameter(*i), *i, None),
             Variable::Plain(symbol) => (1, 0, 0, Some(Reverse(*symbol))),
             Variable::Sine(symbol) | Variable::Cosine(symbol) => (2, 0, 0, Some(Reverse(*symbol))),
         });

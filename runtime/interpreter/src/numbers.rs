@@ -21,7 +21,7 @@ impl ParameterNumbers {
     pub fn of(analysis: &Analysis) -> Self {
         let measures = numbers::measures(analysis);
         let entries = measures.entries.into_iter();
-        let drawn = Geometry::of(&analysis.system, &analysis.kinematics.coordinates);
+        let drawn = Geometry::from_system(&analysis.system, &analysis.kinematics.coordinates);
         Self {
             entries: entries.map(|entry| (text(&entry.of), kind(entry.kind), entry.value)).collect(),
             measures: measures.numbers,

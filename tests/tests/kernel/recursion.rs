@@ -9,7 +9,7 @@ use liftoff_tests::random::{Source, Vocabulary};
 /// The same system, its functions by recursion; `None` for what is no tree from fixed points.
 fn by_recursion(pair: Pair) -> Option<Pair> {
     let Analysis { system, kinematics, motion, .. } = &pair.analysis;
-    let tree = Tree::of(&Scene { system, kinematics }, motion)?;
+    let tree = Tree::recognise(&Scene { system, kinematics }, motion)?;
     if !(tree.bases.is_empty() && kinematics.joints.is_empty()) {
         return None;
     }

@@ -113,7 +113,7 @@ fn symbols(
     all: &BTreeSet<Symbol>,
     source: &mut Source,
 ) -> (Valued<Symbol>, Valued<Math>) {
-    let writer = Writer::of(analysis);
+    let writer = Writer::new(analysis);
     let coordinates = analysis.kinematics.coordinates.len() as u16;
     let places =
         (0..coordinates).flat_map(|index| (0..3).map(move |order| Symbol::Coordinate { index, order }));
@@ -158,7 +158,7 @@ fn is_well_conditioned(quotient: &Quotient, values: &[(Symbol, f64)]) -> Option<
 }
 
 fn check_model(analysis: &Analysis, source: &mut Source, seen: &mut usize) {
-    let writer = Writer::of(analysis);
+    let writer = Writer::new(analysis);
     for phase in &analysis.phases {
         let all = quotients(phase);
         let (values, shown) = symbols(analysis, &symbols_of(&all), source);
@@ -228,7 +228,7 @@ fn motion(analysis: &Analysis, phase: &Phase, values: &[(Symbol, f64)], from: f6
 
 /// Conditions of a start at rest, anywhere or at a given place, which has the formulas without the symbol of the start.
 fn check_conditions(analysis: &Analysis, at: Option<f64>, source: &mut Source, seen: &mut usize) {
-    let writer = Writer::of(analysis);
+    let writer = Writer::new(analysis);
     for phase in analysis.phases.iter().filter(|phase| phase.kept.len() == 1) {
         let (values, shown) = symbols(analysis, &symbols_of(&quotients(phase)), source);
         let name = writer.coordinate(phase.kept[0] as u16);

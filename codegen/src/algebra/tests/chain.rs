@@ -7,7 +7,7 @@ fn kinetic_energy(n: usize) -> Series {
     let (mut x, mut y) = (Series::zero(), Series::zero());
     let mut t = Series::zero();
     for i in 0..n {
-        let angle = Angle::of(Symbol::coordinate(i));
+        let angle = Angle::from_symbol(Symbol::coordinate(i));
         let half = symbol(L).scale(Rational::HALF);
         let (dx, dy) = (&half * Series::cos(&angle), &half * Series::sin(&angle));
         let (u, v) = ((&x + &dx).rate(), (&y + &dy).rate());
@@ -27,7 +27,7 @@ fn closed_form(n: usize) -> Series {
             let below = Rational::integer((n - i - 1) as i128);
             let c =
                 if i == j { (below + Rational::new(1, 3)) * Rational::HALF } else { below + Rational::HALF };
-            let angle = Angle::of(Symbol::coordinate(i)) - Angle::of(Symbol::coordinate(j));
+            let angle = Angle::from_symbol(Symbol::coordinate(i)) - Angle::from_symbol(Symbol::coordinate(j));
             let rates = symbol(Symbol::rate(i)) * symbol(Symbol::rate(j));
             t += (Series::cos(&angle) * rates).scale(c);
         }

@@ -17,7 +17,7 @@ fn lost() -> Series {
 #[test]
 fn one_overflow_is_enough() {
     let one = Series::one();
-    let sum = symbol(Y) + Series::cos(&Angle::of(PHI));
+    let sum = symbol(Y) + Series::cos(&Angle::from_symbol(PHI));
     for other in [one, sum, Series::zero()] {
         let sums = [[lost(), other.clone()], [other.clone(), lost()]];
         let mut all: Vec<Series> = sums.iter().map(|pair| pair.iter().sum()).collect();
@@ -34,7 +34,7 @@ fn one_overflow_is_enough() {
 /// cos φ / (2¹²⁷ − 1) times 1, though half of the number does not fit.
 #[test]
 fn a_constant_halves_nothing() {
-    let tiny = Series::cos(&Angle::of(PHI)).scale(huge().recip());
+    let tiny = Series::cos(&Angle::from_symbol(PHI)).scale(huge().recip());
     let (y, l) = (symbol(Y), symbol(L));
     let expected = &tiny + &tiny * &l + &y + &y * &l;
     assert_eq!((&tiny + &y) * (Series::one() + &l), expected);
@@ -73,8 +73,8 @@ fn values_spend_too() {
 
 #[test]
 fn an_angle_beyond_its_multipliers_is_no_series() {
-    let lost = Angle::of(PHI).scale(32767) + Angle::of(PHI);
-    for series in [symbol(PHI), symbol(PHI_RATE), Series::sin(&Angle::of(PHI))] {
+    let lost = Angle::from_symbol(PHI).scale(32767) + Angle::from_symbol(PHI);
+    for series in [symbol(PHI), symbol(PHI_RATE), Series::sin(&Angle::from_symbol(PHI))] {
         assert!(series.substitute_angle(PHI, &lost).is_overflow());
     }
     assert!(

@@ -31,7 +31,7 @@ proptest! {
     #[test]
     fn products_have_the_value_of_their_sums(a in waves(), b in waves()) {
         let series = a + b * symbol(Y);
-        let mut names = Shorthand::of(&Pair);
+        let mut names = Shorthand::new(&Pair);
         let short = names.shortened(&series);
         prop_assert!(short.len() <= series.len());
         prop_assert_eq!(expanded(&short, &names), series);
@@ -39,7 +39,7 @@ proptest! {
 }
 
 fn text(series: &Series) -> String {
-    let mut names = Shorthand::of(&Pair);
+    let mut names = Shorthand::new(&Pair);
     let short = names.shortened(series);
     assert_eq!(expanded(&short, &names), *series);
     short.text(&names)
@@ -51,7 +51,7 @@ fn doubled() -> Series {
 
 #[test]
 fn what_saves_nothing_stays() {
-    let unchanged = |series: &Series| assert_eq!(Shorthand::of(&Pair).shortened(series), *series);
+    let unchanged = |series: &Series| assert_eq!(Shorthand::new(&Pair).shortened(series), *series);
     // 1 + 2 cos² φ has no smaller numbers, and a sine of twice an angle is no square.
     unchanged(&(Series::integer(2) + doubled()));
     unchanged(&(Series::integer(5) + Series::sin(&angle(2, 0, 0)).scale(3.into())));
@@ -76,10 +76,10 @@ fn the_square_of_fewer_signs_and_smaller_numbers_is_taken() {
 
 #[test]
 fn a_product_that_returns_is_the_same() {
-    let [sin, cos] = [Series::sin, Series::cos].map(|wave| [PHI, PSI].map(|s| wave(&Angle::of(s))));
+    let [sin, cos] = [Series::sin, Series::cos].map(|wave| [PHI, PSI].map(|s| wave(&Angle::from_symbol(s))));
     let (sines, cosines, y) = (&sin[0] * &sin[1], &cos[0] * &cos[1], symbol(Y));
     let series = &sines + &(&y * &cosines) + y.pow(2) * sines.scale(3.into());
-    let mut names = Shorthand::of(&Pair);
+    let mut names = Shorthand::new(&Pair);
     let short = names.shortened(&series);
     assert_eq!((short.len(), names.products.len()), (3, 2));
     assert_eq!(expanded(&short, &names), series);
@@ -97,9 +97,9 @@ fn factors_of_products_stand_in_order() {
 #[test]
 fn sums_of_too_many_waves_stay() {
     let other = |range: std::ops::Range<usize>| -> Series {
-        range.map(|i| Series::cos(&Angle::of(Symbol::coordinate(i)))).sum()
+        range.map(|i| Series::cos(&Angle::from_symbol(Symbol::coordinate(i)))).sum()
     };
     let pair = Series::cos(&angle(1, -1, 0)) - Series::cos(&angle(1, 1, 0));
-    let length = |series: Series| Shorthand::of(&Pair).shortened(&series).len();
+    let length = |series: Series| Shorthand::new(&Pair).shortened(&series).len();
     assert_eq!([48, 49].map(|end| length(other(2..end) + &pair)), [47, 49]);
 }

@@ -3,11 +3,11 @@ use super::random::*;
 use proptest::prelude::*;
 
 fn cosine() -> Series {
-    Series::cos(&Angle::of(PHI))
+    Series::cos(&Angle::from_symbol(PHI))
 }
 
 fn sine() -> Series {
-    Series::sin(&Angle::of(PHI))
+    Series::sin(&Angle::from_symbol(PHI))
 }
 
 fn small() -> impl Strategy<Value = Series> {

@@ -17,7 +17,7 @@ pub(super) fn symbol(s: Symbol) -> Series {
 
 /// k·φ + n·ψ + quarters·π/2.
 pub(super) fn angle(k: i32, n: i32, quarters: i64) -> Angle {
-    let waves = Angle::of(PHI).scale(k) + Angle::of(PSI).scale(n);
+    let waves = Angle::from_symbol(PHI).scale(k) + Angle::from_symbol(PSI).scale(n);
     waves + Angle::quarters(quarters)
 }
 

@@ -22,7 +22,7 @@ proptest! {
 /// y³ − u | y³ − v only if u = v.
 #[test]
 fn every_variable_has_a_value_of_its_own() {
-    let angles = [PHI, PSI, M, L].map(|s| Series::cos(&Angle::of(s)));
+    let angles = [PHI, PSI, M, L].map(|s| Series::cos(&Angle::from_symbol(s)));
     let all: Vec<_> = [M, L, PHI_RATE, PSI].map(symbol).into_iter().chain(angles).collect();
     let cube = symbol(Y).pow(3);
     for (i, u) in all.iter().enumerate() {

@@ -71,7 +71,7 @@ fn negative_powers_need_a_unit() {
 #[test]
 fn equal_angles_merge() {
     let difference = Series::cos(&angle(1, -1, 0)) * symbol(PHI_RATE);
-    let merged = difference.substitute_angle(PSI, &Angle::of(PHI));
+    let merged = difference.substitute_angle(PSI, &Angle::from_symbol(PHI));
     assert_eq!(merged, symbol(PHI_RATE));
     assert!(symbol(PHI).substitute_angle(PHI, &Angle::quarters(1)).is_overflow());
 }
@@ -83,9 +83,9 @@ fn derivatives_of_any_order_are_replaced() {
     let found = (third(0) * symbol(PHI) + third(1)).substitute_angle(PHI, &angle(2, 1, 0));
     let turned = third(0).scale(2.into()) + third(1);
     assert_eq!(found, turned * (symbol(PHI).scale(2.into()) + symbol(PSI)) + third(1));
-    let slope = Angle::of(L).scale(3);
+    let slope = Angle::from_symbol(L).scale(3);
     assert_eq!(
-        (Series::sin(&Angle::of(M)) + symbol(M)).substitute_angle(M, &slope),
+        (Series::sin(&Angle::from_symbol(M)) + symbol(M)).substitute_angle(M, &slope),
         Series::sin(&slope) + symbol(L).scale(3.into())
     );
 }

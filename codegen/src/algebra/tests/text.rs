@@ -17,7 +17,7 @@ impl Names for Pair {
 }
 
 fn cosine() -> Series {
-    Series::cos(&Angle::of(PHI))
+    Series::cos(&Angle::from_symbol(PHI))
 }
 
 fn r(n: i128, d: i128) -> Rational {
@@ -43,12 +43,12 @@ fn symbols() {
 #[test]
 fn waves() {
     let text = |a: &Angle| Series::sin(a).text(&Pair);
-    assert_eq!(text(&Angle::of(PHI)), "sin φ");
+    assert_eq!(text(&Angle::from_symbol(PHI)), "sin φ");
     assert_eq!(text(&angle(2, 0, 0)), "sin 2φ");
     assert_eq!(text(&angle(1, -1, 0)), "sin(φ − ψ)");
     assert_eq!(text(&angle(-1, 3, 0)), "−sin(φ − 3ψ)");
-    assert_eq!(text(&Angle::of(Symbol::coordinate(3)).scale(2)), "sin 2φ_inner");
-    assert_eq!(text(&Angle::of(Symbol::parameter(4)).scale(2)), "sin(2 slope)");
+    assert_eq!(text(&Angle::from_symbol(Symbol::coordinate(3)).scale(2)), "sin 2φ_inner");
+    assert_eq!(text(&Angle::from_symbol(Symbol::parameter(4)).scale(2)), "sin(2 slope)");
 }
 
 #[test]
@@ -86,7 +86,7 @@ fn factors_stand_in_order() {
     let product: Series = factors.iter().fold(third, |product, factor| product * factor);
     assert_eq!(product.text(&Pair), "l N_P y φ̇ φ̈ φ⃛");
     let ratio = symbol(M) * symbol(L).recip_monomial().unwrap();
-    let mut names = Shorthand::of(&Pair);
+    let mut names = Shorthand::new(&Pair);
     let short = names.shortened(&((Series::cos(&angle(1, -1, 0)) - Series::cos(&angle(1, 1, 0))) * &ratio));
     assert_eq!(short.text(&names), "2 (m/l) sin φ sin ψ");
     assert_eq!(ratio.text(&Pair), "m/l");
@@ -102,7 +102,7 @@ fn quotients() {
     let n = Series::one() - cosine().pow(3);
     let q = Quotient::new(n, cosine().pow(2));
     assert_eq!(q.text(&Pair), "¼ (4 − 3 cos φ − cos 3φ) / cos² φ");
-    let y = Quotient::new((symbol(L) * Series::sin(&Angle::of(PHI))).scale(r(1, 2)), cosine());
+    let y = Quotient::new((symbol(L) * Series::sin(&Angle::from_symbol(PHI))).scale(r(1, 2)), cosine());
     assert_eq!(y.text(&Pair), "½ l sin φ / cos φ");
     assert_eq!(y.rate().text(&Pair), "½ l φ̇ / cos² φ");
     let root = cosine().pow(4).scale(r(4, 3)) + Series::one() - cosine().pow(3).scale(2.into());
@@ -116,11 +116,11 @@ fn quotients() {
 #[test]
 fn products_of_waves_stand_where_they_are_shorter() {
     let text = |series: Series| {
-        let mut names = Shorthand::of(&Pair);
+        let mut names = Shorthand::new(&Pair);
         let short = names.shortened(&series);
         short.text(&names)
     };
-    let [phi, psi] = [0, 1].map(|i| Angle::of(Symbol::coordinate(i)));
+    let [phi, psi] = [0, 1].map(|i| Angle::from_symbol(Symbol::coordinate(i)));
     let (sum, difference, twice) = (&phi + &psi, &phi - &psi, phi.scale(2));
     let [sin, cos] = [Series::sin, Series::cos];
     let m = || Series::symbol(Symbol::parameter(0));

@@ -12,7 +12,7 @@ pub trait Names {
     fn parameter(&self, index: u16) -> Math;
     /// Where parameter `index` stands among the parameters of a product: numbers, masses, `g` and what else has time in it,
     /// lengths.
-    fn place(&self, _index: u16) -> u8 {
+    fn rank_parameter(&self, _index: u16) -> u8 {
         0
     }
     /// The name of coordinate `index`.
@@ -31,12 +31,12 @@ pub trait Names {
 
 /// A name as its letter or word, and what stands lowered beside it: `phi_inner` as φ and inner, `m1` as m and 1.
 pub fn lettered(name: &str) -> [String; 2] {
-    Name::of(name).lettered()
+    Name::new(name).lettered()
 }
 
 /// The name of a coordinate in print, or of its derivative of this order: `phi` as φ, φ̇, φ̈.
 pub fn printed(name: &str, order: u8) -> String {
-    Math::Symbol(Name::of(name), order).to_string()
+    Math::Symbol(Name::new(name), order).to_string()
 }
 
 /// A symbol as it is written.
@@ -44,11 +44,11 @@ pub(super) fn symbol(symbol: Symbol, names: &dyn Names) -> Math {
     match symbol {
         Symbol::Parameter(i) => names.parameter(i),
         Symbol::Reaction(i) => names.reaction(i),
-        Symbol::Coordinate { index, order } => Math::Symbol(Name::of(&names.coordinate(index)), order),
+        Symbol::Coordinate { index, order } => Math::Symbol(Name::new(&names.coordinate(index)), order),
         Symbol::Opaque { index, order: PRODUCT } => names.product(index),
-        Symbol::Opaque { index, order } => Math::Symbol(Name::of(&names.opaque_term(index)), order),
+        Symbol::Opaque { index, order } => Math::Symbol(Name::new(&names.opaque_term(index)), order),
         Symbol::Time => Math::symbol("t"),
         Symbol::Sense(_) => Math::symbol("σ"),
-        Symbol::Switch(i) => Math::Symbol(Name::of(&format!("s_{}", i + 1)), 0),
+        Symbol::Switch(i) => Math::Symbol(Name::new(&format!("s_{}", i + 1)), 0),
     }
 }

@@ -28,7 +28,7 @@ pub(super) fn numbered(c: Rational, factors: Vec<Math>) -> Math {
 /// The factors of a monomial; parameters with negative exponents make one fraction of parameters.
 pub(super) fn monomial(monomial: &Monomial, names: &dyn Names) -> Vec<Math> {
     let mut sorted = monomial.factors().to_vec();
-    sorted.sort_by_key(|&(symbol, _)| place(symbol, names));
+    sorted.sort_by_key(|&(symbol, _)| rank_symbol(symbol, names));
     let (parameters, others): (Vec<_>, Vec<_>) =
         sorted.into_iter().partition(|(symbol, _)| symbol.is_parameter());
     let mut factors = fraction(&parameters, names);
@@ -37,9 +37,9 @@ pub(super) fn monomial(monomial: &Monomial, names: &dyn Names) -> Vec<Math> {
 }
 
 /// Parameters, reactions, then coordinates by order of derivative; products of waves last.
-fn place(symbol: Symbol, names: &dyn Names) -> (u16, u8, Symbol) {
+fn rank_symbol(symbol: Symbol, names: &dyn Names) -> (u16, u8, Symbol) {
     let (class, among) = match symbol {
-        Symbol::Parameter(index) => (0, names.place(index)),
+        Symbol::Parameter(index) => (0, names.rank_parameter(index)),
         Symbol::Opaque { order: PRODUCT, .. } => (u16::MAX, 0),
         Symbol::Reaction(_) | Symbol::Opaque { .. } | Symbol::Time | Symbol::Sense(_) | Symbol::Switch(_) => {
             (1, 0)

@@ -32,7 +32,7 @@ type Waves = BTreeMap<Wave, Series>;
 
 impl<'a> Shorthand<'a> {
     /// The names, without products.
-    pub fn of(names: &'a dyn Names) -> Self {
+    pub fn new(names: &'a dyn Names) -> Self {
         Self { names, products: Vec::new() }
     }
 
@@ -91,8 +91,8 @@ impl Names for Shorthand<'_> {
         self.names.parameter(index)
     }
 
-    fn place(&self, index: u16) -> u8 {
-        self.names.place(index)
+    fn rank_parameter(&self, index: u16) -> u8 {
+        self.names.rank_parameter(index)
     }
 
     fn coordinate(&self, index: u16) -> String {

@@ -78,7 +78,7 @@ impl Library<'_> {
 
     fn entries_of_states(&self) -> Vec<String> {
         let Self { analysis, .. } = self;
-        let writer = Writer::of(analysis);
+        let writer = Writer::new(analysis);
         let n = analysis.motion.n;
         let mut lines: Vec<String> = Vec::new();
         for (i, coordinate) in analysis.kinematics.coordinates.iter().enumerate() {

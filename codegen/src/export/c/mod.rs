@@ -41,14 +41,14 @@ struct Library<'a> {
 
 /// The files of the library.
 pub(super) fn project(analysis: &Analysis) -> Vec<File> {
-    let names = Names::of(analysis);
+    let names = Names::from_analysis(analysis);
     let constants = constant_names(&analysis.system, &analysis.functions.program, &outputs(analysis));
     let mut fields = Names::fields();
-    let constants = constants.into_iter().map(|(id, name)| (id, fields.of(&name))).collect();
+    let constants = constants.into_iter().map(|(id, name)| (id, fields.make_unique(&name))).collect();
     let mut identifiers = Names::fields();
     let phases = phase_names(analysis).into_iter();
-    let phases =
-        phases.map(|name| identifiers.of(&name.replacen("On_", "on_", 1).replacen("Free", "free", 1)));
+    let phases = phases
+        .map(|name| identifiers.make_unique(&name.replacen("On_", "on_", 1).replacen("Free", "free", 1)));
     let phases = phases.map(|name| format!("{}_{name}", names.prefix)).collect();
     let library = Library { analysis, names, constants, phases };
     let prefix = &library.names.prefix;

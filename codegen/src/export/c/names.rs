@@ -32,16 +32,16 @@ pub(super) struct Names {
 }
 
 impl Names {
-    pub fn of(analysis: &Analysis) -> Self {
+    pub fn from_analysis(analysis: &Analysis) -> Self {
         let system = &analysis.system;
-        let prefix = Identifiers::new(WORDS.split(' ')).of(&snake(&plain(&system.ident)));
+        let prefix = Identifiers::new(WORDS.split(' ')).make_unique(&snake(&plain(&system.ident)));
         let mut fields = Self::fields();
-        let parameters = system.parameters.iter().map(|name| fields.of(&plain(name))).collect();
+        let parameters = system.parameters.iter().map(|name| fields.make_unique(&plain(name))).collect();
         let mut given = Identifiers::new(WORDS.split(' ').chain(LOCAL.split(' ')));
         let mut inputs = BTreeMap::new();
         for (order, suffix) in [(0, ""), (1, "_d"), (2, "_dd")] {
             for (i, coordinate) in analysis.kinematics.coordinates.iter().enumerate() {
-                let name = given.of(&format!("{}{suffix}", coordinate.name));
+                let name = given.make_unique(&format!("{}{suffix}", coordinate.name));
                 inputs.insert(Symbol::Coordinate { index: i as u16, order }, name);
             }
         }
@@ -53,7 +53,7 @@ impl Names {
                 Symbol::Switch(i) => format!("switch_{}", i + 1),
                 _ => "t".to_owned(),
             };
-            inputs.insert(symbol, given.of(&name));
+            inputs.insert(symbol, given.make_unique(&name));
         }
         Self { capital: prefix.to_uppercase(), prefix, parameters, inputs }
     }

@@ -89,12 +89,12 @@ impl Writer<'_> {
             return;
         }
         let name = match (name, operation) {
-            (Some(name), _) => self.names.of(name),
-            (None, Operation::Sin(_)) => self.names.of("sine"),
-            (None, Operation::Cos(_)) => self.names.of("cosine"),
+            (Some(name), _) => self.names.make_unique(name),
+            (None, Operation::Sin(_)) => self.names.make_unique("sine"),
+            (None, Operation::Cos(_)) => self.names.make_unique("cosine"),
             (None, _) => {
                 self.unnamed += 1;
-                self.names.of(&format!("x{}", self.unnamed))
+                self.names.make_unique(&format!("x{}", self.unnamed))
             }
         };
         self.text += &format!("    const double {name} = {expression};\n");

@@ -41,7 +41,7 @@ impl Naming<'_> {
 
     /// A line that declares a real symbol.
     fn symbol(&mut self, symbol: Symbol, name: &str, meaning: &str) -> String {
-        let identifier = self.identifiers.of(name);
+        let identifier = self.identifiers.make_unique(name);
         let comment = if meaning.is_empty() { String::new() } else { format!("  # {}", one_line(meaning)) };
         self.line(&format!("{identifier} = Symbol({}, real=True){comment}", string(&identifier)));
         self.formulas.name(symbol, identifier.clone());
@@ -62,7 +62,7 @@ impl Naming<'_> {
     }
 
     fn coordinates(&mut self) {
-        let writer = Writer::of(self.analysis);
+        let writer = Writer::new(self.analysis);
         self.line("# Time, coordinates, their first and second derivatives.");
         self.symbol(Symbol::Time, "t", "");
         for (order, list, suffix) in [(0, "coordinates", ""), (1, "rates", "_d"), (2, "accelerations", "_dd")]
@@ -117,7 +117,7 @@ impl Naming<'_> {
     fn constants(&mut self) {
         let system = &self.analysis.system;
         for (i, definition) in system.constants.iter().enumerate() {
-            let identifier = self.identifiers.of(&format!("constant_{}", i + 1));
+            let identifier = self.identifiers.make_unique(&format!("constant_{}", i + 1));
             let value = match definition {
                 _ if definition.is_pi() => "pi".to_owned(),
                 Definition::Sqrt(square) => format!("sqrt({})", self.formulas.series(square)),
@@ -134,7 +134,7 @@ impl Naming<'_> {
         for (i, term) in self.analysis.motion.opaque_terms.iter().enumerate() {
             for order in 0..term.orders.len() {
                 let name = format!("{}_{}", term.name, "d".repeat(order));
-                let identifier = self.identifiers.of(&name);
+                let identifier = self.identifiers.make_unique(&name);
                 self.formulas.name(Symbol::Opaque { index: i as u16, order: order as u8 }, identifier);
             }
         }

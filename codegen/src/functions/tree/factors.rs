@@ -32,7 +32,7 @@ struct Sums {
 }
 
 impl Factors {
-    pub fn of(lowering: &mut Lowering, geometry: &Geometry) -> Self {
+    pub fn lower(lowering: &mut Lowering, geometry: &Geometry) -> Self {
         let tree = geometry.tree;
         let masses: Vec<[Id; 2]> =
             tree.branches.iter().map(|b| [b.mass(), b.inertia()].map(|s| lowering.series(&s))).collect();

@@ -25,7 +25,7 @@ pub(in crate::functions) struct Geometry<'a> {
 }
 
 impl<'a> Geometry<'a> {
-    pub fn of(
+    pub fn lower(
         lowering: &mut Lowering,
         system: &'a System,
         kinematics: &'a Kinematics,

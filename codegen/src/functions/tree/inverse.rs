@@ -20,7 +20,12 @@ pub(in crate::functions) struct Inverse {
 
 impl Inverse {
     /// At these accelerations of the coordinates, under these loads.
-    pub fn of(lowering: &mut Lowering, geometry: &Geometry, accelerations: &[Id], loads: &[Action]) -> Self {
+    pub fn lower(
+        lowering: &mut Lowering,
+        geometry: &Geometry,
+        accelerations: &[Id],
+        loads: &[Action],
+    ) -> Self {
         let branches = &geometry.tree.branches;
         let (pulls, twists) = geometry.loads(lowering, loads);
         let (a, alpha) = geometry.outwards(lowering, |program, i, _| {

@@ -17,7 +17,7 @@ pub(in crate::functions) fn joints(
     let Some(actions) = motion.actions(&Scene { system, kinematics }) else { return Vec::new() };
     let accelerations: Vec<Id> =
         (0..motion.n).map(|i| lowering.program().input(Symbol::acceleration(i))).collect();
-    let forces = Inverse::of(lowering, geometry, &accelerations, &actions).forces;
+    let forces = Inverse::lower(lowering, geometry, &accelerations, &actions).forces;
     let program = lowering.program();
     let zero = program.integer(0);
     let mut named = Vec::new();

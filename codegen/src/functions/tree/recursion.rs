@@ -49,8 +49,8 @@ pub fn accelerations(
     forces: &[Vec<Id>],
 ) -> Vec<Vec<Id>> {
     let mut lowering = Lowering::new(program, system, &motion.opaque_terms, []);
-    let geometry = Geometry::of(&mut lowering, system, kinematics, tree);
-    let factors = Factors::of(&mut lowering, &geometry);
+    let geometry = Geometry::lower(&mut lowering, system, kinematics, tree);
+    let factors = Factors::lower(&mut lowering, &geometry);
     let (pulls, couples) = geometry.loads(&mut lowering, &motion.loads.actions);
     let ground = Some(geometry.ground(&mut lowering));
     let zero = program.integer(0);

@@ -23,7 +23,7 @@ fn system() -> Analysis {
 }
 
 fn angle(phi: i32, psi: i32) -> Angle {
-    Angle::of(PHI).scale(phi) + Angle::of(PSI).scale(psi)
+    Angle::from_symbol(PHI).scale(phi) + Angle::from_symbol(PSI).scale(psi)
 }
 
 fn values(phi: f64, psi: f64) -> BTreeMap<Symbol, f64> {
@@ -45,7 +45,7 @@ fn is_turned(a: f64, b: f64) -> bool {
 #[test]
 fn equal_waves_give_the_angle_of_the_figure() {
     let system = system();
-    let shifted = angle(0, 1) + Angle::of(GAMMA);
+    let shifted = angle(0, 1) + Angle::from_symbol(GAMMA);
     for (sine, sign, phi) in
         [(true, 1, 0.7), (true, -1, 0.7), (false, 1, 0.7), (false, -1, 0.7), (true, 1, -2.0)]
     {
@@ -71,7 +71,7 @@ fn equal_waves_give_the_angle_of_the_figure() {
 #[test]
 fn a_wave_that_vanishes_gives_the_angle_of_the_figure() {
     let system = system();
-    let shifted = angle(0, 1) + Angle::of(GAMMA);
+    let shifted = angle(0, 1) + Angle::from_symbol(GAMMA);
     let cases = [(Series::sin(&shifted), [0.0, PI]), (Series::cos(&shifted), [FRAC_PI_2, -FRAC_PI_2])];
     for (gap, solutions) in cases {
         for psi in solutions.map(|beta| beta - 0.3) {
@@ -144,7 +144,7 @@ fn the_branch_is_the_one_near_in_every_figure() {
     // Whole turns away is near.
     assert_eq!(of(&[(0.1 - 4.0 * PI, 1.0)]), Some((true, false)));
     // What has no number in the figure leaves nothing to be checked.
-    let drive = Angle::of(Symbol::opaque(0));
+    let drive = Angle::from_symbol(Symbol::opaque(0));
     let samples = [values(0.1, 1.0), values(0.2, 1.0)];
     let (_, open) = nearest([&a + &drive, &b + &drive], &samples).unwrap();
     assert!(!open);

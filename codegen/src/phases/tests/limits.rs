@@ -7,13 +7,13 @@ use super::super::rules::solved;
 use crate::algebra::{Angle, Quotient, Rational, Series, Symbol};
 use crate::tests::analysis;
 
-fn of(i: usize) -> Series {
+fn parameter(i: usize) -> Series {
     Series::symbol(Symbol::parameter(i))
 }
 
 /// So many terms.
 fn long(terms: usize) -> Series {
-    (0..terms).map(of).sum()
+    (0..terms).map(parameter).sum()
 }
 
 #[test]
@@ -50,23 +50,34 @@ fn where_nothing_is_eliminated_expressions_may_be_long() {
 #[test]
 fn pivots_that_may_vanish_are_told() {
     let [x, q] = [0, 1].map(Symbol::coordinate);
-    let cosine = Series::cos(&Angle::of(Symbol::parameter(2)));
-    let pivot = |p: &Series| solved(&(p * &Series::symbol(q) + of(3)), q, &BTreeMap::new()).unwrap();
-    for p in
-        [Series::symbol(x), Series::symbol(x) * of(0), Series::cos(&Angle::of(x)), &of(0) + &of(1), cosine]
-    {
+    let cosine = Series::cos(&Angle::from_symbol(Symbol::parameter(2)));
+    let pivot = |p: &Series| solved(&(p * &Series::symbol(q) + parameter(3)), q, &BTreeMap::new()).unwrap();
+    for p in [
+        Series::symbol(x),
+        Series::symbol(x) * parameter(0),
+        Series::cos(&Angle::from_symbol(x)),
+        &parameter(0) + &parameter(1),
+        cosine,
+    ] {
         let (value, told, _) = pivot(&p);
         assert_eq!(told, Some(p.clone()));
-        assert!((value * Quotient::from(p) + Quotient::from(of(3))).is_zero());
+        assert!((value * Quotient::from(p) + Quotient::from(parameter(3))).is_zero());
     }
-    assert_eq!([of(0), &of(0) * &of(1), Series::integer(-2)].map(|p| pivot(&p).1), [None, None, None]);
+    assert_eq!(
+        [parameter(0), &parameter(0) * &parameter(1), Series::integer(-2)].map(|p| pivot(&p).1),
+        [None, None, None]
+    );
 }
 
 #[test]
 fn only_what_is_linear_is_solved() {
     let q = Symbol::coordinate(1);
     let series = Series::symbol(q);
-    let equations =
-        [series.pow(2) + of(0), Series::sin(&Angle::of(q)) + &series, of(0), Series::cos(&Angle::of(q))];
+    let equations = [
+        series.pow(2) + parameter(0),
+        Series::sin(&Angle::from_symbol(q)) + &series,
+        parameter(0),
+        Series::cos(&Angle::from_symbol(q)),
+    ];
     assert!(equations.iter().all(|equation| solved(equation, q, &BTreeMap::new()).is_none()));
 }

@@ -87,7 +87,9 @@ fn branches_are_checked_where_parameters_may_change_them() {
     assert_eq!(branch("A = (3 * l / 5, 4 * l / 5), B = (0, 0)"), None);
     let checked = branch("A = (sqrt(l * l - h * h), h), B = (2 * sqrt(l * l - h * h), 0)").unwrap();
     let sum = |quarters| {
-        Angle::of(Symbol::coordinate(0)) + Angle::of(Symbol::coordinate(1)) + Angle::quarters(quarters)
+        Angle::from_symbol(Symbol::coordinate(0))
+            + Angle::from_symbol(Symbol::coordinate(1))
+            + Angle::quarters(quarters)
     };
     assert!([sum(0), -&sum(0)].contains(&checked.zero), "{checked:?}");
     assert_ne!(checked.zero, checked.other);
@@ -98,7 +100,7 @@ fn branches_are_checked_where_parameters_may_change_them() {
 fn of_branches_equally_near_the_first_is_taken() {
     let crank = crank("A = (0, l), B = (0, 0)");
     let Value::Angle(angle) = &phase(&crank, 1).unwrap().eliminated[0].value else { panic!() };
-    assert_eq!(angle, &(Angle::of(Symbol::coordinate(0)) + Angle::quarters(2)));
+    assert_eq!(angle, &(Angle::from_symbol(Symbol::coordinate(0)) + Angle::quarters(2)));
 }
 
 /// a sin φ + b sin ψ = 0 and sin φ = cos ψ are left to the projected form.
@@ -141,7 +143,7 @@ fn pivots_cost_what_they_may_lose() {
     let [m, l, q, r] =
         [Symbol::parameter(0), Symbol::parameter(1), Symbol::coordinate(1), Symbol::parameter(2)];
     let values = BTreeMap::from([(m, 3.0), (l, 2.0), (Symbol::coordinate(0), 1.0)]);
-    let cosine = Series::cos(&Angle::of(Symbol::coordinate(0)));
+    let cosine = Series::cos(&Angle::from_symbol(Symbol::coordinate(0)));
     let moving = &(&Series::symbol(l) * &cosine) + &Series::symbol(m);
     let equation = |pivot: &Series| &(pivot * &Series::symbol(q)) + &Series::symbol(r);
     let (value, pivot, (terms, lost)) = solved(&equation(&moving), q, &values).unwrap();
@@ -164,7 +166,7 @@ fn a_gentle_slope_determines_the_height() {
     let eliminated = slides.eliminated.iter().find(|eliminated| eliminated.row == 0).unwrap();
     let names = slope.kinematics.coordinates.iter().map(|coordinate| coordinate.name.to_string());
     assert_eq!(names.collect::<Vec<_>>()[eliminated.coordinate], "y_P");
-    assert_eq!(slides.pivots, [Series::cos(&Angle::of(Symbol::parameter(1)))]);
+    assert_eq!(slides.pivots, [Series::cos(&Angle::from_symbol(Symbol::parameter(1)))]);
 }
 
 /// Of a chain from the joint of a pair on two corners: with five links the reaction of both corners has more than 200 terms,

@@ -23,9 +23,10 @@ impl<'a> Draft<'a> {
             match point.zip(place) {
                 None => scope.placed = false,
                 Some((point, _)) if places[point].is_some() => {
-                    scope
-                        .report
-                        .at(name.span(), format!("point `{name}` is placed twice in the figure; remove one"));
+                    scope.report.add_message(
+                        name.span(),
+                        format!("point `{name}` is placed twice in the figure; remove one"),
+                    );
                 }
                 Some((point, place)) => places[point] = Some(place),
             }
@@ -46,7 +47,7 @@ impl<'a> Draft<'a> {
                 let text = format!(
                     "`{name}` is {held} to another place than the figure says; leave it out of the figure"
                 );
-                scope.report.at(span, text);
+                scope.report.add_message(span, text);
             }
         }
     }
@@ -80,7 +81,7 @@ impl<'a> Draft<'a> {
     fn lay(&mut self, scope: &Scope, body: usize, frame: &Frame, assumed: bool) {
         for &(point, ref z) in self.structure.members(body) {
             if self.places[point].is_none() {
-                self.places[point] = Some(frame.place(scope, z));
+                self.places[point] = Some(frame.transform(scope, z));
                 self.assumed[point] = assumed;
             }
         }
@@ -134,7 +135,7 @@ impl<'a> Draft<'a> {
 
     /// The direction of gravity if it is along an axis, else to the right.
     fn down(&self, scope: &Scope) -> [i64; 2] {
-        let sign = |g: &Series| if scope.nominal().of(g) < 0.0 { -1 } else { 1 };
+        let sign = |g: &Series| if scope.nominal().evaluate(g) < 0.0 { -1 } else { 1 };
         match &self.structure.gravity {
             Some([x, y]) if x.is_zero() && !y.is_zero() => [0, sign(y)],
             Some([x, y]) if y.is_zero() && !x.is_zero() => [sign(x), 0],

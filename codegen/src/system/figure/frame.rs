@@ -31,7 +31,7 @@ impl Frame {
     }
 
     /// The place of a point of the body.
-    pub fn place(&self, scope: &Scope, z: &Place) -> Place {
+    pub fn transform(&self, scope: &Scope, z: &Place) -> Place {
         let [a, b] = minus(z, &self.z);
         let [c, s] = &self.turn;
         let times = |x: &Series, y: &Series| scope.constants.multiply(x, y);

@@ -89,7 +89,9 @@ impl Figure {
 
 fn needed(scope: &mut Scope, structure: &Structure, point: usize, why: &str) {
     let point = &structure.points[point];
-    scope.report.at(point.span, format!("point `{}` is needed in `#[figure(…)]`: {why}", point.name));
+    scope
+        .report
+        .add_message(point.span, format!("point `{}` is needed in `#[figure(…)]`: {why}", point.name));
 }
 
 impl Draft<'_> {
@@ -140,7 +142,7 @@ impl Draft<'_> {
     fn closes(&self, scope: &mut Scope, body: usize, samples: &[Sample]) -> bool {
         let bar = &self.structure.bodies[body];
         let open = samples.iter().any(|sample| {
-            let length = sample.numbers.of(&bar.length);
+            let length = sample.numbers.evaluate(&bar.length);
             (sample.drawn(self.structure, body) - length).abs() > NEAR * length
         });
         let open = open && (self.assumed[bar.from] || self.assumed[bar.to]);
@@ -157,7 +159,8 @@ impl Draft<'_> {
     fn misfit(&self, body: usize, samples: &[Sample]) -> Option<[f64; 2]> {
         let bar = &self.structure.bodies[body];
         let given = !self.assumed[bar.from] && !self.assumed[bar.to];
-        let lengths = |sample: &Sample| [sample.drawn(self.structure, body), sample.numbers.of(&bar.length)];
+        let lengths =
+            |sample: &Sample| [sample.drawn(self.structure, body), sample.numbers.evaluate(&bar.length)];
         let ratio = |sample: &Sample| {
             let [drawn, length] = lengths(sample);
             drawn / length
@@ -182,7 +185,7 @@ impl Draft<'_> {
             self.structure.points[bar.from].name,
             self.structure.points[bar.to].name,
         );
-        scope.report.at(bar.span, text);
+        scope.report.add_message(bar.span, text);
         false
     }
 
@@ -203,7 +206,7 @@ impl Draft<'_> {
             names[0],
             names[names.len() - 1],
         );
-        scope.report.at(self.structure.points[open.way[0]].span, text);
+        scope.report.add_message(self.structure.points[open.way[0]].span, text);
         false
     }
 }
@@ -219,10 +222,10 @@ fn shortened(length: f64) -> f64 {
 
 /// What is wrong with the figure at the first sample, where none can be drawn.
 fn undrawable(scope: &mut Scope, structure: &Structure, positions: &[Place]) {
-    let sample = Sample::at(scope.nominal(), positions);
+    let sample = Sample::new(scope.nominal(), positions);
     for (body, bar) in structure.bodies.iter().enumerate() {
         if let Some(fault) = sample.fault(structure, body) {
-            scope.report.at(bar.span, fault.text(bar.kind(), &bar.name));
+            scope.report.add_message(bar.span, fault.text(bar.kind(), &bar.name));
         }
     }
 }

@@ -16,7 +16,7 @@ pub(in crate::system) struct Sample {
 }
 
 impl Sample {
-    pub(super) fn at(numbers: Numbers, positions: &[Place]) -> Self {
+    pub(super) fn new(numbers: Numbers, positions: &[Place]) -> Self {
         let points = positions.iter().map(|place| numbers.pair(place)).collect();
         Self { numbers, points }
     }
@@ -37,7 +37,7 @@ impl Sample {
         } else if self.turned_over(structure, body) {
             Some(Fault::TurnedOver)
         } else {
-            (self.numbers.of(&bar.length) <= 0.0).then_some(Fault::NoLength)
+            (self.numbers.evaluate(&bar.length) <= 0.0).then_some(Fault::NoLength)
         }
     }
 
@@ -96,7 +96,7 @@ impl Figure {
 
     /// The first samples of the parameters with which all bodies can be drawn.
     pub(super) fn drawable(scope: &Scope, structure: &Structure, positions: &[Place]) -> Vec<Sample> {
-        let samples = scope.of_figure().map(|numbers| Sample::at(numbers, positions));
+        let samples = scope.of_figure().map(|numbers| Sample::new(numbers, positions));
         let sound =
             |sample: &Sample| (0..structure.bodies.len()).all(|b| sample.fault(structure, b).is_none());
         samples.filter(sound).take(SAMPLES).collect()

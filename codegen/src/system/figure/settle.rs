@@ -92,7 +92,8 @@ pub(in crate::system) fn unturned(scope: &Scope, a: &Place, b: &Place) -> Place 
 
 /// The alternatives that hold at all of some samples, of which there is one at least.
 fn hold(samples: &[(Numbers, f64)], alternatives: &[Vec<Series>]) -> Vec<usize> {
-    let not_negative = |length: &Series| samples.iter().all(|(numbers, near)| numbers.of(length) >= -near);
+    let not_negative =
+        |length: &Series| samples.iter().all(|(numbers, near)| numbers.evaluate(length) >= -near);
     let holds = |i: &usize| !samples.is_empty() && alternatives[*i].iter().all(not_negative);
     (0..alternatives.len()).filter(holds).collect()
 }

@@ -42,7 +42,7 @@ fn image(scope: &mut Scope, pairing: &Pairing, body: usize) -> Option<(usize, bo
                 names.join(", ")
             ),
         };
-        scope.report.at(original.span, text);
+        scope.report.add_message(original.span, text);
         return None;
     };
     let turned = turned(pairing, body, image);
@@ -52,7 +52,7 @@ fn image(scope: &mut Scope, pairing: &Pairing, body: usize) -> Option<(usize, bo
              other's reflection along or across its first axis",
             original.name, bodies[image].name
         );
-        scope.report.at(original.span, text);
+        scope.report.add_message(original.span, text);
     }
     turned.map(|turned| (image, turned))
 }
@@ -107,7 +107,7 @@ fn compare(scope: &mut Scope, pairing: &Pairing, body: usize, image: usize, turn
             true => format!("{one} `{}` is its own mirror image, but its {what} is not symmetric", a.name),
             false => format!("{two} `{}` and `{}` are mirror images but differ in {what}", a.name, b.name),
         };
-        scope.report.at(b.span, text);
+        scope.report.add_message(b.span, text);
     }
     for (point, place) in pairing.structure.members(body).iter().filter(|(p, _)| *p != a.from && *p != a.to) {
         let counterpart = pairing.points[*point];
@@ -118,7 +118,7 @@ fn compare(scope: &mut Scope, pairing: &Pairing, body: usize, image: usize, turn
                 "points `{p}` and `{q}` are mirror images but lie differently on {two} `{}` and `{}`",
                 a.name, b.name
             );
-            scope.report.at(pairing.structure.points[counterpart].span, text);
+            scope.report.add_message(pairing.structure.points[counterpart].span, text);
         }
     }
 }

@@ -36,7 +36,7 @@ impl Reflect for Weld {
         angle == other.angle
     }
 
-    fn place(&self, images: &Images) -> String {
+    fn describe_location(&self, images: &Images) -> String {
         joined(images, self.body, self.to)
     }
 }
@@ -98,7 +98,7 @@ impl Reflect for Slider {
         }
     }
 
-    fn place(&self, images: &Images) -> String {
+    fn describe_location(&self, images: &Images) -> String {
         format!("point `{}`", images.pairing.name(self.point))
     }
 }
@@ -154,7 +154,7 @@ impl Reflect for Drive {
         motion::same_angle(images, [&self.value, &other.value], half_turn)
     }
 
-    fn place(&self, images: &Images) -> String {
+    fn describe_location(&self, images: &Images) -> String {
         let point = |point: usize| images.pairing.name(point);
         match self.driven {
             Driven::Reading(Reading::Direction(body)) => format!("`angle({})`", images.body_name(body)),

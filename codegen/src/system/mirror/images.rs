@@ -37,7 +37,7 @@ pub(super) trait Reflect: Sized {
     /// Whether two that act on the same points or bodies are equal.
     fn same(&self, other: &Self, images: &Images) -> bool;
     /// The points or bodies it acts on.
-    fn place(&self, images: &Images) -> String;
+    fn describe_location(&self, images: &Images) -> String;
 }
 
 /// Reports what has no image.
@@ -60,10 +60,10 @@ pub(super) fn check<T: Reflect>(scope: &mut Scope, images: &Images, items: &[T])
                 format!("{kind}s `{name}` and `{other}` are not mirror images: their values differ")
             }
             None => {
-                let place = expected[a].place(images);
+                let place = expected[a].describe_location(images);
                 format!("{kind} `{name}` has no mirror image; declare one for {place} too")
             }
         };
-        scope.report.at(span, text);
+        scope.report.add_message(span, text);
     }
 }

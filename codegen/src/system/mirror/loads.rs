@@ -38,7 +38,7 @@ impl Reflect for Spring {
             && motion::same(images, &self.length, &other.length)
     }
 
-    fn place(&self, images: &Images) -> String {
+    fn describe_location(&self, images: &Images) -> String {
         let [a, b] = self.ends.map(|end| images.pairing.name(end));
         format!("`{a}` and `{b}`")
     }
@@ -75,7 +75,7 @@ impl Reflect for Torsion {
             && motion::same_angle(images, [&angle, &other.angle], turns.count() % 2 == 1)
     }
 
-    fn place(&self, images: &Images) -> String {
+    fn describe_location(&self, images: &Images) -> String {
         joined(images, self.body, self.from)
     }
 }
@@ -131,7 +131,7 @@ impl Reflect for Load {
         }
     }
 
-    fn place(&self, images: &Images) -> String {
+    fn describe_location(&self, images: &Images) -> String {
         match &self.kind {
             LoadKind::Force { point, .. } => format!("point `{}`", images.pairing.name(*point)),
             LoadKind::Couple { body, from, .. } => joined(images, *body, *from),

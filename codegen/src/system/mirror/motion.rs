@@ -52,9 +52,9 @@ struct Instant<'a> {
 impl Instant<'_> {
     fn value(&self, formula: &Formula) -> f64 {
         match formula {
-            Formula::Constant(series) => self.numbers.of(series),
+            Formula::Constant(series) => self.numbers.evaluate(series),
             Formula::Time | Formula::Slip => self.generic(0, 0),
-            Formula::Motion { reading, rate } => self.read(*reading, *rate),
+            Formula::Motion { reading, rate } => self.evaluate_reading(*reading, *rate),
             Formula::Apply(function, of) => {
                 let x = self.value(of);
                 match function {
@@ -83,7 +83,7 @@ impl Instant<'_> {
         1.0 + 0.61 * (1.3 * ((kind + 7 * index + 2) * (2 * self.seed + 1)) as f64).sin()
     }
 
-    fn read(&self, reading: Reading, rate: bool) -> f64 {
+    fn evaluate_reading(&self, reading: Reading, rate: bool) -> f64 {
         match reading {
             Reading::Position(point, axis) => self.position(point, axis, rate),
             Reading::Direction(body) => self.direction(body, rate),
@@ -98,7 +98,7 @@ impl Instant<'_> {
                         Reference::Ground(angle) => {
                             let [sin, cos] =
                                 [crate::algebra::Series::sin(angle), crate::algebra::Series::cos(angle)];
-                            self.numbers.of(&sin).atan2(self.numbers.of(&cos))
+                            self.numbers.evaluate(&sin).atan2(self.numbers.evaluate(&cos))
                         }
                     };
                     let angle = f64::from(*sign) * (self.direction(*body, rate) - from);
@@ -112,9 +112,9 @@ impl Instant<'_> {
     fn position(&self, point: usize, axis: usize, rate: bool) -> f64 {
         let pairing = self.images.pairing;
         if let Some(place) = pairing.structure.fixed(point) {
-            return if rate { 0.0 } else { self.numbers.of(&place[axis]) };
+            return if rate { 0.0 } else { self.numbers.evaluate(&place[axis]) };
         }
-        let at = if rate { 0.0 } else { self.numbers.of(&pairing.line.at) };
+        let at = if rate { 0.0 } else { self.numbers.evaluate(&pairing.line.at) };
         let image = pairing.points[point];
         let free = self.generic(1 + axis + 2 * usize::from(rate), point.min(image));
         match (axis == pairing.line.axis, point.cmp(&image)) {

@@ -14,7 +14,7 @@ pub(super) fn check(scope: &mut Scope, pairing: &Pairing) {
                 true => format!("point `{a}` is its own mirror image, but {what}"),
                 false => format!("points `{a}` and `{b}` are mirror images, but {what}"),
             };
-            scope.report.at(span, text);
+            scope.report.add_message(span, text);
         }
     }
     gravity(scope, pairing);
@@ -58,8 +58,9 @@ fn gravity(scope: &mut Scope, pairing: &Pairing) {
     };
     if !pairing.same(&gravity[pairing.line.axis], &Series::zero()) {
         let span = scope.description.gravity.as_ref().map_or(pairing.line.span, |gravity| gravity.span);
-        scope
-            .report
-            .at(span, "gravity must pull along the mirror; remove the mirror or this component of gravity");
+        scope.report.add_message(
+            span,
+            "gravity must pull along the mirror; remove the mirror or this component of gravity",
+        );
     }
 }

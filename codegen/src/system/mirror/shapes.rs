@@ -23,7 +23,7 @@ pub(super) fn supports(
         let counterpart = supports.iter().position(|other| carries_the_same(&other.contact, image));
         if counterpart.is_none_or(|other| i <= other || images[other].is_some()) {
             let text = missing(pairing, &supports[i], image, counterpart.map(|other| &supports[other]));
-            scope.report.at(supports[i].span, text);
+            scope.report.add_message(supports[i].span, text);
         }
     }
     let images: Vec<usize> = images.into_iter().collect::<Option<_>>()?;
@@ -48,7 +48,7 @@ fn manners(scope: &mut Scope, pairing: &Pairing, a: &Support, b: &Support) {
     ];
     for (_, what) in differences.into_iter().filter(|(differ, _)| *differ) {
         let text = format!("`{}` and `{}` are mirror images but differ in {what}", a.name, b.name);
-        scope.report.at(b.span, text);
+        scope.report.add_message(b.span, text);
     }
 }
 
@@ -68,7 +68,7 @@ pub(super) fn frictions(scope: &mut Scope, images: &Images, pairs: &[usize]) {
             let moves = "in a mirror the surface of one moves against that of the other";
             format!("{moves}: `{}` and `{}` have velocities that are not opposite", a.name, b.name)
         };
-        scope.report.at(b.span, text);
+        scope.report.add_message(b.span, text);
     }
 }
 

@@ -114,7 +114,7 @@ fn akin(structure: &Structure, p: usize, q: usize) -> bool {
 }
 
 fn nothing_at(scope: &Scope, structure: &Structure, point: usize, place: &[Series; 2]) -> syn::Error {
-    let names = ParameterNames::of(&scope.description.fields, scope.constants.definitions());
+    let names = ParameterNames::new(&scope.description.fields, scope.constants.definitions());
     let point = &structure.points[point];
     let [x, y] = place.each_ref().map(|c| c.text(&names));
     let text =

@@ -1,11 +1,11 @@
 //! Bodies of any shape, particles and fixed points.
 
-use super::{messages, place, point, resolve, text};
+use super::{messages, point, resolve, text, write_position};
 
 const HULL: &str = "#[gravity(g)] #[body(hull, points(A = (0, 0), B = (l, 0), C = (0, a)), mass = m)]";
 const STRUCT: &str = "struct S { m: f64, l: f64, g: f64, a: f64 }";
 
-fn told(attributes: &str) -> Vec<String> {
+fn find_mistakes(attributes: &str) -> Vec<String> {
     messages(&format!("{attributes} {STRUCT}"))
 }
 
@@ -20,7 +20,7 @@ fn a_uniform_triangle_has_its_centre_at_the_mean_of_its_corners() {
     assert!((inertia - m * (l * l + a * a) * (1.0 / 6.0 - 1.0 / 9.0)).abs() < 1e-15);
     assert_eq!((hull.from, hull.to, hull.uniform), (0, 1, false));
     assert_eq!((&hull.outline[..], text(&system, &hull.length)), (&[0, 1, 2][..], "l".into()));
-    assert_eq!(place(&system, "C"), "0, a");
+    assert_eq!(write_position(&system, "C"), "0, a");
 }
 
 #[test]
@@ -45,7 +45,7 @@ fn bodies_are_placed_from_any_two_points() {
         resolve(&format!("{HULL} #[point(G = hull, at = (l, a))] #[figure(C = (-a, 0), B = (0, l))]"));
     let system = system.unwrap();
     // A quarter turn counter-clockwise about A at the origin.
-    assert_eq!([place(&system, "A"), place(&system, "G")], ["0, 0", "−a, l"]);
+    assert_eq!([write_position(&system, "A"), write_position(&system, "G")], ["0, 0", "−a, l"]);
 }
 
 #[test]
@@ -83,7 +83,7 @@ fn particles_and_fixed_points_belong_to_no_body() {
     assert!(system.points[p].on.is_empty() && system.points[p].ground.is_none());
     assert_eq!((system.particles[0].point, text(&system, &system.particles[0].mass)), (p, "m".into()));
     assert!(system.points[o].on.is_empty() && system.points[o].ground.is_some());
-    assert_eq!(place(&system, "O"), "0, l");
+    assert_eq!(write_position(&system, "O"), "0, l");
 }
 
 #[test]
@@ -118,11 +118,11 @@ fn mistakes_in_bodies_are_told() {
         ),
     ];
     for (attributes, expected) in cases {
-        let told = told(&format!("{attributes} #[mass(A, a)] {figure}"));
+        let told = find_mistakes(&format!("{attributes} #[mass(A, a)] {figure}"));
         assert_eq!(told.first().map(String::as_str), Some(expected), "{attributes}: {told:?}");
     }
     assert_eq!(
-        told(&format!("{HULL} #[figure(A = (0, 0), B = (l, 0), C = (0, -a))]")),
+        find_mistakes(&format!("{HULL} #[figure(A = (0, 0), B = (l, 0), C = (0, -a))]")),
         ["the figure draws body `hull` turned over, as in a mirror; go round its points the other way"]
     );
 }
@@ -143,6 +143,6 @@ fn mistakes_in_free_points_are_told() {
         ("#[particle(P, mass = m)]", "point `P` is needed in `#[figure(…)]`: nothing else says where it is"),
     ];
     for (attributes, expected) in cases {
-        assert_eq!(told(&format!("{bar} {attributes}")), [expected], "{attributes}");
+        assert_eq!(find_mistakes(&format!("{bar} {attributes}")), [expected], "{attributes}");
     }
 }

@@ -12,7 +12,7 @@ fn bars(attributes: &str) -> System {
     resolve(&format!("{BARS} {attributes}")).unwrap()
 }
 
-fn told(attributes: &str) -> Vec<String> {
+fn find_mistakes(attributes: &str) -> Vec<String> {
     messages(&format!("{BARS} {attributes} {STRUCT}"))
 }
 
@@ -40,18 +40,18 @@ fn mistakes_in_welds_are_told() {
     let by_chance = BARS.replace("C = (l, a)", "C = (m, a)");
     assert_eq!(messages(&format!("{by_chance} #[weld(AB, BC)] {STRUCT}")), [unclear]);
     assert_eq!(
-        told("#[bar(CD, mass = m, length = l)] #[weld(AB, CD, angle = 0)]"),
+        find_mistakes("#[bar(CD, mass = m, length = l)] #[weld(AB, CD, angle = 0)]"),
         ["`AB` and `CD` share no point at which they are welded"]
     );
-    assert_eq!(told("#[weld(AB, AB)]"), ["`AB` is welded to itself"]);
-    assert_eq!(told("#[weld(AB, BC)] #[weld(BC, AB)]"), ["this weld is declared twice; remove one"]);
+    assert_eq!(find_mistakes("#[weld(AB, AB)]"), ["`AB` is welded to itself"]);
+    assert_eq!(find_mistakes("#[weld(AB, BC)] #[weld(BC, AB)]"), ["this weld is declared twice; remove one"]);
     assert_eq!(
-        told("#[weld(AB)]"),
+        find_mistakes("#[weld(AB)]"),
         [
             "what is `AB` welded to? Name another bar, or the direction it keeps: `AB, angle = a` (for example `#[weld(AB, BC)]`)"
         ]
     );
-    assert_eq!(told("#[weld(AB, BD)]"), ["there is no bar `BD`; did you mean `BC`?"]);
+    assert_eq!(find_mistakes("#[weld(AB, BD)]"), ["there is no bar `BD`; did you mean `BC`?"]);
 }
 
 #[test]
@@ -141,7 +141,7 @@ fn mistakes_in_sliders_are_told() {
         ),
     ];
     for (attributes, expected) in cases {
-        assert_eq!(told(attributes), [expected]);
+        assert_eq!(find_mistakes(attributes), [expected]);
     }
 }
 
@@ -173,7 +173,7 @@ fn drives_follow_time() {
         ),
     ];
     for (attributes, expected) in cases {
-        assert_eq!(told(&format!("#[coordinate(phi = angle(AB))] {attributes}")), [expected]);
+        assert_eq!(find_mistakes(&format!("#[coordinate(phi = angle(AB))] {attributes}")), [expected]);
     }
 }
 
@@ -258,7 +258,7 @@ fn mistakes_in_supports_are_told() {
         ),
     ];
     for (attributes, expected) in cases {
-        assert_eq!(told(attributes), [expected], "{attributes}");
+        assert_eq!(find_mistakes(attributes), [expected], "{attributes}");
     }
 }
 
@@ -308,7 +308,7 @@ fn mistakes_in_threads_are_told() {
         ),
     ];
     for (attributes, expected) in cases {
-        assert_eq!(told(attributes), [expected], "{attributes}");
+        assert_eq!(find_mistakes(attributes), [expected], "{attributes}");
     }
     let far = BARS.replace("C = (l, a)", "C = (3, 4)");
     let told_far = |length: &str| messages(&format!("{far} #[thread(AC, length = {length})] {STRUCT}"));

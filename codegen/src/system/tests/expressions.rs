@@ -7,7 +7,7 @@ use crate::system::{OneSided, System};
 const VALUES: [f64; 4] = [1.3, 0.7, 9.81, 0.4];
 
 /// The system in which the expression is a bar's inertia.
-fn of(expression: &str) -> (System, Series) {
+fn resolve_inertia(expression: &str) -> (System, Series) {
     let attributes = format!(
         "#[bar(AB, mass = m, length = l, inertia = {expression})] #[gravity(g)] #[mass(A, a)] #[pin(A = (0, 0))]"
     );
@@ -35,7 +35,7 @@ fn values_are_those_of_the_same_arithmetic() {
         ("pi * l.sqrt()", core::f64::consts::PI * l.sqrt()),
     ];
     for (expression, expected) in cases {
-        let (system, series) = of(expression);
+        let (system, series) = resolve_inertia(expression);
         let value = system.parameter_value(&series, &VALUES);
         assert!(
             (value - expected).abs() <= 8.0 * f64::EPSILON * expected.abs(),
@@ -46,7 +46,7 @@ fn values_are_those_of_the_same_arithmetic() {
 
 #[test]
 fn pi_is_the_nearest_double() {
-    let (system, series) = of("pi");
+    let (system, series) = resolve_inertia("pi");
     assert_eq!(system.parameter_value(&series, &VALUES), core::f64::consts::PI);
 }
 

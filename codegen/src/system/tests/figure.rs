@@ -1,6 +1,6 @@
 //! The figure that is completed, and the signs and sides that it decides.
 
-use super::{messages, place, point, resolve, text};
+use super::{messages, point, resolve, text, write_position};
 use crate::system::{CoordinateKind, OneSided, Reference, System};
 
 const PINNED: &str = "#[gravity(g)] #[mass(A, a)] #[pin(A = (0, 0))] #[bar(AB, mass = m, length = l)]";
@@ -22,13 +22,13 @@ fn facing(attributes: &str) -> u8 {
 
 #[test]
 fn bars_hang_along_gravity_or_lie_to_the_right() {
-    assert_eq!(place(&resolve(PINNED).unwrap(), "B"), "0, −l");
+    assert_eq!(write_position(&resolve(PINNED).unwrap(), "B"), "0, −l");
     let sideways = PINNED.replace("gravity(g)", "gravity(g, 0)");
-    assert_eq!(place(&resolve(&sideways).unwrap(), "B"), "l, 0");
+    assert_eq!(write_position(&resolve(&sideways).unwrap(), "B"), "l, 0");
     let oblique = PINNED.replace("gravity(g)", "gravity(g, g)");
-    assert_eq!(place(&resolve(&oblique).unwrap(), "B"), "l, 0");
+    assert_eq!(write_position(&resolve(&oblique).unwrap(), "B"), "l, 0");
     let from_its_end = PINNED.replace("AB", "BA");
-    assert_eq!(place(&resolve(&from_its_end).unwrap(), "B"), "0, −l");
+    assert_eq!(write_position(&resolve(&from_its_end).unwrap(), "B"), "0, −l");
 }
 
 #[test]
@@ -36,7 +36,7 @@ fn two_points_of_a_bar_place_the_others() {
     let attributes = "#[gravity(g)] #[bar(AB, mass = m, length = l)] #[point(G = AB, at = (l / 2, a))] \
                       #[bar(GH, mass = m, length = l)] #[figure(A = (0, 0), B = (0, l), H = (l, l))]";
     // Up the y axis, the left of the bar is −x.
-    assert_eq!(place(&resolve(attributes).unwrap(), "G"), "−a, ½ l");
+    assert_eq!(write_position(&resolve(attributes).unwrap(), "G"), "−a, ½ l");
     let from_within = attributes.replace("B = (0, l)", "G = (-a, l / 2)");
     let system = resolve(&from_within).unwrap();
     let b = &system.figure[point(&system, "B")];
@@ -55,7 +55,7 @@ fn chains_are_bars_and_points_in_order() {
     assert_eq!(bodies, ["c1", "c2", "c3"]);
     assert_eq!(points, ["O", "c_1", "c_2", "E"]);
     assert_eq!(system.points[1].on.iter().map(|(body, _)| *body).collect::<Vec<_>>(), [0, 1]);
-    assert_eq!(place(&system, "E"), "0, −3 l");
+    assert_eq!(write_position(&system, "E"), "0, −3 l");
     assert_eq!(text(&system, &system.bodies[2].inertia), "¹⁄₁₂ m l²");
 }
 

@@ -11,7 +11,7 @@ fn bars(attributes: &str) -> System {
     resolve(&format!("{BARS} {attributes}")).unwrap()
 }
 
-fn told(attributes: &str) -> Vec<String> {
+fn find_mistakes(attributes: &str) -> Vec<String> {
     messages(&format!("{BARS} {attributes} {STRUCT}"))
 }
 
@@ -103,7 +103,7 @@ fn mistakes_in_springs_are_told() {
         ),
     ];
     for (attributes, expected) in cases {
-        assert_eq!(told(attributes), [expected], "{attributes}");
+        assert_eq!(find_mistakes(attributes), [expected], "{attributes}");
     }
 }
 
@@ -188,7 +188,7 @@ fn mistakes_in_loads_are_told() {
         ),
     ];
     for (attributes, expected) in cases {
-        assert_eq!(told(attributes), [expected], "{attributes}");
+        assert_eq!(find_mistakes(attributes), [expected], "{attributes}");
     }
 }
 
@@ -210,7 +210,7 @@ fn sections_cut_uniform_bars() {
         ),
     ];
     for (attributes, expected) in cases {
-        assert_eq!(told(attributes), [expected], "{attributes}");
+        assert_eq!(find_mistakes(attributes), [expected], "{attributes}");
     }
 }
 
@@ -221,11 +221,11 @@ fn the_most_sets_can_be_given() {
     assert_eq!(bars("").sets, crate::limits::CLOSED_FORMS);
     let wrong = " (for example `#[liftoff(crate = path, sets = 16)]`)";
     assert_eq!(
-        told("#[liftoff(sets = 5000)]"),
+        find_mistakes("#[liftoff(sets = 5000)]"),
         [format!("`sets` must be a whole number from 0 to 4096{wrong}")]
     );
     let expected = "expected `crate = path`, `sets = 16`, `names = false` or `dimensionless`";
-    assert_eq!(told("#[liftoff(limit = 2)]"), [format!("{expected}{wrong}")]);
+    assert_eq!(find_mistakes("#[liftoff(limit = 2)]"), [format!("{expected}{wrong}")]);
 }
 
 /// `sin t m` could be the sine of `t m`.

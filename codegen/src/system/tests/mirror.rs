@@ -1,12 +1,12 @@
 //! Mirror images that are inferred, and mismatches that are told.
 
-use super::{messages, place, system};
+use super::{messages, system, write_position};
 
 const PAIR: &str = "#[gravity(g)] #[bar(AD, mass = m, length = l)] #[bar(DB, mass = m, length = l)]";
 const FIGURE: &str = "#[figure(D = (0, 0), A = (-l, 0), B = (l, 0))] #[mirror(x = 0)]";
 const STRUCT: &str = "struct S { m: f64, l: f64, g: f64 }";
 
-fn told(attributes: &str) -> Vec<String> {
+fn find_mistakes(attributes: &str) -> Vec<String> {
     messages(&format!("{attributes} {STRUCT}"))
 }
 
@@ -23,7 +23,7 @@ fn the_missing_half_of_a_symmetric_figure_is_its_mirror_image() {
         #[mirror(x = 0)]
         struct FallingPair { m: f64, l: f64, g: f64 }",
     );
-    assert_eq!(place(&system, "B"), "l, 0");
+    assert_eq!(write_position(&system, "B"), "l, 0");
     let mirror = system.mirror.unwrap();
     assert_eq!(mirror.points, [2, 1, 0]);
     assert_eq!(mirror.bodies, [(1, true), (0, true)]);
@@ -46,7 +46,7 @@ fn images_follow_along_a_chain_of_bars() {
     assert_eq!(mirror.points, [4, 3, 2, 1, 0]);
     assert_eq!(mirror.bodies, [(3, true), (2, true), (1, true), (0, true)]);
     assert_eq!(mirror.supports, [2, 1, 0]);
-    assert_eq!(place(&system, "A"), "−l, 0");
+    assert_eq!(write_position(&system, "A"), "−l, 0");
 }
 
 #[test]
@@ -80,24 +80,24 @@ fn coincident_points_are_told_apart_by_their_bars() {
 fn mismatches_are_told_once_naming_both() {
     let heavier = PAIR.replace("DB, mass = m", "DB, mass = 2 * m");
     assert_eq!(
-        told(&format!("{heavier} {FIGURE}")),
+        find_mistakes(&format!("{heavier} {FIGURE}")),
         ["bars `AD` and `DB` are mirror images but differ in mass"]
     );
     let off_centre = PAIR.replace("DB, mass = m, length = l", "DB, mass = m, length = l, centre = l / 3");
     assert_eq!(
-        told(&format!("{off_centre} {FIGURE}")),
+        find_mistakes(&format!("{off_centre} {FIGURE}")),
         ["bars `AD` and `DB` are mirror images but differ in centre of mass"]
     );
     assert_eq!(
-        told(&format!("{PAIR} {FIGURE} #[mass(A, m)]")),
+        find_mistakes(&format!("{PAIR} {FIGURE} #[mass(A, m)]")),
         ["points `A` and `B` are mirror images, but carry different point masses"]
     );
     assert_eq!(
-        told(&format!("{PAIR} {FIGURE} #[pin(A = (-l, 0))]")),
+        find_mistakes(&format!("{PAIR} {FIGURE} #[pin(A = (-l, 0))]")),
         ["points `A` and `B` are mirror images, but `A` is pinned and `B` is not"]
     );
     assert_eq!(
-        told(&format!("{PAIR} {FIGURE}").replace("gravity(g)", "gravity(g, g)")),
+        find_mistakes(&format!("{PAIR} {FIGURE}").replace("gravity(g)", "gravity(g, g)")),
         ["gravity must pull along the mirror; remove the mirror or this component of gravity"]
     );
 }
@@ -106,32 +106,32 @@ fn mismatches_are_told_once_naming_both() {
 fn centres_reflect_with_their_bars() {
     let mirrored = "#[gravity(g)] #[bar(AD, mass = m, length = l, centre = (l / 3, l / 9))] \
                     #[bar(DB, mass = m, length = l, centre = (2 * l / 3, l / 9))]";
-    assert_eq!(told(&format!("{mirrored} {FIGURE}")), [""; 0]);
+    assert_eq!(find_mistakes(&format!("{mirrored} {FIGURE}")), [""; 0]);
     let outwards =
         mirrored.replace("DB", "BD").replace("centre = (2 * l / 3, l / 9)", "centre = (l / 3, -l / 9)");
-    assert_eq!(told(&format!("{outwards} {FIGURE}")), [""; 0]);
+    assert_eq!(find_mistakes(&format!("{outwards} {FIGURE}")), [""; 0]);
 }
 
 #[test]
 fn supports_reflect_with_their_free_sides() {
     let floor = format!("{PAIR} {FIGURE} #[support(A = floor)]");
-    assert_eq!(told(&floor), ["support `A` has no mirror image; declare one for point `B` too"]);
+    assert_eq!(find_mistakes(&floor), ["support `A` has no mirror image; declare one for point `B` too"]);
     assert_eq!(
-        told(&format!("{floor} #[support(B = floor(l))]")),
+        find_mistakes(&format!("{floor} #[support(B = floor(l))]")),
         ["supports `A` and `B` are not mirror images: their places or free sides differ"]
     );
     let walls = format!("{PAIR} {FIGURE} #[support(A = wall(-2 * l))] #[support(B = wall(2 * l))]");
-    assert_eq!(told(&walls), [""; 0]);
+    assert_eq!(find_mistakes(&walls), [""; 0]);
     assert_eq!(
-        told(&walls.replace("wall(2 * l)", "wall(2 * l), facing = right")),
+        find_mistakes(&walls.replace("wall(2 * l)", "wall(2 * l), facing = right")),
         ["supports `A` and `B` are not mirror images: their places or free sides differ"]
     );
     let slopes = format!(
         "{PAIR} {FIGURE} #[support(A = slope(-pi / 6, (-l, 0)))] #[support(B = slope(pi / 6, (l, 0)))]"
     );
-    assert_eq!(told(&slopes), [""; 0]);
+    assert_eq!(find_mistakes(&slopes), [""; 0]);
     assert_eq!(
-        told(&format!("{PAIR} {FIGURE} #[support(D = slope(pi / 6))]")),
+        find_mistakes(&format!("{PAIR} {FIGURE} #[support(D = slope(pi / 6))]")),
         ["support `D` is not symmetric to the mirror"]
     );
 }
@@ -139,17 +139,19 @@ fn supports_reflect_with_their_free_sides() {
 #[test]
 fn figures_without_a_unique_image_are_told() {
     assert_eq!(
-        told(&format!("{PAIR} #[figure(D = (0, 0), A = (-l, 0), B = (l, l))] #[mirror(x = 0)]")),
+        find_mistakes(&format!("{PAIR} #[figure(D = (0, 0), A = (-l, 0), B = (l, l))] #[mirror(x = 0)]")),
         ["point `A` has no mirror image: no point lies at (l, 0) in the figure"]
     );
     assert_eq!(
-        told(&format!(
+        find_mistakes(&format!(
             "{PAIR} #[bar(DC, mass = m, length = l)] #[figure(D = (0, 0), A = (-l, 0))] #[mirror(x = 0)]"
         )),
         ["the mirror image of point `A` may be `B` or `C`; place `A` in the figure or add `swap(A, B)` here"]
     );
     assert_eq!(
-        told(&format!("{PAIR} #[figure(D = (0, 0), A = (-l, 0))] #[mirror(x = 0, swap(A, B), swap(D, A))]")),
+        find_mistakes(&format!(
+            "{PAIR} #[figure(D = (0, 0), A = (-l, 0))] #[mirror(x = 0, swap(A, B), swap(D, A))]"
+        )),
         ["`D` or `A` is swapped twice; a point has one mirror image"]
     );
 }
@@ -197,7 +199,7 @@ fn what_has_its_mirror_image_is_not_faulted() {
          #[spring(EQ, stiffness = g)]",
     ];
     for pair in pairs {
-        assert_eq!(told(&format!("{FRAME} {pair}")), [""; 0], "{pair}");
+        assert_eq!(find_mistakes(&format!("{FRAME} {pair}")), [""; 0], "{pair}");
     }
 }
 
@@ -205,7 +207,7 @@ fn what_has_its_mirror_image_is_not_faulted() {
 fn all_told(cases: &[(&str, &str)]) {
     for (attributes, expected) in cases {
         let expected: Vec<&str> = [*expected].into_iter().filter(|text| !text.is_empty()).collect();
-        assert_eq!(told(&format!("{FRAME} {attributes}")), expected, "{attributes}");
+        assert_eq!(find_mistakes(&format!("{FRAME} {attributes}")), expected, "{attributes}");
     }
 }
 
@@ -332,7 +334,7 @@ fn friction_and_moving_surfaces_may_be_mirror_images() {
         ("friction = 0.3, moving = g * t", "friction = 0.3, moving = -g * t"),
     ] {
         let supports = format!("#[support(A = floor, {a})] #[support(E = floor, {e})]");
-        assert_eq!(told(&format!("{FRAME} {supports}")), [""; 0], "{supports}");
+        assert_eq!(find_mistakes(&format!("{FRAME} {supports}")), [""; 0], "{supports}");
     }
 }
 
@@ -349,13 +351,13 @@ fn bodies_reflect_with_their_frames() {
         [(1, true), (0, true)]
     );
     assert_eq!(
-        told(&hulls.replace("E = (l, 0)), mass = m", "E = (l, 0)), mass = m, inertia = m")),
+        find_mistakes(&hulls.replace("E = (l, 0)), mass = m", "E = (l, 0)), mass = m, inertia = m")),
         ["bodies `left` and `right` are mirror images but differ in inertia"]
     );
     let oblique = "have the points of mirror images, but their frames are none: one must be the other's reflection \
                    along or across its first axis";
     assert_eq!(
-        told(&hulls.replace("D = (0, -m), E = (l, 0)", "D = (m, 0), E = (0, l)")),
+        find_mistakes(&hulls.replace("D = (0, -m), E = (l, 0)", "D = (m, 0), E = (0, l)")),
         [format!("bodies `left` and `right` {oblique}"), format!("bodies `right` and `left` {oblique}")]
     );
 }
@@ -367,7 +369,7 @@ fn a_symmetric_body_is_its_own_image() {
     let system = system(&format!("{hull} {STRUCT}"));
     assert_eq!(system.mirror.unwrap().bodies, [(0, true)]);
     assert_eq!(
-        told(&hull.replace("mass = m)", "mass = m, centre = (l, 0))")),
+        find_mistakes(&hull.replace("mass = m)", "mass = m, centre = (l, 0))")),
         ["body `hull` is its own mirror image, but its centre of mass is not symmetric"]
     );
 }

@@ -5,39 +5,42 @@ use super::messages;
 const BAR: &str = "#[gravity(g)] #[bar(AD, mass = m, length = l)] #[pin(A = (0, 0))]";
 const STRUCT: &str = "struct S { m: f64, l: f64, g: f64 }";
 
-fn told(attributes: &str) -> Vec<String> {
+fn find_mistakes(attributes: &str) -> Vec<String> {
     messages(&format!("{attributes} {STRUCT}"))
 }
 
 #[test]
 fn a_right_declaration_is_not_faulted() {
-    assert_eq!(told(BAR), [""; 0]);
+    assert_eq!(find_mistakes(BAR), [""; 0]);
 }
 
 #[test]
 fn unknown_names_suggest_what_was_meant() {
-    assert_eq!(told(&format!("{BAR} #[support(B = floor)]")), ["there is no point `B`; declared: `A`, `D`"]);
     assert_eq!(
-        told(&format!("{BAR} #[coordinate(x_G = x(G))]")),
+        find_mistakes(&format!("{BAR} #[support(B = floor)]")),
+        ["there is no point `B`; declared: `A`, `D`"]
+    );
+    assert_eq!(
+        find_mistakes(&format!("{BAR} #[coordinate(x_G = x(G))]")),
         [
             "there is no point `G`; a centre of mass gets its name by `#[point(G = AD, at = …)]`, the distance from the first \
           point of `AD`"
         ]
     );
     assert_eq!(
-        told(&format!("{BAR} #[coordinate(phi = angle(DA))]")),
+        find_mistakes(&format!("{BAR} #[coordinate(phi = angle(DA))]")),
         ["there is no bar `DA`; did you mean `AD`?"]
     );
     assert_eq!(
-        told(&BAR.replace("length = l", "length = ll")),
+        find_mistakes(&BAR.replace("length = l", "length = ll")),
         ["there is no parameter `ll`; did you mean `l`? (a parameter is an `f64` field of the struct)"]
     );
     assert_eq!(
-        told(&format!("{BAR} #[coordinate(phi = angle(AD))] #[equal(phii, angle(AD))]")),
+        find_mistakes(&format!("{BAR} #[coordinate(phi = angle(AD))] #[equal(phii, angle(AD))]")),
         ["there is no coordinate `phii`; did you mean `phi`?"]
     );
     assert_eq!(
-        told(&format!("{BAR} #[equal(AD, angle(AD))]")),
+        find_mistakes(&format!("{BAR} #[equal(AD, angle(AD))]")),
         ["`AD` is a bar; write `angle(AD)` for its direction"]
     );
 }
@@ -45,26 +48,29 @@ fn unknown_names_suggest_what_was_meant() {
 #[test]
 fn what_is_declared_twice_is_told() {
     assert_eq!(
-        told(&format!("{BAR} #[bar(AD, mass = m, length = l)]")),
+        find_mistakes(&format!("{BAR} #[bar(AD, mass = m, length = l)]")),
         ["bar `AD` is declared twice; remove one, or name it: `other = A -> D`"]
     );
-    assert_eq!(told(&format!("{BAR} #[pin(A = (0, 0))]")), ["point `A` is pinned twice; remove one pin"]);
-    let points = "#[point(G = AD, at = l / 2)] #[point(G = AD, at = l / 3)]";
-    assert_eq!(told(&format!("{BAR} {points}")), ["point `G` is declared twice; remove one"]);
     assert_eq!(
-        told(&format!("{BAR} #[coordinate(l = angle(AD))]")),
+        find_mistakes(&format!("{BAR} #[pin(A = (0, 0))]")),
+        ["point `A` is pinned twice; remove one pin"]
+    );
+    let points = "#[point(G = AD, at = l / 2)] #[point(G = AD, at = l / 3)]";
+    assert_eq!(find_mistakes(&format!("{BAR} {points}")), ["point `G` is declared twice; remove one"]);
+    assert_eq!(
+        find_mistakes(&format!("{BAR} #[coordinate(l = angle(AD))]")),
         ["coordinate `l` has the name of a parameter; rename one"]
     );
     assert_eq!(
-        told(&format!("{BAR} #[coordinate(t = angle(AD))]")),
+        find_mistakes(&format!("{BAR} #[coordinate(t = angle(AD))]")),
         ["coordinate `t` has the name of a quantity of every run; rename one"]
     );
     assert_eq!(
-        told(&format!("{BAR} #[coordinate(p = angle(AD))] #[coordinate(q = angle(AD), from = up)]")),
+        find_mistakes(&format!("{BAR} #[coordinate(p = angle(AD))] #[coordinate(q = angle(AD), from = up)]")),
         ["`q` measures what `p` measures already; remove one"]
     );
     assert_eq!(
-        told(&format!(
+        find_mistakes(&format!(
             "{BAR} #[figure(D = (0, -l))] #[support(D = floor(-l))] #[support(D = floor(-2 * l))]"
         )),
         ["support `D` is declared twice; give one another name: `other = …, under = D`"]
@@ -76,7 +82,7 @@ fn literals_that_no_body_can_have_are_told() {
     let values = "#[gravity(g)] #[bar(AD, mass = -1, length = 0, inertia = -m / m)] #[bar(DC, mass = m, length = -2.5 * l / l)] \
                   #[mass(C, -3)] #[pin(A = (0, 0))]";
     assert_eq!(
-        told(values),
+        find_mistakes(values),
         [
             "the mass of `AD` is -1; it cannot be negative",
             "the length of `AD` is 0; it must be positive",
@@ -92,32 +98,32 @@ fn a_bar_that_nothing_ties_is_told() {
     let loose = "#[bar(BC, mass = m, length = l)] #[figure(B = (l, 0))]";
     let text =
         "nothing ties bar `BC` to anything; let it share a point with another bar, or pin or support it";
-    assert_eq!(told(&format!("{BAR} {loose}")), [text]);
+    assert_eq!(find_mistakes(&format!("{BAR} {loose}")), [text]);
     for tie in ["#[pin(C = (0, 0))]", "#[equal(angle(BC), angle(AD))]", "#[coordinate(x = x(B))]"] {
-        assert_eq!(told(&format!("{BAR} {loose} {tie}")), [""; 0], "{tie}");
+        assert_eq!(find_mistakes(&format!("{BAR} {loose} {tie}")), [""; 0], "{tie}");
     }
 }
 
 #[test]
 fn figures_that_say_too_little_or_nothing_are_told() {
     assert_eq!(
-        told("#[gravity(g)] #[bar(AD, mass = m, length = l)]"),
+        find_mistakes("#[gravity(g)] #[bar(AD, mass = m, length = l)]"),
         ["point `A` is needed in `#[figure(…)]`: nothing else says where bar `AD` is"]
     );
     assert_eq!(
-        told(&format!("{BAR} #[figure(D = (0, 0))]")),
+        find_mistakes(&format!("{BAR} #[figure(D = (0, 0))]")),
         ["both ends of bar `AD` are at one place in the figure"]
     );
     assert_eq!(
-        told(&format!("{BAR} #[figure(D = (sqrt(-l - 2 * m), 0))]")),
+        find_mistakes(&format!("{BAR} #[figure(D = (sqrt(-l - 2 * m), 0))]")),
         ["the figure of bar `AD` is not a number with any of the parameters tried"]
     );
     assert_eq!(
-        told(&format!("{BAR} #[figure(A = (l, 0))]")),
+        find_mistakes(&format!("{BAR} #[figure(A = (l, 0))]")),
         ["`A` is pinned to another place than the figure says; leave it out of the figure"]
     );
     assert_eq!(
-        told(&format!("{BAR} #[figure(D = (0, l))] #[support(P = corner(0, 0), under = AD)]")),
+        find_mistakes(&format!("{BAR} #[figure(D = (0, l))] #[support(P = corner(0, 0), under = AD)]")),
         ["bar `AD` is upright in the figure, so a corner is neither under nor over it; tilt the figure"]
     );
 }
@@ -129,7 +135,7 @@ fn unused_parameters_are_told_only_when_all_is_understood() {
     assert_eq!(item(BAR), ["parameter `k` is used nowhere; use it or remove it"]);
     assert_eq!(item(&BAR.replace("gravity(g)", "gravity()")).len(), 1);
     assert_eq!(
-        told(&format!("{BAR} #[constant(h = l)]")),
+        find_mistakes(&format!("{BAR} #[constant(h = l)]")),
         ["constant `h` is used nowhere; use it or remove it"]
     );
 }
@@ -137,7 +143,9 @@ fn unused_parameters_are_told_only_when_all_is_understood() {
 #[test]
 fn expressions_tell_all_their_mistakes() {
     assert_eq!(
-        told("#[gravity(g / 0)] #[bar(AD, mass = m + x + y, length = l)] #[pin(A = (sqrt(-1), 1e60))]"),
+        find_mistakes(
+            "#[gravity(g / 0)] #[bar(AD, mass = m + x + y, length = l)] #[pin(A = (sqrt(-1), 1e60))]"
+        ),
         [
             "there is no parameter `x`; declared: `m`, `l`, `g` (a parameter is an `f64` field of the struct)",
             "there is no parameter `y`; declared: `m`, `l`, `g` (a parameter is an `f64` field of the struct)",

@@ -46,7 +46,7 @@ fn text(system: &System, series: &Series) -> String {
     series.text(&system.names())
 }
 
-fn place(system: &System, name: &str) -> String {
+fn write_position(system: &System, name: &str) -> String {
     let [x, y] = system.figure[point(system, name)].each_ref().map(|c| text(system, c));
     format!("{x}, {y}")
 }

@@ -21,7 +21,8 @@ fn terms() -> impl Strategy<Value = Series> {
             &product * &if k < 0 { power.recip_monomial().unwrap() } else { power }
         });
         let Some((k, n, quarters)) = wave else { return product };
-        let angle = Angle::of(Symbol::parameter(3)).scale(k) + Angle::of(Symbol::parameter(1)).scale(n);
+        let angle = Angle::from_symbol(Symbol::parameter(3)).scale(k)
+            + Angle::from_symbol(Symbol::parameter(1)).scale(n);
         &product * &Series::cos(&(angle + Angle::quarters(quarters)))
     });
     prop::collection::vec(series, 0..6).prop_map(|terms| terms.into_iter().sum())

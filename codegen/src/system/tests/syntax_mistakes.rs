@@ -2,7 +2,7 @@
 
 use super::messages;
 
-fn told(attribute: &str) -> Vec<String> {
+fn find_mistakes(attribute: &str) -> Vec<String> {
     let rest = "#[gravity(g)] #[bar(AD, mass = m, length = l)] #[pin(A = (0, 0))] struct S { m: f64, l: f64, g: f64 }";
     messages(&format!("{attribute} {rest}"))
 }
@@ -94,7 +94,7 @@ fn what_was_expected_is_said_with_an_example() {
         ("#[gravity(0, g)]", "gravity is declared twice; remove one (for example `#[gravity(g)]`)"),
     ];
     for (attribute, expected) in cases {
-        assert_eq!(told(attribute), [expected], "{attribute}");
+        assert_eq!(find_mistakes(attribute), [expected], "{attribute}");
     }
 }
 
@@ -102,7 +102,7 @@ fn what_was_expected_is_said_with_an_example() {
 fn names_of_malformed_attributes_are_not_told_again() {
     let rest =
         "#[bar(DB mass = m)] #[support(B = floor)] #[coordinate(phi = angle(DB))] #[figure(B = (l, 0))]";
-    assert_eq!(told(rest).len(), 1);
+    assert_eq!(find_mistakes(rest).len(), 1);
 }
 
 #[test]
@@ -196,7 +196,7 @@ fn what_stands_behind_a_number_is_refused() {
 fn a_run_says_each_thing_once() {
     let twice = |run: &str, name: &str| {
         let text = format!("`{name}` is given twice; remove one (for example ");
-        let all = told(&format!("#[run({run})]"));
+        let all = find_mistakes(&format!("#[run({run})]"));
         assert!(all.iter().any(|message| message.starts_with(&text)), "{all:?}");
     };
     twice("start = \"x_A = 1\", start = \"x_A = 2\"", "start");

@@ -25,7 +25,7 @@ impl Conditions {
 
     fn reaction(&self, label: &str) -> Math {
         let found = self.reactions.iter().find(|condition| condition.label == label);
-        found.map_or_else(|| Math::of("N", label), |condition| condition.reaction.left.clone())
+        found.map_or_else(|| Math::named("N", label), |condition| condition.reaction.left.clone())
     }
 
     fn of_numbers(&self, numbers: &Numbers) -> Vec<Statement> {

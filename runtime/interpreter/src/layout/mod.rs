@@ -46,7 +46,7 @@ fn layout(analysis: &Analysis) -> Layout {
     let coordinates = kinematics.coordinates.iter();
     let bars = system.bodies.iter();
     let quantities = functions.quantities.iter();
-    let drawn = Geometry::of(system, &kinematics.coordinates);
+    let drawn = Geometry::from_system(system, &kinematics.coordinates);
     Layout {
         name: text(&plain(&system.ident)),
         declaration: text(&system.declaration),

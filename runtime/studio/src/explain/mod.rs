@@ -37,7 +37,7 @@ fn declared<T>(layout: &Layout, make: impl Fn(TokenStream) -> syn::Result<T>) ->
 
 /// Both halves of a mirrored model.
 pub(crate) fn halves(layout: &Layout) -> Result<Halves, String> {
-    declared(layout, Halves::of)
+    declared(layout, Halves::from_tokens)
 }
 
 /// A compiled model once more, interpreted.

@@ -114,7 +114,7 @@ impl Pair {
         let motion = &self.analysis.motion;
         let contacts = motion.contacts.len();
         let slips = motion.rows.len() - motion.tangents.len();
-        if !motion.is_closed(row, ClosedSet::of(set)) {
+        if !motion.is_closed(row, ClosedSet::without_stick(set)) {
             return Row::Open;
         }
         if row >= slips {

@@ -56,7 +56,7 @@ impl Pair {
             return None;
         }
         let mirrored = Self::without_phases(seed, vocabulary);
-        let unfolded = Unfolded::of(mirrored.analysis.system.declaration.parse().expect("tokens"));
+        let unfolded = Unfolded::from_tokens(mirrored.analysis.system.declaration.parse().expect("tokens"));
         let unfolded =
             unfolded.unwrap_or_else(|error| panic!("seed {seed}: {error}\n{}", mirrored.sample.declaration));
         Some(Self { analysis: unfolded.analysis, sample: mirrored.sample.unfolded(), ..mirrored })
@@ -231,7 +231,7 @@ impl Pair {
     /// The rows that hold in a set.
     pub fn rows(&self, set: u64) -> Vec<usize> {
         let motion = &self.analysis.motion;
-        (0..motion.rows.len()).filter(|&row| motion.is_closed(row, ClosedSet::of(set))).collect()
+        (0..motion.rows.len()).filter(|&row| motion.is_closed(row, ClosedSet::without_stick(set))).collect()
     }
 
     /// M, full.
