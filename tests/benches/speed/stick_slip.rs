@@ -33,8 +33,8 @@ pub fn by_hand(belt: &Belt, tolerance: f64) -> (usize, [f64; 2]) {
             let (t1, y1) = (stepper.step_state().time(), *stepper.step_state().state());
             if guard(&y1) <= 0.0 && !(is_first && !sticks && guard(&y1).abs() < 1e-14) {
                 let dense = stepper.dense();
-                let theta = root(|theta| guard(&dense.at(theta)), if is_first { 1e-3 } else { 0.0 });
-                (y, t) = (dense.at(theta), dense.t0 + theta * (dense.t1 - dense.t0));
+                let theta = root(|theta| guard(&dense.interpolate(theta)), if is_first { 1e-3 } else { 0.0 });
+                (y, t) = (dense.interpolate(theta), dense.t0 + theta * (dense.t1 - dense.t0));
                 events += 1;
                 break;
             }

@@ -145,7 +145,7 @@ models! {
 /// The series of the full equations of phases that keep all coordinates, against the elimination on jets.
 fn check_projected<M: BarSystem>(model: &M, sets: &[u64]) {
     let mut source = Source::new(12);
-    let system = Model::of(model).system;
+    let system = Model::new(model).system;
     for &set in sets {
         let set = ContactSet::from_bits(set);
         let state = M::State::from_fn(|_| source.range(-1.2, 1.2));

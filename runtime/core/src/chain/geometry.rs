@@ -24,7 +24,7 @@ pub(super) struct Bars<S, const N: usize> {
 
 impl<S: Real, const N: usize> Bars<S, N> {
     #[inline]
-    pub(super) fn of(chain: &Chain<S>, angles: &[S; N], rates: &[S; N]) -> Self {
+    pub(super) fn compute(chain: &Chain<S>, angles: &[S; N], rates: &[S; N]) -> Self {
         const { assert!(N > 0, "a chain has a bar") };
         let (sin, cos) = S::sin_cos_each(*angles);
         let one = S::ratio(1, 1);

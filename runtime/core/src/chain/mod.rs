@@ -62,7 +62,7 @@ impl<S: Real> Chain<S> {
             return self.articulated(angles, rates);
         }
         let mut accelerations = *rates;
-        Bars::of(self, angles, rates).solve(self.gravity, |bar, turn, _| accelerations[bar] = turn);
+        Bars::compute(self, angles, rates).solve(self.gravity, |bar, turn, _| accelerations[bar] = turn);
         accelerations
     }
 
@@ -72,7 +72,7 @@ impl<S: Real> Chain<S> {
         let mut forces = [[S::ratio(0, 1); 2]; N];
         let at_first =
             |bar: usize, _, first: Vector<S>| forces[bar] = [self.mass * first.x, self.mass * first.y];
-        Bars::of(self, angles, rates).solve(self.gravity, at_first);
+        Bars::compute(self, angles, rates).solve(self.gravity, at_first);
         forces
     }
 }

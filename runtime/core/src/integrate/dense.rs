@@ -79,7 +79,7 @@ impl<S: Scalar, const N: usize> Dense<S, N> {
     }
 
     /// The state at t₀ + θh, 0 ≤ θ ≤ 1.
-    pub fn at(&self, theta: S) -> [S; N] {
+    pub fn interpolate(&self, theta: S) -> [S; N] {
         let one = S::ratio(1, 1);
         if theta == one {
             return self.y1;

@@ -65,7 +65,7 @@ pub struct Workspace<'w, S> {
 impl<'w, S> Workspace<'w, S> {
     /// Splits memory for `width` unknowns, of which `rows` may be rows of constraints: `2 width² + 3 width` numbers and
     /// `2 width + rows` indices. `None` where it is less.
-    pub fn of(width: usize, rows: usize, numbers: &'w mut [S], indices: &'w mut [usize]) -> Option<Self> {
+    pub fn split(width: usize, rows: usize, numbers: &'w mut [S], indices: &'w mut [usize]) -> Option<Self> {
         let (matrix, rest) = numbers.split_at_mut_checked(width * width)?;
         let (basis, rest) = rest.split_at_mut_checked(width * width)?;
         let (right, rest) = rest.split_at_mut_checked(width)?;
@@ -149,12 +149,12 @@ struct Rank<'w> {
 
 impl<S: Scalar> System<'_, S> {
     #[inline(always)]
-    fn at(&self, i: usize, j: usize) -> S {
+    fn entry(&self, i: usize, j: usize) -> S {
         self.matrix[i * self.width + j]
     }
 
     #[inline(always)]
-    fn at_mut(&mut self, i: usize, j: usize) -> &mut S {
+    fn entry_mut(&mut self, i: usize, j: usize) -> &mut S {
         &mut self.matrix[i * self.width + j]
     }
 
@@ -164,7 +164,7 @@ impl<S: Scalar> System<'_, S> {
         let n = kernel.force().len();
         for i in 0..n {
             for j in 0..n {
-                *self.at_mut(i, j) = balanced(balanced(kernel.mass(i)[j], self.scale[i]), self.scale[j]);
+                *self.entry_mut(i, j) = balanced(balanced(kernel.mass(i)[j], self.scale[i]), self.scale[j]);
             }
             self.right[i] = match load {
                 Load::Motion => balanced(kernel.force()[i], self.scale[i]),
@@ -174,8 +174,8 @@ impl<S: Scalar> System<'_, S> {
         for (k, &row) in (n..).zip(closed) {
             for (j, &entry) in kernel.jacobian(row).iter().enumerate() {
                 let entry = balanced(balanced(entry, self.scale[k]), self.scale[j]);
-                *self.at_mut(k, j) = entry;
-                *self.at_mut(j, k) = -entry;
+                *self.entry_mut(k, j) = entry;
+                *self.entry_mut(j, k) = -entry;
             }
             let bias = match load {
                 Load::Motion => kernel.bias()[row],
@@ -194,7 +194,7 @@ impl<S: Scalar> System<'_, S> {
             let force = balanced(kernel.friction()[row], self.scale[n + k]);
             for j in 0..n {
                 let entry = balanced(kernel.jacobian(row)[j], self.scale[j]);
-                *self.at_mut(j, n + k) = entry.mul_add(force, self.at(j, n + k));
+                *self.entry_mut(j, n + k) = entry.mul_add(force, self.entry(j, n + k));
             }
         }
     }
@@ -225,7 +225,7 @@ impl<S: Scalar> System<'_, S> {
         for column in 0..self.size {
             let top = found.rank;
             let pivot = self.largest(column, top);
-            let weight = self.at(pivot, column).abs();
+            let weight = self.entry(pivot, column).abs();
             if weight > rounding {
                 self.swap(top, pivot);
                 self.clear_below(top, column);
@@ -243,7 +243,7 @@ impl<S: Scalar> System<'_, S> {
 
     #[inline(always)]
     fn largest(&self, column: usize, top: usize) -> usize {
-        let weight = |row: usize| self.at(row, column).abs();
+        let weight = |row: usize| self.entry(row, column).abs();
         (top..self.size).fold(top, |best, row| if weight(row) > weight(best) { row } else { best })
     }
 

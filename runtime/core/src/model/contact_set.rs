@@ -64,12 +64,12 @@ impl ContactSet {
     pub const CAPACITY: usize = 256;
 
     /// No contact closed: free motion.
-    pub const EMPTY: Self = Self::of([0; WORDS]);
+    pub const EMPTY: Self = Self::from_words([0; WORDS]);
 
     /// All contacts closed.
-    pub const ALL: Self = Self::of([u64::MAX; WORDS]);
+    pub const ALL: Self = Self::from_words([u64::MAX; WORDS]);
 
-    const fn of(words: [u64; WORDS]) -> Self {
+    const fn from_words(words: [u64; WORDS]) -> Self {
         Self { words, stick: [0; WORDS], backward: [0; WORDS], negative: 0 }
     }
 
@@ -77,7 +77,7 @@ impl ContactSet {
     pub const fn from_bits(bits: u64) -> Self {
         let mut words = [0; WORDS];
         words[0] = bits;
-        Self::of(words)
+        Self::from_words(words)
     }
 
     /// Those bits, if no other contact is closed.
@@ -176,7 +176,7 @@ impl ContactSet {
     /// The closed contacts alone.
     #[must_use]
     pub const fn closed(self) -> Self {
-        Self::of(self.words)
+        Self::from_words(self.words)
     }
 
     /// The contacts closed in either set; each slips as in the set that it is closed in, as in this one if in both.

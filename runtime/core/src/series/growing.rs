@@ -111,7 +111,7 @@ impl<S: Real> TapeOf<S> {
         }
     }
 
-    fn place(&self, n: usize, column: usize) -> (usize, usize) {
+    fn block_and_lane(&self, n: usize, column: usize) -> (usize, usize) {
         (n * self.sums.len() + column / LANES, column % LANES)
     }
 }
@@ -130,7 +130,7 @@ impl<S: Real> Storage<S> for TapeOf<S> {
     }
 
     fn write(&mut self, n: usize, column: usize, a: S, b: S) {
-        let (row, lane) = self.place(n, column);
+        let (row, lane) = self.block_and_lane(n, column);
         (self.left[row][lane], self.right[row][lane]) = (a, b);
     }
 }

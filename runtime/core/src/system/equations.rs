@@ -13,7 +13,7 @@ pub struct Equations<S> {
 
 impl<S: Copy> Equations<S> {
     /// What has been computed of them.
-    pub fn of(kernel: &impl KernelView<S>) -> Self {
+    pub fn from_kernel(kernel: &impl KernelView<S>) -> Self {
         let (n, rows) = (kernel.force().len(), kernel.gap().len());
         let mut values = Vec::with_capacity(n * (n + 1) + rows * (n + 3));
         values.extend_from_slice(kernel.force());

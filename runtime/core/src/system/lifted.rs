@@ -17,7 +17,7 @@ pub(super) struct Lifted<M: BarSystem, S: Real> {
 }
 
 impl<M: BarSystem, S: Real> Lifted<M, S> {
-    pub(super) fn of(model: &M) -> Self {
+    pub(super) fn new(model: &M) -> Self {
         let own = model.parameters();
         Self::with(Array::from_fn(|i| S::from_f64(own.as_ref()[i])))
     }
@@ -45,7 +45,7 @@ impl<M: BarSystem, S: Liftable> System<S> for Lifted<M, S> {
     }
 
     fn equations(&self, state: &[S]) -> Equations<S> {
-        Equations::of(&M::kernel(&self.constants, &array(state)))
+        Equations::from_kernel(&M::kernel(&self.constants, &array(state)))
     }
 
     fn gaps(&self, state: &[S], gaps: &mut [S]) {

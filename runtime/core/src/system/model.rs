@@ -30,10 +30,10 @@ pub struct Model {
 
 impl Model {
     /// Lifts a compiled model.
-    pub fn of<M: BarSystem>(model: &M) -> Self {
+    pub fn new<M: BarSystem>(model: &M) -> Self {
         Self {
-            system: Arc::new(Lifted::<M, f64>::of(model)),
-            series: Arc::new(Lifted::<M, TimeSeries>::of(model)),
+            system: Arc::new(Lifted::<M, f64>::new(model)),
+            series: Arc::new(Lifted::<M, TimeSeries>::new(model)),
             parameters: model.parameters().as_ref().to_vec(),
             nominal: model.nominal().as_ref().to_vec(),
             restitution: M::restitution(&model.parameters()).as_ref().to_vec(),
@@ -51,7 +51,7 @@ impl Model {
 
 impl<M: BarSystem> From<&M> for Model {
     fn from(model: &M) -> Self {
-        Self::of(model)
+        Self::new(model)
     }
 }
 

@@ -179,7 +179,7 @@ struct Reduced<M: BarSystem, S: Scalar, const N: usize> {
 }
 
 impl<M: BarSystem, S: Scalar, const N: usize> Reduced<M, S, N> {
-    fn of<Q: ClosedForm<M, N>>() -> Option<Self> {
+    fn new<Q: ClosedForm<M, N>>() -> Option<Self> {
         Some(Self { pivot: Q::pivot, energy: Q::energy })
     }
 }
@@ -207,7 +207,7 @@ impl<M: BarSystem, S: Scalar, const N: usize> LiftedPhase<M, S, N> {
 
 impl<M: BarSystem, const N: usize> LiftedPhase<M, f64, N> {
     fn of_closed<Q: ClosedForm<M, N>>(system: Arc<Lifted<M, f64>>, phase: model::Phase<M, f64, N>) -> Self {
-        let (reduced, jacobian) = (Reduced::of::<Q>(), jacobian::of_closed::<M, Q, N>());
+        let (reduced, jacobian) = (Reduced::new::<Q>(), jacobian::of_closed::<M, Q, N>());
         Self { reduced, jacobian, fused: fused::<M, Q, N>(), ..Self::new(system, phase) }
     }
 }

@@ -53,6 +53,6 @@ impl<M: BarSystem> SeriesEquations for Lifted<M, TimeSeries> {
 
 impl<M: BarSystem, S: Real> Lifted<M, S> {
     fn along(&self, state: &[S]) -> Equations<S> {
-        Equations::of(&M::kernel(&self.constants, &array(state)))
+        Equations::from_kernel(&M::kernel(&self.constants, &array(state)))
     }
 }

@@ -27,7 +27,7 @@ pub(crate) fn work_of(
     let (mut y, mut defect, mut rate) = (room(), room(), room());
     let unit = |entry: usize| context.scales.entry(context.layout(), entry);
     let most = 0.5 * tolerance.cbrt();
-    dense.at(0.0, &mut y);
+    dense.interpolate(0.0, &mut y);
     let start = phase.energy(&y);
     let (mut gained, mut made) = (0.0, 0.0);
     for (theta, weight) in NODES.map(|(node, weight)| (node * end, weight)) {

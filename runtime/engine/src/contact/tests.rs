@@ -186,7 +186,7 @@ fn a_frame(s: f64, sum: f64, unloaded: bool) -> ContactSolution {
     let touching = ContactSet::EMPTY.with(0);
     let unloaded = if unloaded { touching } else { ContactSet::EMPTY };
     let question = ContactProblem { touching, unloaded, ..ContactProblem::default() };
-    decide(&Model::of(&frame), &[s.asin(), s, rate, c * rate], &question).unwrap()
+    decide(&Model::new(&frame), &[s.asin(), s, rate, c * rate], &question).unwrap()
 }
 
 #[test]
@@ -211,14 +211,14 @@ fn a_vanished_reaction_opens_or_not_by_its_rate() {
 fn redundant_reactions_are_marked() {
     let rod = RodOnSupports { m: 1.0, l: 1.0, g: 1.0 };
     let question = ContactProblem { touching: ContactSet::from_bits(0b111), ..ContactProblem::default() };
-    let found = decide(&Model::of(&rod), &[0.0; 6], &question).unwrap();
+    let found = decide(&Model::new(&rod), &[0.0; 6], &question).unwrap();
     assert_eq!((found.closed, found.unique), (ContactSet::from_bits(0b111), false));
     let held = ContactProblem {
         touching: ContactSet::from_bits(0b001),
         held: ContactSet::from_bits(0b001),
         ..ContactProblem::default()
     };
-    let found = decide(&Model::of(&rod), &[0.0; 6], &held).unwrap();
+    let found = decide(&Model::new(&rod), &[0.0; 6], &held).unwrap();
     assert!(found.unique && (found.reactions[0] - 0.25).abs() < 1e-14);
 }
 
@@ -235,7 +235,7 @@ fn rounding_of_a_state_at_rest_opens_nothing() {
         for rate in [0.0, 6.8e-49, -6.8e-49, 1e-17, -1e-17] {
             let mut state = [0.0; 6];
             (state[0], state[3]) = (turn, rate);
-            let found = decide(&Model::of(&rod), &state, &question).unwrap();
+            let found = decide(&Model::new(&rod), &state, &question).unwrap();
             assert_eq!(found.closed, question.touching, "{turn} {rate}");
             assert!(found.reactions[0].abs() < 1e-14, "{turn} {rate}: {:?}", found.reactions);
         }

@@ -47,7 +47,7 @@ fn layout() -> Layout {
             Friction { contact: 0, row: 4, follows_slip: false },
             Friction { contact: 2, row: 5, follows_slip: false },
         ],
-        ..*Model::of(&Particle { m: 1.0, g: 1.0, e: 0.0 }).layout()
+        ..*Model::new(&Particle { m: 1.0, g: 1.0, e: 0.0 }).layout()
     }
 }
 

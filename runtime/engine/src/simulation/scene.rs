@@ -13,7 +13,7 @@ pub struct Scene {
 
 impl<M: BarSystem> From<&M> for Scene {
     fn from(model: &M) -> Self {
-        Self { model: Model::of(model), parts: const { Parts::from_layout(M::LAYOUT) } }
+        Self { model: Model::new(model), parts: const { Parts::from_layout(M::LAYOUT) } }
     }
 }
 

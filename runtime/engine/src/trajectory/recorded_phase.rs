@@ -141,6 +141,6 @@ impl RecordedPhase {
             return y.copy_from_slice(&self.end_state);
         };
         let theta = (t.clamp(self.t0, self.t1) - step.t0) / step.h;
-        step.at(theta.clamp(0.0, 1.0), y);
+        step.interpolate(theta.clamp(0.0, 1.0), y);
     }
 }

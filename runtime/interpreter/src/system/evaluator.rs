@@ -95,7 +95,7 @@ where
     }
 
     fn equations(&self, state: &[S]) -> Equations<S> {
-        Equations::of(&self.kernel(state))
+        Equations::from_kernel(&self.kernel(state))
     }
 
     fn gaps(&self, state: &[S], gaps: &mut [S]) {
@@ -157,14 +157,14 @@ where
 
 impl SeriesEquations for Evaluator<TimeSeries> {
     fn equations(&self, state: &[TimeSeries]) -> Option<Equations<TimeSeries>> {
-        (!self.model.layout.contacts.is_empty()).then(|| Equations::of(&self.kernel(state)))
+        (!self.model.layout.contacts.is_empty()).then(|| Equations::from_kernel(&self.kernel(state)))
     }
 
     fn long_equations(&self, state: &[LongTimeSeries]) -> Option<Equations<LongTimeSeries>> {
         let parameters = self.parameters.iter().map(|x| LongTimeSeries::constant(x.coefficient(0)));
         let parameters: Vec<LongTimeSeries> = parameters.collect();
         let long = Evaluator::new(&self.model, &parameters, ContactSet::EMPTY);
-        (!self.model.layout.contacts.is_empty()).then(|| Equations::of(&long.kernel(state)))
+        (!self.model.layout.contacts.is_empty()).then(|| Equations::from_kernel(&long.kernel(state)))
     }
 
     fn points(&self, state: &[TimeSeries], points: &mut [TimeSeries]) {

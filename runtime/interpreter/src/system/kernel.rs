@@ -54,7 +54,7 @@ impl<S: Number> Kernel<S> {
         let (width, rows) = (self.n + closed, self.rows);
         let mut numbers = Lent::new(2 * width * width + 3 * width);
         let mut indices = Lent::new(2 * width + rows);
-        Workspace::of(width, rows, &mut numbers, &mut indices).map(solve)
+        Workspace::split(width, rows, &mut numbers, &mut indices).map(solve)
     }
 }
 

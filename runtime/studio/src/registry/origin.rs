@@ -38,7 +38,7 @@ impl<M: BarSystem> Origin for Compiled<M> {
     }
 
     fn build(&self, parameters: &[f64]) -> Model {
-        Model::of(&M::from_parameters(parameters))
+        Model::new(&M::from_parameters(parameters))
     }
 
     fn interpreted(&self) -> Result<Arc<Interpreted>, String> {

@@ -81,7 +81,7 @@ struct SprungZigzag {
 /// 1e-32/1e-10 by rounding; how many entries the phase has.
 fn compare<M: BarSystem>(model: &M, closed: &[&str], form: Form, state: &[f64]) -> usize {
     let set = contact_set(M::LAYOUT, closed).unwrap();
-    let lifted = Model::of(model);
+    let lifted = Model::new(model);
     let phase = Arc::clone(&lifted.system).phase(set, form);
     let wide = precise::<M>(&lifted.parameters).phase(set, form);
     let n = phase.info().entries;
@@ -135,7 +135,7 @@ fn of_massless_bars() {
 #[test]
 fn rigid_bars_have_none_and_need_none() {
     let pair = FallingPair { m: 2.0, l: 0.5, g: 9.81 };
-    let lifted = Model::of(&pair);
+    let lifted = Model::new(&pair);
     let set = contact_set(FallingPair::LAYOUT, &["P", "Q"]).unwrap();
     assert!(Arc::clone(&lifted.system).phase(set, Form::Closed).jacobian().is_none());
     let run = |simulation: Simulation| {

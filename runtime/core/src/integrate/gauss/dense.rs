@@ -46,7 +46,7 @@ impl Fine {
         let guess = self.tableau.of_modes(modes);
         let mut l = guess;
         let equations = Equations { f, tableau: &self.tableau, pairs };
-        if equations.solve((&Sum::of(*y0), h), &mut l, [enough, &[0.0; N]], evaluations).is_err() {
+        if equations.solve((&Sum::new(*y0), h), &mut l, [enough, &[0.0; N]], evaluations).is_err() {
             l = guess;
         }
         let modes = self.tableau.modes(&l);

@@ -121,7 +121,7 @@ impl<F: Fn(&[f64; N]) -> [f64; N], const N: usize> Gauss<F, N> {
     fn state(&self) -> Sum<N> {
         match self.sum {
             Some((sum, jumps)) if jumps == self.step_state.jumps() => sum,
-            _ => Sum::of(self.step_state.state),
+            _ => Sum::new(self.step_state.state),
         }
     }
 
@@ -311,7 +311,7 @@ impl<F: Fn(&[f64; N]) -> [f64; N], const N: usize> Stepper<f64, N> for Gauss<F, 
     /// Projected, the step is still symmetric only up to the projection.
     fn replace_end(&mut self, y1: [f64; N]) -> Result<(), StepError> {
         self.step_state.state = y1;
-        self.sum = Some((Sum::of(y1), self.step_state.jumps()));
+        self.sum = Some((Sum::new(y1), self.step_state.jumps()));
         self.last.is_dense = false;
         self.step_state.check(&y1)
     }

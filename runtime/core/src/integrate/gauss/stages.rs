@@ -26,7 +26,7 @@ pub(super) struct Sum<const N: usize> {
 }
 
 impl<const N: usize> Sum<N> {
-    pub(super) fn of(high: [f64; N]) -> Self {
+    pub(super) fn new(high: [f64; N]) -> Self {
         Self { high, low: [0.0; N] }
     }
 

@@ -86,7 +86,7 @@ impl<'a, F: Fn(&[f64; N]) -> [f64; N], const N: usize> Radau<'a, F, N> {
         }
         let y = &self.step_state.state;
         NODES.map(|c| {
-            let ahead = self.last.dense.at(1.0 + c * h / self.last.dense.h);
+            let ahead = self.last.dense.interpolate(1.0 + c * h / self.last.dense.h);
             core::array::from_fn(|i| ahead[i] - y[i])
         })
     }

@@ -88,7 +88,7 @@ impl<E: Expansion<N>, const N: usize> Taylor<E, N> {
         let series = self.expansion.series();
         let [.., before, last] = &series[..=self.step_size.order] else { return None };
         let finite = is_finite(before) && is_finite(last);
-        finite.then(|| self.step_size.of(series, &self.step_state.tolerance).min(LARGEST))
+        finite.then(|| self.step_size.compute_theta(series, &self.step_state.tolerance).min(LARGEST))
     }
 
     /// A length of the first step: the time in which the state changes by its own size.

@@ -127,9 +127,9 @@ where
             rates[i] = terms.rates[i].value();
         }
         let mut guard = Guard::<M>::default();
-        read(guard.reactions.as_mut(), terms.reactions.as_ref());
-        read(guard.gaps.as_mut(), terms.gaps.as_ref());
-        read(guard.feet.as_mut(), terms.feet.as_ref());
+        write_values(guard.reactions.as_mut(), terms.reactions.as_ref());
+        write_values(guard.gaps.as_mut(), terms.gaps.as_ref());
+        write_values(guard.feet.as_mut(), terms.feet.as_ref());
         (rates, guard)
     }
 
@@ -151,7 +151,7 @@ fn numbers<S: Double, const N: usize>(values: &[f64; N]) -> [S; N] {
 }
 
 #[inline(always)]
-fn read<S: Double>(values: &mut [f64], numbers: &[S]) {
+fn write_values<S: Double>(values: &mut [f64], numbers: &[S]) {
     for (value, number) in values.iter_mut().zip(numbers) {
         *value = number.value();
     }

@@ -44,7 +44,11 @@ impl StepSize {
     /// (Jorba & Zou, (3–8)), times the part of it in which the last term falls to a hundredth of the tolerance. Two, as one
     /// of them may vanish by symmetry; and no farther than a fifth above what the two before tell, as both may: of a pendulum
     /// let go level only every fourth is there; nor than twice what the two before those tell. Infinite where all vanish.
-    pub fn of<const N: usize>(&self, series: &[[f64; N]; ORDERS], tolerance: &Tolerance<N>) -> f64 {
+    pub fn compute_theta<const N: usize>(
+        &self,
+        series: &[[f64; N]; ORDERS],
+        tolerance: &Tolerance<N>,
+    ) -> f64 {
         let part = (LAST.log2() + self.tolerance) / self.order as f64;
         let within = |theta: f64| {
             let end = core::array::from_fn(|i| series[0][i].abs() + theta * series[1][i].abs());

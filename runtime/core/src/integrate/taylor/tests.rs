@@ -7,7 +7,7 @@ use crate::scalar::Scalar;
 
 /// A turn of the orbit; steps, and the error at the end.
 fn turn(tol: f64) -> (u64, usize, f64) {
-    let mut solver = Taylor::new(Jets::of(&Kepler), from(tol, orbit(0.0)).with_end(7.0));
+    let mut solver = Taylor::new(Jets::new(&Kepler), from(tol, orbit(0.0)).with_end(7.0));
     while solver.step_state().time() < 7.0 {
         solver.step().expect("a smooth orbit");
     }
@@ -42,7 +42,7 @@ impl Field<3> for Cubic {
 
 #[test]
 fn a_polynomial_is_one_step() {
-    let mut solver = Taylor::new(Jets::of(&Cubic), from(1e-12, [0.0; 3]).with_end(3.0));
+    let mut solver = Taylor::new(Jets::new(&Cubic), from(1e-12, [0.0; 3]).with_end(3.0));
     while solver.step_state().time() < 3.0 {
         solver.step().expect("a polynomial");
     }
@@ -65,7 +65,7 @@ fn a_step_is_as_long_as_the_tolerance_allows() {
         }
     }
     for tol in [1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12] {
-        let mut solver = Taylor::new(Jets::of(&Oscillator), from(tol, [1.0, 0.0]));
+        let mut solver = Taylor::new(Jets::new(&Oscillator), from(tol, [1.0, 0.0]));
         solver.step().expect("an oscillator");
         let (t, y) = (solver.step_state().time(), *solver.step_state().state());
         let error = distance(y, [t.cos(), -t.sin()]);
@@ -78,7 +78,7 @@ fn a_step_is_as_long_as_the_tolerance_allows() {
 
 /// A field that is followed to t = 1 at a tolerance of 1e-10; its first entry there, and how many steps were refused.
 fn followed<F: Field<2>>(field: &F, start: [f64; 2]) -> (f64, u64) {
-    let mut solver = Taylor::new(Jets::of(field), from(1e-10, start).with_end(1.0));
+    let mut solver = Taylor::new(Jets::new(field), from(1e-10, start).with_end(1.0));
     while solver.step_state().time() < 1.0 {
         solver.step().expect("shorter steps");
     }
@@ -130,7 +130,7 @@ impl Field<3> for Still {
 #[test]
 fn what_all_but_rests_takes_a_step_to_the_end() {
     for speed in [1e-300, 1e-80, 1e-60, 1e-40] {
-        let mut solver = Taylor::new(Jets::of(&Still), from(1e-9, [0.0, speed, 1.0]).with_end(3.0));
+        let mut solver = Taylor::new(Jets::new(&Still), from(1e-9, [0.0, speed, 1.0]).with_end(3.0));
         while solver.step_state().time() < 3.0 {
             solver.step().expect("a motion all but at rest");
         }

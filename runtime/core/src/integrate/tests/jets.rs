@@ -12,7 +12,7 @@ pub(in crate::integrate) struct Jets<'a, F, const N: usize> {
 }
 
 impl<'a, F: Field<N>, const N: usize> Jets<'a, F, N> {
-    pub(in crate::integrate) fn of(field: &'a F) -> Self {
+    pub(in crate::integrate) fn new(field: &'a F) -> Self {
         Self { field, series: [[0.0; N]; ORDERS] }
     }
 }

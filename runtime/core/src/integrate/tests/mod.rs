@@ -23,7 +23,7 @@ fn with_each<const N: usize>(
 ) {
     let f = |y: &[f64; N]| field.rates(y);
     check("dop853", &mut Dop853::new(&f, step_state.clone()));
-    check("taylor", &mut Taylor::new(Jets::of(field), step_state.clone()));
+    check("taylor", &mut Taylor::new(Jets::new(field), step_state.clone()));
     check("tsit5", &mut Tsit5::new(&f, step_state.clone()));
     check("gauss", &mut Gauss::new(&f, step_state.clone()));
     check("radau", &mut Radau::new(&f, |y: &[f64; N]| field.jacobian(y), step_state.clone()));
@@ -50,9 +50,10 @@ fn errors_follow_the_tolerance() {
                 let (t, y) = (solver.step_state().time(), *solver.step_state().state());
                 end = end.max(distance(y, orbit(t)));
                 let dense = solver.dense();
-                assert_eq!(dense.at(1.0), y);
+                assert_eq!(dense.interpolate(1.0), y);
                 for theta in [0.0, 0.3, 0.7] {
-                    inside = inside.max(distance(dense.at(theta), orbit(dense.t0 + theta * dense.h)));
+                    inside =
+                        inside.max(distance(dense.interpolate(theta), orbit(dense.t0 + theta * dense.h)));
                 }
             }
             assert_eq!(solver.step_state().time(), 20.0);
@@ -132,13 +133,13 @@ fn a_projected_end_is_met_by_the_dense_output() {
             "{name}"
         );
         let dense = solver.dense();
-        assert_eq!(dense.at(1.0), projected, "{name}");
+        assert_eq!(dense.interpolate(1.0), projected, "{name}");
         // The rate is that of the projected state but for what the projection moved and the order leaves: 1e-9/h, and
         // the tolerance.
         let defect = distance(dense.rate(1.0), kepler(&projected));
         assert!(defect < 2e-8 / dense.h, "{name}: {defect:e}");
         solver.step().expect("a smooth orbit");
-        assert_eq!(solver.dense().at(0.0), projected, "{name}");
+        assert_eq!(solver.dense().interpolate(0.0), projected, "{name}");
     });
 }
 

@@ -18,7 +18,7 @@ pub(in crate::integrate) fn step_orders(single: impl Fn(f64) -> Dense<f64, 4>, h
     let end = |h: f64| distance(*single(h).end(), orbit(3.0 + h));
     let inside = |h: f64| {
         let step = single(h);
-        largest(|theta| distance(step.at(theta), orbit(3.0 + theta * h)))
+        largest(|theta| distance(step.interpolate(theta), orbit(3.0 + theta * h)))
     };
     [order(end, h), order(inside, h)]
 }

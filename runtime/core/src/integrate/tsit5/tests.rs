@@ -83,7 +83,7 @@ fn dense_output_satisfies_the_order_conditions() {
     weights.set_alternating([0.0, 1.0], step.y1, Tsitouras::dense(&|y| *y, 1.0, &[0.0; SLOPES], &step));
     for theta in [0.1, 0.25, 0.5, 0.8] {
         for (phi, order, density) in trees().iter().filter(|(_, order, _)| *order <= 4) {
-            let rest = dot(&weights.at(theta), phi) - theta.powi(*order) / density;
+            let rest = dot(&weights.interpolate(theta), phi) - theta.powi(*order) / density;
             assert!(rest.abs() < 1e-12, "θ = {theta}, order {order}, γ = {density}: {rest:e}");
         }
     }

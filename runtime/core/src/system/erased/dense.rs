@@ -60,7 +60,7 @@ impl DenseOutput {
     }
 
     /// The state at t₀ + θh, 0 ≤ θ ≤ 1.
-    pub fn at(&self, theta: f64, y: &mut [f64]) {
+    pub fn interpolate(&self, theta: f64, y: &mut [f64]) {
         let (end, coefficients) = self.values.split_at(self.entries);
         if theta == 1.0 || coefficients.is_empty() {
             return y.copy_from_slice(end);
@@ -105,7 +105,7 @@ impl DenseOutput {
     /// The state at the start.
     pub fn start(&self) -> Vec<f64> {
         let mut y = vec![0.0; self.entries];
-        self.at(0.0, &mut y);
+        self.interpolate(0.0, &mut y);
         y
     }
 

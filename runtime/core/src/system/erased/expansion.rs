@@ -54,7 +54,7 @@ pub(super) struct Padded<'a, const N: usize> {
 
 impl<'a, const N: usize> Padded<'a, N> {
     /// None where the phase has no series.
-    pub(super) fn of(problem: &InitialValueProblem<'a>) -> Option<Self> {
+    pub(super) fn from_problem(problem: &InitialValueProblem<'a>) -> Option<Self> {
         let mut inner = problem.phase.series()?;
         if problem.phase.info().form == Form::Projected {
             let mut rates = vec![0.0; problem.len()];

@@ -68,12 +68,12 @@ pub(super) struct JacobianMatrix<'a, const N: usize> {
 }
 
 impl<'a, const N: usize> JacobianMatrix<'a, N> {
-    pub(super) fn of(problem: &InitialValueProblem<'a>) -> Self {
+    pub(super) fn from_problem(problem: &InitialValueProblem<'a>) -> Self {
         let n = problem.len();
         Self { problem: *problem, exact: problem.phase.jacobian(), scratch: RefCell::new(vec![0.0; n * n]) }
     }
 
-    pub(super) fn at(&self, y: &[f64; N]) -> [[f64; N]; N] {
+    pub(super) fn evaluate(&self, y: &[f64; N]) -> [[f64; N]; N] {
         let Some(exact) = &self.exact else { return self.differences(y) };
         let mut entries = self.scratch.borrow_mut();
         let n = self.problem.len();

@@ -33,14 +33,14 @@ pub(super) fn tsit5<'a, const N: usize>(problem: &InitialValueProblem<'a>) -> St
 }
 
 pub(super) fn taylor<'a, const N: usize>(problem: &InitialValueProblem<'a>) -> Started<'a> {
-    let expansion = Padded::<N>::of(problem)?;
+    let expansion = Padded::<N>::from_problem(problem)?;
     problem.stepper::<N, _>(|step_state| Taylor::new(expansion, step_state))
 }
 
 pub(super) fn radau<'a, const N: usize>(problem: &InitialValueProblem<'a>) -> Started<'a> {
-    let jacobian = JacobianMatrix::<N>::of(problem);
+    let jacobian = JacobianMatrix::<N>::from_problem(problem);
     problem.stepper::<N, _>(|step_state| {
-        Radau::new(problem.rates(), move |y: &[f64; N]| jacobian.at(y), step_state)
+        Radau::new(problem.rates(), move |y: &[f64; N]| jacobian.evaluate(y), step_state)
     })
 }
 

@@ -34,7 +34,7 @@ pub(super) struct LinearSeries {
 
 impl LinearSeries {
     /// With these rows closed, of equations of which those entries vary.
-    pub fn of(coordinates: usize, closed: &[usize], varying: Varying<'_>) -> Self {
+    pub fn new(coordinates: usize, closed: &[usize], varying: Varying<'_>) -> Self {
         let size = coordinates + closed.len();
         let mut entries = Vec::new();
         for &[i, j] in varying.mass {

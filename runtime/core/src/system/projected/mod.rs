@@ -36,7 +36,7 @@ pub fn projected_series<'a>(
         return None;
     }
     let closed: Vec<usize> = (0..layout.rows()).filter(|&row| layout.is_closed(row, &set)).collect();
-    let system = LinearSeries::of(layout.coordinates.len(), &closed, orders.varying());
+    let system = LinearSeries::new(layout.coordinates.len(), &closed, orders.varying());
     let guards = [layout.reactions(), 2 * layout.feet()];
     let orders = ProjectedOrders { orders, layout, set, closed, system };
     Some(Box::new(ByOrders::new(orders, layout.entries(), guards)))

@@ -28,8 +28,8 @@ fn it_is_that_of_the_load() {
         steps(method, |work, _, step| {
             for end in [1.0, 0.3] {
                 let (mut from, mut to) = ([0.0; 2], [0.0; 2]);
-                step.at(0.0, &mut from);
-                step.at(end, &mut to);
+                step.interpolate(0.0, &mut from);
+                step.interpolate(end, &mut to);
                 let (found, expected) = (work(step, end).unwrap(), TURNED.c * (to[0] - from[0]));
                 // Weight times length is 29 J; a step may be off by 1e-9 of that, and by some more within it.
                 assert!((found - expected).abs() < 3e-7, "{method:?} to {end}: {found} for {expected}");
@@ -71,7 +71,7 @@ fn what_the_equations_do_not_do_is_no_work() {
 fn a_large_defect_tells_nothing() {
     steps(MethodId::Dop853, |work, _, step| {
         let mut end = [0.0; 2];
-        step.at(1.0, &mut end);
+        step.interpolate(1.0, &mut end);
         let turned = step.start().into_iter().chain([end[0], -end[1]]);
         assert_eq!(work(&DenseOutput::series([step.t0, step.t1], &end, turned), 1.0), None);
     });

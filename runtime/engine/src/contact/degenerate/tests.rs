@@ -15,7 +15,7 @@ use liftoff_fixtures::{AFrame, RodOnSupports};
 /// Open rows have neither entries nor a bias, all others those that they had.
 #[test]
 fn rows_that_take_no_part_are_zero() {
-    let model = Model::of(&RodOnSupports { m: 1.0, l: 2.0, g: 1.0 });
+    let model = Model::new(&RodOnSupports { m: 1.0, l: 2.0, g: 1.0 });
     let state = [0.3, 0.1, 0.2, 0.7, 0.4, -0.2];
     let acceleration = DVector::from_row_slice(&[0.3, -0.1, 0.5]);
     let equations = || Equations::along(&model, &state, std::slice::from_ref(&acceleration));
@@ -39,7 +39,7 @@ fn a_contact_is_pressed_beyond_the_rounding_of_its_terms() {
     let touching = ContactSet::EMPTY.with(0);
     let turned = rate * rate * turn.sin();
     for unit in [1e-8, 1.0, 1e8] {
-        let model = Model::of(&RodOnSupports { m: 1.0, l: 2.0, g: unit * unit });
+        let model = Model::new(&RodOnSupports { m: 1.0, l: 2.0, g: unit * unit });
         let state = [turn, 0.0, 0.0, rate * unit, 0.0, 0.0];
         for (part, pressed) in [(1.0, false), (0.0, false), (-1e-10, false), (-1e-8, true), (-1.0, true)] {
             let mut ladder =
@@ -56,7 +56,7 @@ fn a_contact_is_pressed_beyond_the_rounding_of_its_terms() {
 #[test]
 fn what_a_located_reaction_accelerates_is_no_pressing() {
     for (m, l) in [(1.0, 2.0), (3e5, 7e-4)] {
-        let model = Model::of(&RodOnSupports { m, l, g: 1.0 });
+        let model = Model::new(&RodOnSupports { m, l, g: 1.0 });
         let turn = 0.3_f64;
         let touching = ContactSet::EMPTY.with(0);
         let compliance = (1.0 + 3.0 * turn.cos().powi(2)) / m;
@@ -76,7 +76,7 @@ fn what_a_located_reaction_accelerates_is_no_pressing() {
 /// terms, and of those of order 0 in a natural time.
 #[test]
 fn higher_orders_are_known_as_well_as_their_terms() {
-    let model = Model::of(&AFrame { m: 2.0, l: 0.7, g: 9.81 });
+    let model = Model::new(&AFrame { m: 2.0, l: 0.7, g: 9.81 });
     let (c, rate) = (0.8, -1.3);
     let state = [0.6_f64.asin(), 0.7 * 0.6, rate, 0.7 * c * rate];
     let a = [[0.4, -0.3], [1.5, 0.2]].map(|a| DVector::from_row_slice(&a));
@@ -141,7 +141,7 @@ fn higher_orders_are_known_as_well_as_their_terms() {
 /// Rates whose squares are no numbers.
 #[test]
 fn equations_that_are_not_finite_are_refused() {
-    let model = Model::of(&RodOnSupports { m: 1.0, l: 2.0, g: 1.0 });
+    let model = Model::new(&RodOnSupports { m: 1.0, l: 2.0, g: 1.0 });
     let question = ContactProblem { touching: ContactSet::from_bits(0b101), ..ContactProblem::default() };
     let found = |rate: f64| decide(&model, &[0.3, 0.0, 0.0, rate, 0.0, 0.0], &question).map(|_| ());
     assert_eq!(found(1e3), Ok(()));
@@ -168,7 +168,7 @@ struct Guided {
 /// the next order. All others may do anything.
 #[test]
 fn contacts_with_friction_begin_as_they_are_known() {
-    let model = Model::of(&Guided { m: 1.0, l: 1.0, mu: 0.3, g: 9.81 });
+    let model = Model::new(&Guided { m: 1.0, l: 1.0, mu: 0.3, g: 9.81 });
     let layout = model.layout();
     let guide = (0..2).find(|&contact| layout.contacts[contact].kind == ContactKind::Guide).unwrap();
     let support = 1 - guide;

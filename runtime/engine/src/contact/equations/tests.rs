@@ -38,7 +38,7 @@ fn moved(start: &[f64; 7], a: &[DVector<f64>], time: f64) -> Vec<f64> {
 /// Taylor coefficients by the polynomial through nine points.
 #[test]
 fn series_are_those_of_the_states_on_the_way() {
-    let model = Model::of(&Pulled { m: 2.0, l: 0.7, g: 9.81, f: 3.0 });
+    let model = Model::new(&Pulled { m: 2.0, l: 0.7, g: 9.81, f: 3.0 });
     let start = [0.4, 0.1, -0.2, 0.9, 0.5, -0.8, 1.3];
     let all = [[0.7, -1.1, 0.6], [1.9, 0.4, -1.3], [-2.3, 1.7, 0.8]].map(|a| DVector::from_row_slice(&a));
     let (points, span) = (9, 0.04);
@@ -77,7 +77,7 @@ fn series_are_those_of_the_states_on_the_way() {
 /// An entry that is no number is found wherever it is.
 #[test]
 fn entries_that_are_not_finite_are_found() {
-    let model = Model::of(&Pulled { m: 2.0, l: 0.7, g: 9.81, f: 3.0 });
+    let model = Model::new(&Pulled { m: 2.0, l: 0.7, g: 9.81, f: 3.0 });
     let equations = || Equations::along(&model, &[0.4, 0.1, -0.2, 0.9, 0.5, -0.8, 1.3], &[]);
     assert!(equations().are_finite());
     let wrong: [fn(&mut Equations); 4] = [

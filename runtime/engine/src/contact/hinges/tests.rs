@@ -53,7 +53,7 @@ fn what_is_improved_is_what_all_modes_have() {
         let (mu, r) = (between(0.1, 2.0), between(0.02, 0.1));
         let [p, q] = [between(-20.0, 20.0), between(-20.0, 20.0)];
         let chain = Chain { m: 1.0, l: 1.0, mu, r, p, q, g: 9.81 };
-        let model = Model::of(&chain);
+        let model = Model::new(&chain);
         let scales = scales_of(&model).unwrap();
         let context = RunContext { model, scales };
         let spread = between(0.0, 0.4);
@@ -122,7 +122,7 @@ fn all_senses_are_told_apart() {
 
 /// A chain at some state.
 fn at(state: [f64; 10]) -> (RunContext, Numbers) {
-    let model = Model::of(&Chain { m: 1.0, l: 1.0, mu: 0.3, r: 0.05, p: 3.0, q: 2.0, g: 9.81 });
+    let model = Model::new(&Chain { m: 1.0, l: 1.0, mu: 0.3, r: 0.05, p: 3.0, q: 2.0, g: 9.81 });
     let scales = scales_of(&model).unwrap();
     (RunContext { model, scales }, Numbers::from_slice(&state))
 }
@@ -217,7 +217,7 @@ pub(super) struct Resting {
 /// One that opens must not fall, unless that is known; one that is closed must press, unless it is held.
 #[test]
 fn each_choice_has_its_laws() {
-    let model = Model::of(&Resting { m: 2.0, l: 0.5, mu: 0.3, r: 0.02, g: 9.81 });
+    let model = Model::new(&Resting { m: 2.0, l: 0.5, mu: 0.3, r: 0.02, g: 9.81 });
     let scales = scales_of(&model).unwrap();
     let context = RunContext { model, scales };
     let place = Place::new(&context, Numbers::from_slice(&[0.0; 2]));
@@ -270,7 +270,7 @@ struct Guided {
 #[test]
 fn contacts_have_the_choices_of_their_kinds() {
     use crate::model::{ContactKind, Side, Slip as Slips};
-    let model = Model::of(&Guided { m: 1.0, l: 1.0, mu: 0.3, r: 0.02, g: 9.81 });
+    let model = Model::new(&Guided { m: 1.0, l: 1.0, mu: 0.3, r: 0.02, g: 9.81 });
     let layout = model.layout();
     let of = |is: &dyn Fn(usize) -> bool| (0..layout.contacts.len()).find(|&contact| is(contact)).unwrap();
     let guide = of(&|it| layout.contacts[it].kind == ContactKind::Guide);

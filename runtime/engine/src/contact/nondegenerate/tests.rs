@@ -24,12 +24,12 @@ const FRAME: AFrame = AFrame { m: 3.0, l: 0.02, g: 9.81 };
 fn frame(s: f64, sum: f64, unloaded: bool) -> Option<ContactSolution> {
     let AFrame { l, g, .. } = FRAME;
     let (c, rate) = ((1.0 - s * s).sqrt(), -(3.0 * (sum - s) * g / l).sqrt());
-    decided(Model::of(&FRAME), &[s.asin(), l * s, rate, l * c * rate], 1, u64::from(unloaded))
+    decided(Model::new(&FRAME), &[s.asin(), l * s, rate, l * c * rate], 1, u64::from(unloaded))
 }
 
 #[test]
 fn a_reaction_is_clear_from_a_part_of_the_natural_force_on() {
-    let (force, weight) = (context(Model::of(&FRAME)).scales.force(), 2.0 * FRAME.m * FRAME.g);
+    let (force, weight) = (context(Model::new(&FRAME)).scales.force(), 2.0 * FRAME.m * FRAME.g);
     for s in [0.7, 0.8, 0.9] {
         for part in [-1.0, 0.0, 0.5, 0.999, 1.001, 2.0, 1e5] {
             let reaction = part * MARGIN * force;
@@ -49,7 +49,7 @@ fn a_reaction_is_clear_from_a_part_of_the_natural_force_on() {
 #[test]
 fn a_vanishing_reaction_opens_where_its_fall_in_a_natural_time_is_clear() {
     let AFrame { m, l, g } = FRAME;
-    let scales = context(Model::of(&FRAME)).scales;
+    let scales = context(Model::new(&FRAME)).scales;
     let rate = |root: f64| {
         let (sum, s) = ((1.0 + root * root).sqrt(), ((1.0 + root * root).sqrt() + root) / 3.0);
         (s, sum, 3.0 * m * g * root * ((1.0 - s * s) * 3.0 * (sum - s) * g / l).sqrt())
@@ -86,7 +86,7 @@ fn loads_change_with_time() {
     for (f, opens) in [(2.0, true), (-2.0, false)] {
         let lifted = Lifted { m: 3.0, l: 0.1, g: 9.81, f };
         let t = 3.0 * 9.81 / f;
-        let found = decided(Model::of(&lifted), &[0.1, 0.0, 0.0, 0.0, t], 1, 1);
+        let found = decided(Model::new(&lifted), &[0.1, 0.0, 0.0, 0.0, t], 1, 1);
         assert_eq!(found.is_some(), opens, "{f}");
     }
 }
@@ -95,7 +95,7 @@ fn loads_change_with_time() {
 /// told by each alone.
 #[test]
 fn two_that_vanish_at_once_are_not_such_a_case() {
-    let ladder = || Model::of(&Ladder { m: 1.0, l: 1.0, g: 1.0 });
+    let ladder = || Model::new(&Ladder { m: 1.0, l: 1.0, g: 1.0 });
     let (theta, rate) = (1.0_f64, -0.5);
     let (sine, cosine) = theta.sin_cos();
     let state = [theta, 0.5 * cosine, 0.5 * sine, rate, -0.5 * sine * rate, 0.5 * cosine * rate];
@@ -110,7 +110,7 @@ fn two_that_vanish_at_once_are_not_such_a_case() {
 #[test]
 fn a_rough_contact_that_vanishes_is_not_such_a_case() {
     let (b, h) = (0.5, 1.0);
-    let block = || Model::of(&Block { m: 1.0, b, h, g: 1.0 });
+    let block = || Model::new(&Block { m: 1.0, b, h, g: 1.0 });
     for rate in [-0.7, 0.7] {
         let (sine, cosine) = 0.3_f64.sin_cos();
         let (x, y) = (b * cosine - h * sine, b * sine + h * cosine);
@@ -122,7 +122,7 @@ fn a_rough_contact_that_vanishes_is_not_such_a_case() {
 
 #[test]
 fn redundant_reactions_are_not_such_a_case() {
-    let rod = || Model::of(&RodOnSupports { m: 1.0, l: 1.0, g: 1.0 });
+    let rod = || Model::new(&RodOnSupports { m: 1.0, l: 1.0, g: 1.0 });
     assert!(decided(rod(), &[0.0; 6], 0b101, 0).is_some());
     assert!(decided(rod(), &[0.0; 6], 0b111, 0).is_none());
 }

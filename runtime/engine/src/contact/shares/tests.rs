@@ -228,7 +228,7 @@ fn shares_have_no_units() {
 #[test]
 fn supports_that_slide_share_the_load_with_their_friction() {
     let (m, g, mu) = (2.0, 9.81, 0.3);
-    let model = Model::of(&Pushed { m, l: 0.7, g, mu, p: 0.0 });
+    let model = Model::new(&Pushed { m, l: 0.7, g, mu, p: 0.0 });
     for (slip, sense) in [(Slip::Forward, 1.0), (Slip::Backward, -1.0)] {
         let closed = (0..3).fold(ContactSet::EMPTY, |set, contact| set.slipping(contact, slip));
         let mut state = [0.0; 6];

@@ -23,7 +23,7 @@ struct Loaded {
 }
 
 fn model(part: f64, heavy: f64, l: f64) -> Model {
-    Model::of(&Loaded { m: part * heavy, heavy, l, g: 9.81 })
+    Model::new(&Loaded { m: part * heavy, heavy, l, g: 9.81 })
 }
 
 /// With ε = m/M of the balanced mass matrix det M = 1 − (1 + ε/2)²/((1 + ε)(1 + ε/3)) ≈ ε/3 at any angle, in any units.

@@ -35,7 +35,7 @@ struct Levelled {
 fn couples_and_forces_are_compared_at_their_lever() {
     for l in [1e-3, 1.0, 4e4] {
         let (m, g, q) = (2.0, 9.81, 3.0);
-        let model = Model::of(&Levelled { m, l, g, q, omega: 0.0 });
+        let model = Model::new(&Levelled { m, l, g, q, omega: 0.0 });
         let (state, touching) = ([0.0; 7], ContactSet::from_bits(0b11));
         let question = ContactProblem { touching, ..ContactProblem::default() };
         let expected = [0.5 * (m * g + 0.5 * q), 0.5 * (m * g + 1.5 * q), 0.25 * q * l];
@@ -79,7 +79,7 @@ struct Jointed {
 #[test]
 fn levers_are_those_of_the_rows_in_their_own_units() {
     for (p, l) in [(1.0, 1.0), (50.0, 1.0), (7.0, 1e3)] {
-        let model = Model::of(&Jointed { m: 2.0, p, l, g: 9.81, omega: 0.0 });
+        let model = Model::new(&Jointed { m: 2.0, p, l, g: 9.81, omega: 0.0 });
         let (state, touching) = ([0.0; 5], ContactSet::from_bits(0b11));
         let question = ContactProblem { touching, ..ContactProblem::default() };
         let problem =

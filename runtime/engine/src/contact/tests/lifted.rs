@@ -52,8 +52,8 @@ const G: f64 = 9.81;
 fn model(is_rough: bool, w: f64, [a, b, c]: [f64; 3]) -> Model {
     let (m, l, g, p) = (M, 0.1, G, 2.0);
     match is_rough {
-        true => Model::of(&Rough { m, l, g, p, w, a, b, c }),
-        false => Model::of(&Smooth { m, l, g, p, w, a, b, c }),
+        true => Model::new(&Rough { m, l, g, p, w, a, b, c }),
+        false => Model::new(&Smooth { m, l, g, p, w, a, b, c }),
     }
 }
 

@@ -25,7 +25,7 @@ struct RoughRod {
 #[test]
 fn a_rough_contact_without_reaction_stays_while_that_rises() {
     let (m, l, g) = (2.0, 0.5, 9.81);
-    let model = Model::of(&RoughRod { m, l, g });
+    let model = Model::new(&RoughRod { m, l, g });
     for theta in [0.7_f64, 1.2, 2.1] {
         let (sine, cosine) = theta.sin_cos();
         let rate = (2.0 * g * (1.0 - 0.75 * cosine * cosine) / (l * sine)).sqrt();
@@ -72,7 +72,7 @@ struct RodOnRoughEnds {
 #[test]
 fn each_rough_contact_holds_its_own_tangent() {
     let (m, l, g) = (2.0, 0.5, 9.81);
-    let model = Model::of(&RodOnRoughEnds { m, l, g });
+    let model = Model::new(&RodOnRoughEnds { m, l, g });
     for end in [0, 1] {
         for theta in [0.7_f64, 1.2, 2.1] {
             let (sine, cosine) = theta.sin_cos();

@@ -36,7 +36,7 @@ fn each_support_rubs_by_its_own_share() {
     for (known, sense) in [(Slip::Forward, 1.0), (Slip::Backward, -1.0), (Slip::Rest, 0.0)] {
         for part in [0.0, 0.9, -0.9] {
             let p = part * mu * weight;
-            let model = Model::of(&Pushed { m, l: 0.7, g, mu, p });
+            let model = Model::new(&Pushed { m, l: 0.7, g, mu, p });
             let x = model.layout().coordinates.iter().position(|it| it.name == "x").unwrap();
             let mut state = [0.0; 6];
             state[3 + x] = sense;

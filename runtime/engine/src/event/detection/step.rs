@@ -78,7 +78,7 @@ impl<'a> StepView<'a> {
     /// The reduced state at θ.
     pub(super) fn reduced(&self, theta: f64, reduced: &mut Numbers) {
         reduced.resize(self.dense.entries(), 0.0);
-        self.dense.at(theta, reduced);
+        self.dense.interpolate(theta, reduced);
     }
 
     /// Evaluates what is asked for at θ.
@@ -141,7 +141,7 @@ impl<'a> StepView<'a> {
         let reduced = || smallvec![0.0; self.dense.entries()];
         let begun = || PhasePoint::new(Arc::clone(self.phase), self.closed, t, reduced());
         let point = scratch.point.get_or_insert_with(begun);
-        point.move_to(t, |reduced| self.dense.at(theta, reduced));
+        point.move_to(t, |reduced| self.dense.interpolate(theta, reduced));
         point
     }
 

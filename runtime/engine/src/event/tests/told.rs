@@ -124,7 +124,7 @@ fn events_are_looked_up_by_kind_and_support() {
     let error = EventFilter::of(layout, EventKind::Open, "F").expect_err("no support");
     assert!(error.to_string().starts_with("no support `F`; known: "), "{error}");
     assert!(
-        EventFilter::of(Model::of(&Particle { m: 1.0, g: 1.0, e: 0.0 }).layout(), open.kind, "A").is_err()
+        EventFilter::of(Model::new(&Particle { m: 1.0, g: 1.0, e: 0.0 }).layout(), open.kind, "A").is_err()
     );
 }
 

@@ -329,7 +329,7 @@ impl<'a> PhaseRun<'a> {
             return false;
         }
         let mut reduced: Numbers = smallvec![0.0; dense.entries()];
-        dense.at(theta, &mut reduced);
+        dense.interpolate(theta, &mut reduced);
         self.phase.pivot(&reduced) < least_pivot(self.tolerance)
     }
 

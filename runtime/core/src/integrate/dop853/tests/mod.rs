@@ -14,9 +14,9 @@ fn run(tol: f64, end: f64) -> (Counts, f64) {
         solver.step().expect("a smooth orbit");
         let dense = solver.dense();
         for theta in [0.0, 0.3, 0.7, 1.0] {
-            worst = worst.max(distance(dense.at(theta), orbit(dense.t0 + theta * dense.h)));
+            worst = worst.max(distance(dense.interpolate(theta), orbit(dense.t0 + theta * dense.h)));
         }
-        let end = dense.at(1.0);
+        let end = dense.interpolate(1.0);
         assert_eq!(end, *solver.step_state().state());
     }
     assert_eq!(solver.step_state().time(), end);

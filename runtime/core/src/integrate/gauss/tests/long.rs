@@ -52,7 +52,7 @@ fn a_fast_turn_is_dense() {
     let mut solver = Gauss::new(&f, StepState::new(tolerance, 0.0, start).with_end(2.0)).with_pairs(1);
     while solver.step_state().time() < 2.0 {
         solver.step().expect("a smooth motion");
-        let drift = |k: u32| energy(&solver.dense().at(f64::from(k) / 16.0)) - energy(&start);
+        let drift = |k: u32| energy(&solver.dense().interpolate(f64::from(k) / 16.0)) - energy(&start);
         // ω δω with rates known to the tolerance.
         let worst = (0..=16).map(drift).fold(0.0, |most: f64, drift| most.max(drift.abs()));
         assert!(worst < 10.0 * 1e-12 * 313.0 * 313.0, "{worst:e} at {}", solver.step_state().time());

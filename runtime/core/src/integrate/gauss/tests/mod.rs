@@ -71,7 +71,7 @@ fn a_polynomial_is_continued() {
 fn single(h: f64) -> Dense<f64, 4> {
     let (tableau, y0) = (Tableau::<STAGES>::new(), orbit(3.0));
     let equations = Equations { f: &kepler, tableau: &tableau, pairs: 2 };
-    let start = Sum::of(y0);
+    let start = Sum::new(y0);
     let mut l = tableau.constant(h, &kepler(&y0));
     assert!(equations.solve((&start, h), &mut l, [&[0.0; 4]; 2], &mut 0).is_ok());
     let y1 = start.advance(&l).high;
@@ -98,7 +98,7 @@ fn dense_output_is_smooth() {
     // Rounding of coefficients of order 1, divided by h.
     assert!(distance(step.rate(0.0), kepler(&orbit(3.0))) < 1e-13);
     assert!(distance(step.rate(1.0), kepler(step.end())) < 1e-13);
-    assert!(distance(step.at(1.0 - 1e-16), *step.end()) < 1e-14);
+    assert!(distance(step.interpolate(1.0 - 1e-16), *step.end()) < 1e-14);
 }
 
 /// Slopes that are even about the middle of a step have no odd modes: the even ones foretell the error, that of the quadrature

@@ -13,7 +13,7 @@ use liftoff_fixtures::RodOnSupports;
 /// that slides; nothing of what the motion determines.
 #[test]
 fn edges_of_cones_bear_the_reactions() {
-    let plain = Model::of(&RodOnSupports { m: 1.0, l: 1.0, g: 1.0 }).layout();
+    let plain = Model::new(&RodOnSupports { m: 1.0, l: 1.0, g: 1.0 }).layout();
     let mut contacts = plain.contacts.to_vec();
     (contacts[0].friction, contacts[2].friction) = (Some(0), Some(1));
     let friction = |contact: usize, row: usize| Friction { contact, row, follows_slip: false };

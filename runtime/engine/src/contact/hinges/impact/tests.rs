@@ -78,7 +78,7 @@ fn a_journal_rubs_by_the_impulse_of_its_pin() {
                 for (e, law) in
                     [(0.6, Law::Newton), (0.6, Law::Poisson), (1.0, Law::Newton), (0.0, Law::Newton)]
                 {
-                    let model = Model::of(&Gate { m, l, mu, r, g: 9.81 });
+                    let model = Model::new(&Gate { m, l, mu, r, g: 9.81 });
                     let state = [phi, rate];
                     let contact = Row::Contact { restitution: e, law };
                     let it = collision(&model, &state, mu, contact);
@@ -119,7 +119,7 @@ fn all_modes_have_the_improved_outcome() {
     let (mut compared, mut sliding, mut sticking) = (0, 0, 0);
     for k in 0..cases(120) {
         let (mu, r, l) = (random.between(0.1, 1.5), random.between(0.01, 0.1) * [1.0, 4.0][k % 2], 0.8);
-        let model = Model::of(&Double { m: 1.2, l, mu, r, g: 9.81 });
+        let model = Model::new(&Double { m: 1.2, l, mu, r, g: 9.81 });
         let [phi, psi] = [0.0; 2].map(|_| random.between(-0.5, 0.5));
         let [rate, other] = [0.0; 2].map(|_| random.between(-2.0, 2.0) * [0.0, 1.0, 1.0][random.below(3)]);
         let state = [phi, psi, rate, other];

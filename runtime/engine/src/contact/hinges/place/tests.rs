@@ -10,7 +10,7 @@ use crate::model::ContactSet;
 use crate::system::Model;
 
 fn context((m, l, g): (f64, f64, f64)) -> RunContext {
-    let model = Model::of(&Resting { m, l, mu: 0.3, r: 0.02 * l, g });
+    let model = Model::new(&Resting { m, l, mu: 0.3, r: 0.02 * l, g });
     let scales = scales_of(&model).unwrap();
     RunContext { model, scales }
 }

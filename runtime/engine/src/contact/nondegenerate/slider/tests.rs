@@ -95,7 +95,7 @@ fn a_single_contact_is_decided_alike() {
 
 /// A rod on a level floor, at θ with the rate ω, its end without slip or with one.
 fn on_the_floor(rod: &Pulled) -> RunContext {
-    let model = Model::of(rod);
+    let model = Model::new(rod);
     let scales = scales_of(&model).unwrap();
     RunContext { model, scales }
 }

@@ -118,7 +118,7 @@ impl System for Given {
     fn equations(&self, state: &[f64]) -> Equations<f64> {
         let mut bias = [0.0; ROWS];
         bias[..CONTACTS].copy_from_slice(&(self.at)(state[0]).curvatures);
-        Equations::of(&Kernel::<f64, 2, ROWS, { 2 + ROWS }> {
+        Equations::from_kernel(&Kernel::<f64, 2, ROWS, { 2 + ROWS }> {
             mass: [[1.0, 0.0], [0.0, 1.0]],
             force: [0.0; 2],
             gap: [0.0; ROWS],
@@ -247,7 +247,7 @@ impl Scene {
         let asked = Arc::new(AtomicUsize::new(0));
         let info = PhaseInfo { set, form, coordinates: 1, rates: 0, entries: 1, affine: false };
         let given = Arc::new(Given { info, at: Box::new(at), asked: Arc::clone(&asked) });
-        let mut model = Model::of(&Particle { m: 1.0, g: 1.0, e: 0.0 });
+        let mut model = Model::new(&Particle { m: 1.0, g: 1.0, e: 0.0 });
         let scales = scales_of(&model).expect("natural scales");
         model.system = given.clone();
         Self { context: RunContext { model, scales }, phase: given, asked }

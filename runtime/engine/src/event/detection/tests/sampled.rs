@@ -173,7 +173,7 @@ fn the_power_of_friction_is_told_where_nothing_else_works() {
     let untold = |told: Vec<([f64; 2], Option<_>)>| told.iter().all(|(_, powers)| powers.is_none());
     assert!(untold(powers(slides, true, slides)) && untold(powers(slides, false, slides.with(PLAIN))));
     assert!(untold(powers(set(&[PLAIN]), false, set(&[PLAIN]))));
-    let smooth = Model::of(&Particle { m: 1.0, g: 1.0, e: 0.0 });
+    let smooth = Model::new(&Particle { m: 1.0, g: 1.0, e: 0.0 });
     let mut scene = Scene::closed(ContactSet::EMPTY, |_| Shown::default());
     scene.context.model = smooth;
     let still = scene.dense([0.0, 1.0]);

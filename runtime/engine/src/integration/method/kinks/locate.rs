@@ -81,7 +81,7 @@ impl CutAtKinks<'_> {
         let mut values: Numbers = smallvec![0.0; self.kinks.len()];
         let mut y: Numbers = core::mem::take(&mut self.scratch.borrow_mut()[1]);
         y.resize(self.dense.entries(), 0.0);
-        self.dense.at(theta, &mut y);
+        self.dense.interpolate(theta, &mut y);
         self.values(&y, &mut values);
         self.scratch.borrow_mut()[1] = y;
         values

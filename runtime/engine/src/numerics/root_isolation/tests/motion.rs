@@ -15,7 +15,7 @@ fn swings(eta: f64) -> [usize; 3] {
     while solver.step_state().time() < end {
         solver.step().expect("a smooth motion");
         let dense = solver.dense();
-        let gap = |theta| 1.0 + eta - dense.at(theta)[0];
+        let gap = |theta| 1.0 + eta - dense.interpolate(theta)[0];
         match watch(gap, Start::Free, 1e-9).expect("finite") {
             Crossing::Touch { theta, .. } => touches.push(dense.t0 + theta * dense.h),
             Crossing::At { .. } => crossings += 1,

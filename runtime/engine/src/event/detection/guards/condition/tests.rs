@@ -8,7 +8,7 @@ use crate::system::Model;
 use liftoff_fixtures::Particle;
 
 fn layout() -> &'static Layout {
-    Model::of(&Particle { m: 1.0, g: 1.0, e: 0.0 }).layout()
+    Model::new(&Particle { m: 1.0, g: 1.0, e: 0.0 }).layout()
 }
 
 fn comparing() -> [Condition; 3] {
