@@ -149,7 +149,7 @@ fn modes_of_every_model_are_drawn() {
         let precise = model.precise(&spec.parameters).expect("equations");
         let subject = Subject::new(&simulation, precise).expect("a start");
         // Those that depend on the time, or have friction in hinges, are refused.
-        let Ok(linear) = Linearisation::of(&subject, subject.touching()) else { continue };
+        let Ok(linear) = Linearisation::compute(&subject, subject.touching()) else { continue };
         let shape = |mode: &Mode| mode.shape.iter().map(|x| [x.re, x.im]).collect();
         let modes: Vec<ModeShape> = linear
             .modes()

@@ -34,7 +34,7 @@ fn linearised(
         subject(unfolded.model(), parameters, unfolded.position(parameters, &half.positions()).unwrap());
     let reflection = unfolded.reflection(parameters, &whole.positions()).unwrap();
     let [half, whole] = [half, whole]
-        .map(|subject| Linearisation::of(&subject, subject.contacts(&supports).unwrap()).unwrap());
+        .map(|subject| Linearisation::compute(&subject, subject.contacts(&supports).unwrap()).unwrap());
     (half, whole.by_symmetry(&reflection).unwrap())
 }
 

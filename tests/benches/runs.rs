@@ -90,7 +90,7 @@ fn sensitivity(
     equations(&parameters.iter().map(|&value| Dual4::new(value, [0.0; 4])).collect::<Vec<_>>())?;
     measured(repeats, &|| {
         let run = simulation.run().expect("a run");
-        drop(black_box(Sensitivities::of(&run, equations, &variables, start)));
+        drop(black_box(Sensitivities::compute(&run, equations, &variables, start)));
     });
     Ok(())
 }

@@ -134,7 +134,7 @@ fn own_code_solves_the_full_equations() {
                     .iter()
                     .map(|name| values.iter().rev().find(|(given, _)| given == name).unwrap().1)
                     .collect();
-                let own = Interpreted::of(&analysis).model(&parameters);
+                let own = Interpreted::from_analysis(&analysis).model(&parameters);
                 let y = state(layout, &mut source);
                 let what = format!("{} {:?} at {y:?}", entry.name(), held.set);
                 compare(&what, &model, &own, held, &y, &mut tally);

@@ -32,12 +32,12 @@ impl Linearisation {
     ///
     /// # Errors
     /// The mass matrix is singular, or the equations depend on the time.
-    pub fn of(subject: &Subject, closed: ContactSet) -> Result<Self, AnalysisError> {
+    pub fn compute(subject: &Subject, closed: ContactSet) -> Result<Self, AnalysisError> {
         subject.refuse_unsuited()?;
-        Ok(Self::at(subject, &Local::of(subject, closed, &subject.state)?))
+        Ok(Self::from_local(subject, &Local::new(subject, closed, &subject.state)?))
     }
 
-    pub(crate) fn at(subject: &Subject, local: &Local<'_>) -> Self {
+    pub(crate) fn from_local(subject: &Subject, local: &Local<'_>) -> Self {
         let [stiffness, damping] = local.derivatives();
         let coordinates = subject.layout().coordinates;
         Self {
@@ -109,7 +109,7 @@ impl Linearisation {
 
     /// Modes of vibration, the fastest growing first, then the slowest.
     pub fn modes(&self) -> Vec<Mode> {
-        mode::of([&self.stiffness, &self.damping], self.time)
+        mode::compute_modes([&self.stiffness, &self.damping], self.time)
             .into_iter()
             .map(|(rate, shape)| Mode::new(rate, &self.basis.map(mode::real), &shape, &self.units))
             .collect()

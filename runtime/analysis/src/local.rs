@@ -39,7 +39,7 @@ pub(crate) struct Local<'a> {
 
 impl<'a> Local<'a> {
     /// Of the contacts of a set, closed at `state`.
-    pub(crate) fn of(
+    pub(crate) fn new(
         subject: &'a Subject,
         set: ContactSet,
         state: &[DoubleDouble],

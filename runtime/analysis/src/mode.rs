@@ -59,7 +59,7 @@ pub(crate) fn real(x: f64) -> Complex<f64> {
 }
 
 /// λ and v of all modes, one of each complex pair, and of a real pair ±λ without damping the growing one.
-pub(crate) fn of(
+pub(crate) fn compute_modes(
     [stiffness, damping]: [&DMatrix<f64>; 2],
     time: f64,
 ) -> Vec<(Complex<f64>, DVector<Complex<f64>>)> {
@@ -154,7 +154,7 @@ mod tests {
     fn rates(stiffness: &[f64]) -> Vec<Complex<f64>> {
         let k = stiffness.len().isqrt();
         let stiffness = DMatrix::from_row_slice(k, k, stiffness);
-        let found = of([&stiffness, &DMatrix::zeros(k, k)], 1.0);
+        let found = compute_modes([&stiffness, &DMatrix::zeros(k, k)], 1.0);
         let shapes: Vec<_> = found.iter().map(|(_, shape)| shape.clone()).collect();
         for (rate, shape) in &found {
             let rest = stiffness.map(real) * shape + shape * (rate * rate);

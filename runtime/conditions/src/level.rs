@@ -49,8 +49,8 @@ pub(crate) struct Level {
 impl Level {
     /// # Errors
     /// More or less than one degree of freedom; an energy that is not conserved; roots.
-    pub fn of(analysis: &Analysis, phase: &Phase, start: Start) -> Result<Self, ConditionError> {
-        let named = Named::of(analysis, phase);
+    pub fn derive(analysis: &Analysis, phase: &Phase, start: Start) -> Result<Self, ConditionError> {
+        let named = Named::new(analysis, phase);
         let coordinate = named.single_coordinate()?;
         named.conserves_energy()?;
         let level = work::limited(WORK, || level(analysis, phase, coordinate, start));

@@ -55,15 +55,15 @@ pub fn first_integrals(analysis: &Analysis) -> Vec<FirstIntegrals> {
 }
 
 fn of_phase(analysis: &Analysis, phase: &Phase) -> FirstIntegrals {
-    let title = phase::Named::of(analysis, phase).title();
-    FirstIntegrals { phase: title, set: phase.set, integrals: integrals::of(analysis, phase) }
+    let title = phase::Named::new(analysis, phase).title();
+    FirstIntegrals { phase: title, set: phase.set, integrals: integrals::find_integrals(analysis, phase) }
 }
 
 /// All that is said of a model: the conditions of every contact set that has some, and its first integrals; of one set where it
 /// is named.
 ///
 /// # Errors
-/// As [`Conditions::of`], of the set that is named, or where none is and a start is given that fits no set.
+/// As [`Conditions::derive`], of the set that is named, or where none is and a start is given that fits no set.
 pub fn sections(
     analysis: &Analysis,
     supports: Option<&str>,

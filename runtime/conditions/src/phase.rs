@@ -27,7 +27,7 @@ pub(crate) fn find<'a>(analysis: &'a Analysis, asked: &str) -> Result<&'a Phase,
         names.sort();
         names
     };
-    let titles = || analysis.phases.iter().map(|phase| Named::of(analysis, phase).title());
+    let titles = || analysis.phases.iter().map(|phase| Named::new(analysis, phase).title());
     let found = analysis.phases.iter().zip(titles()).find(|(phase, title)| {
         names(title) == names(asked) || phase.set.closed == 0 && asked.trim() == "free"
     });
@@ -38,7 +38,7 @@ pub(crate) fn find<'a>(analysis: &'a Analysis, asked: &str) -> Result<&'a Phase,
 }
 
 impl<'a> Named<'a> {
-    pub fn of(analysis: &'a Analysis, phase: &'a Phase) -> Self {
+    pub fn new(analysis: &'a Analysis, phase: &'a Phase) -> Self {
         Self { analysis, phase, writer: Writer::new(analysis) }
     }
 

@@ -40,7 +40,7 @@ impl Written<'_> {
     /// |number| · Π factorᵏ: monomials of parameters, sums, sines and cosines.
     fn factors(&self, number: &BigInt, factors: &[(Polynomial, u32)]) -> Math {
         let mut factors: Vec<&(Polynomial, u32)> = factors.iter().collect();
-        factors.sort_by_key(|(factor, _)| self.place(factor));
+        factors.sort_by_key(|(factor, _)| self.rank_factor(factor));
         let single = factors.len() == 1 && number.abs().is_one();
         let written = factors.into_iter().map(|(factor, k)| match self.sum(factor) {
             sum @ Math::Sum(_) if !single || *k > 1 => sum.group().power(*k as i32),
@@ -50,7 +50,7 @@ impl Written<'_> {
         Math::product([integer(&number.abs())].into_iter().chain(written))
     }
 
-    fn place(&self, factor: &Polynomial) -> (usize, usize, Reverse<Exponents>) {
+    fn rank_factor(&self, factor: &Polynomial) -> (usize, usize, Reverse<Exponents>) {
         let exponents = factor.leading().map(|(k, _)| k.clone()).unwrap_or_default();
         let single = factor.len() == 1;
         let plain = exponents.iter().position(|&k| k > 0).map(|at| self.ring.variables[at]);

@@ -22,7 +22,7 @@ impl ContactState {
     pub const ALL: [Self; 5] = [Self::Open, Self::Closed, Self::Sticking, Self::Forward, Self::Backward];
 
     /// That of a contact in a contact set.
-    pub fn of(set: ContactSet, index: usize, contact: &Contact) -> Self {
+    pub fn new(set: ContactSet, index: usize, contact: &Contact) -> Self {
         match set.slip(index) {
             _ if !set.contains(index) => Self::Open,
             _ if contact.rough => Self::Sticking,

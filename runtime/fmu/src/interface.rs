@@ -65,7 +65,7 @@ impl Interface {
     ///
     /// # Errors
     /// Values that are missing, or from which the model cannot begin.
-    pub fn of(model: &Entry, spec: &RunSpec) -> Result<Self, FmuError> {
+    pub fn from_model(model: &Entry, spec: &RunSpec) -> Result<Self, FmuError> {
         let layout = model.layout();
         let exchange_lacks = exchange_lacks(layout, spec);
         let guards = if exchange_lacks.is_none() { Guard::all(layout) } else { Vec::new() };

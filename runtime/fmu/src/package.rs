@@ -18,9 +18,9 @@ use zip::write::SimpleFileOptions;
 /// # Errors
 /// A parameter has no value, the default values make no start, or the library is not there or is another.
 pub fn write(model: &Entry, library: &Path) -> Result<Vec<u8>, FmuError> {
-    let library = read(library)?;
-    let resources = Resources::of(model);
-    let interface = Interface::of(model, &resources.spec)?;
+    let library = read_library(library)?;
+    let resources = Resources::from_model(model);
+    let interface = Interface::from_model(model, &resources.spec)?;
     let identifier = identifier(model.name());
     let token = resources.token()?;
     let head = Head {
@@ -44,7 +44,7 @@ pub fn write(model: &Entry, library: &Path) -> Result<Vec<u8>, FmuError> {
 }
 
 /// The library, if it is one of this version.
-fn read(path: &Path) -> Result<Vec<u8>, FmuError> {
+fn read_library(path: &Path) -> Result<Vec<u8>, FmuError> {
     if !path.exists() {
         return Err(FmuError::NoLibrary(path.to_owned()));
     }

@@ -21,7 +21,7 @@ pub struct Resources {
 
 impl Resources {
     /// Those of a model with its default values.
-    pub fn of(model: &Entry) -> Self {
+    pub fn from_model(model: &Entry) -> Self {
         let declaration = format!("#[derive(BarSystem)]\n{}", model.layout().declaration);
         let spec = RunSpec { until: Vec::new(), stop_at_impacts: false, limit: None, ..model.default_run() };
         Self { declaration, spec }
@@ -31,7 +31,7 @@ impl Resources {
     ///
     /// # Errors
     /// A file cannot be read.
-    pub fn read(folder: &Path) -> Result<Self, FmuError> {
+    pub fn load(folder: &Path) -> Result<Self, FmuError> {
         let text = |name: &str| {
             let path = folder.join(name);
             std::fs::read_to_string(&path).map_err(|error| resource(&path, &error))

@@ -16,7 +16,7 @@ fn model(text: &str) -> Entry {
 
 fn described(text: &str) -> String {
     let model = model(text);
-    let interface = Interface::of(&model, &Resources::of(&model).spec).expect("values");
+    let interface = Interface::from_model(&model, &Resources::from_model(&model).spec).expect("values");
     let head = Head {
         name: "FallingPair",
         identifier: "falling_pair",
@@ -44,7 +44,7 @@ fn friction_is_described() {
 #[test]
 fn names_and_summaries_are_escaped() {
     let model = model(FIG_1A);
-    let interface = Interface::of(&model, &Resources::of(&model).spec).expect("values");
+    let interface = Interface::from_model(&model, &Resources::from_model(&model).spec).expect("values");
     let head = Head { name: "A", identifier: "a", token: "t", summary: "a < b & \"c\"", stop: None };
     let text = description(&head, &interface).expect("a description");
     assert!(text.contains("description=\"a &lt; b &amp; &quot;c&quot;\"") && !text.contains("stopTime"));
@@ -76,11 +76,11 @@ fn what_no_guard_tells_is_for_co_simulation() {
 
 #[test]
 fn the_token_follows_the_declaration_and_the_run() {
-    let token = |text: &str| Resources::of(&model(text)).token().expect("a token");
+    let token = |text: &str| Resources::from_model(&model(text)).token().expect("a token");
     assert_eq!(token(FIG_1A), token(FIG_1A));
     assert_ne!(token(FIG_1A), token(&FIG_1A.replace("phi = 0.1", "phi = 0.2")));
     assert_ne!(token(FIG_1A), token(&FIG_1A.replace("value(9.81", "value(9.82")));
-    let resources = Resources::of(&model(FIG_1A));
+    let resources = Resources::from_model(&model(FIG_1A));
     let other =
         Resources { spec: RunSpec { tolerance: 1e-9, ..resources.spec.clone() }, ..resources.clone() };
     assert_ne!(resources.token().ok(), other.token().ok());
@@ -104,8 +104,8 @@ fn a_unit_carries_what_its_library_reads() {
         file.read_to_string(&mut text).expect("a text");
         fs::write(folder.join(name), text).expect("a file");
     }
-    let read = Resources::read(&folder).expect("resources");
-    assert_eq!(read, Resources::of(&model(FIG_1A)));
+    let read = Resources::load(&folder).expect("resources");
+    assert_eq!(read, Resources::from_model(&model(FIG_1A)));
     assert_eq!(read.model().expect("a model").name(), "falling-pair");
     let binary =
         format!("binaries/{}/falling_pair{}", crate::platform::platform(), std::env::consts::DLL_SUFFIX);
@@ -116,6 +116,8 @@ fn a_unit_carries_what_its_library_reads() {
 #[test]
 fn parameters_need_values() {
     let without = model(&FIG_1A.replace("#[value(1, unit = \"m\")]", ""));
-    let error = Interface::of(&without, &Resources::of(&without).spec).map(drop).expect_err("no value");
+    let error = Interface::from_model(&without, &Resources::from_model(&without).spec)
+        .map(drop)
+        .expect_err("no value");
     assert_eq!(error.to_string(), "parameter `l` has no value to begin with: declare one, #[value(…)]");
 }

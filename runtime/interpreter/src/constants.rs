@@ -19,7 +19,7 @@ pub(crate) struct Constants {
 
 impl Constants {
     /// What these outputs use of the constant part of a program.
-    pub fn of(program: &Program, outputs: &[Id], parameters: usize, contacts: usize) -> Self {
+    pub fn collect(program: &Program, outputs: &[Id], parameters: usize, contacts: usize) -> Self {
         let ids: Vec<Id> = program.used_constants(outputs).into_iter().collect();
         let source = |symbol: Symbol| match symbol {
             Symbol::Parameter(i) => Source::Input(i.into()),

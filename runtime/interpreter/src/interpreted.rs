@@ -32,18 +32,18 @@ fn on<S: Number>(values: &[f64]) -> Vec<S> {
 
 impl Interpreted {
     /// What was derived of a declaration. Its names are kept as long as the program runs, once for each declaration.
-    pub fn of(analysis: &Analysis) -> Arc<Self> {
+    pub fn from_analysis(analysis: &Analysis) -> Arc<Self> {
         let functions = &analysis.functions;
         let (parameters, contacts) = (analysis.system.parameters.len(), analysis.motion.contacts.len());
         let mut outputs = functions.outputs();
         outputs.extend(functions.kinks.iter().map(|kink| kink.value()));
-        let constants = Constants::of(&functions.program, &outputs, parameters, contacts);
-        let full = FullCode::of(analysis, &constants.ids);
-        let phases = functions.phases.iter().map(|phase| PhaseCode::of(analysis, &constants.ids, phase));
+        let constants = Constants::collect(&functions.program, &outputs, parameters, contacts);
+        let full = FullCode::lower(analysis, &constants.ids);
+        let phases = functions.phases.iter().map(|phase| PhaseCode::lower(analysis, &constants.ids, phase));
         Arc::new(Self {
-            layout: layout::of(analysis),
+            layout: layout::build_layout(analysis),
             phases: phases.collect(),
-            numbers: ParameterNumbers::of(analysis),
+            numbers: ParameterNumbers::from_analysis(analysis),
             restitution: numbers::restitution(analysis).map(|numbers| of_parameters(&numbers, parameters)),
             full,
             constants,

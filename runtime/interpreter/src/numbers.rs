@@ -18,7 +18,7 @@ pub(crate) struct ParameterNumbers {
 }
 
 impl ParameterNumbers {
-    pub fn of(analysis: &Analysis) -> Self {
+    pub fn from_analysis(analysis: &Analysis) -> Self {
         let measures = numbers::measures(analysis);
         let entries = measures.entries.into_iter();
         let drawn = Geometry::from_system(&analysis.system, &analysis.kinematics.coordinates);

@@ -25,7 +25,7 @@ pub(crate) trait Number: Scalar + Pooled {
 impl Number for f64 {
     #[cfg(feature = "jit")]
     fn run(code: &Code, registers: &mut [Self]) {
-        match code.native.get(|| crate::native::Straight::of(code)) {
+        match code.native.get(|| crate::native::Straight::compile(code)) {
             Some(native) => native.call(registers),
             None => code::run(&code.instructions, &code.ratios, registers),
         }

@@ -89,7 +89,7 @@ impl Auditor<'_> {
 
     fn gaps(&mut self, seen: &Seen, closed: &[usize]) -> Result<(), Finding> {
         let (scene, length) = (self.scene, self.scene.length);
-        let expansion = Expansion::at(scene, &seen.state);
+        let expansion = Expansion::new(scene, &seen.state);
         let value = |node| expansion.series.get(node, 0).to_f64();
         let speed = scene.speed(&seen.state).max(length / self.record.time);
         for (i, contact) in scene.contacts.iter().enumerate() {
@@ -158,7 +158,7 @@ impl Auditor<'_> {
         };
         let bearing: Vec<usize> =
             held.iter().copied().chain(decision.bearing.iter().map(|(i, _)| *i)).collect();
-        let Some(expansion) = Expansion::of(scene, &state, &bearing, 1) else { return Ok(()) };
+        let Some(expansion) = Expansion::solve(scene, &state, &bearing, 1) else { return Ok(()) };
         let a: Vec<Number> = expansion.accelerations(Number::ZERO);
         let natural = scene.length / self.record.time.powi(2);
         for (i, order) in decision.opening {

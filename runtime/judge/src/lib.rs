@@ -46,12 +46,12 @@ impl Judge {
     /// # Errors
     /// The declaration is not understood, or too large; or parameters are so far from one that
     /// products of double-doubles lose their second half.
-    pub fn of(declaration: &str, parameters: &[f64], coordinates: &[&str]) -> Result<Self, SceneError> {
+    pub fn new(declaration: &str, parameters: &[f64], coordinates: &[&str]) -> Result<Self, SceneError> {
         let is_far = |x: f64| x != 0.0 && !(1.0 / LARGE..=LARGE).contains(&x.abs());
         if let Some(&far) = parameters.iter().find(|x| is_far(**x)) {
             return Err(SceneError::Range(format!("{far:e}")));
         }
-        Ok(Self { scene: Scene::of(declaration, parameters, coordinates)? })
+        Ok(Self { scene: Scene::new(declaration, parameters, coordinates)? })
     }
 
     /// The motion by itself, in double-double.

@@ -28,7 +28,7 @@ impl<S: Scalar> Scene<S> {
         let turning: Vec<&Row> = angular.iter().map(|&i| rows[i]).collect();
         self.newton(&mut state, &turning, |i| target(angular[i]), 1);
         let left = self.newton(&mut state, &rows, target, ITERATIONS);
-        let expansion = Expansion::at(self, &state);
+        let expansion = Expansion::new(self, &state);
         let rates: Vec<S> = rows
             .iter()
             .enumerate()
@@ -53,7 +53,7 @@ impl<S: Scalar> Scene<S> {
         let rows: Vec<&Row> = positions.iter().map(|&i| &self.readings[i]).chain(holonomic).collect();
         let target = |i: usize| positions.get(i).map_or(S::ZERO, |&entry| public[entry]);
         self.newton(state, &rows, target, ITERATIONS);
-        let expansion = Expansion::at(self, state);
+        let expansion = Expansion::new(self, state);
         let rows: Vec<&Row> = rates.iter().map(|&i| &self.readings[i - m]).chain(closed).collect();
         let wanted = |i: usize| rates.get(i).map_or(S::ZERO, |&entry| public[entry]);
         let targets: Vec<S> =
@@ -75,7 +75,7 @@ impl<S: Scalar> Scene<S> {
             }
         }
         let (state, _) = self.placed(S::ZERO, &public, &self.figure);
-        let series = Expansion::at(self, &state).series;
+        let series = Expansion::new(self, &state).series;
         for &(measured, taken) in turned {
             let whole = S::from_f64(turns(series.get(measured, 0)));
             self.tape.adjust(taken, whole * (S::pi() + S::pi()));
@@ -90,7 +90,7 @@ impl<S: Scalar> Scene<S> {
     fn newton(&self, state: &mut State<S>, rows: &[&Row], target: impl Fn(usize) -> S, most: usize) -> f64 {
         let mut best = f64::INFINITY;
         for _ in 0..most {
-            let expansion = Expansion::at(self, state);
+            let expansion = Expansion::new(self, state);
             let value = |row: &Row| row.value.map_or(S::ZERO, |node| expansion.series.get(node, 0));
             let residuals: Vec<S> = rows.iter().enumerate().map(|(i, row)| target(i) - value(row)).collect();
             let unit = |row: &Row| if self.is_angular(row) { 1.0 } else { self.length };
@@ -125,14 +125,14 @@ impl<S: Scalar> Scene<S> {
         }
         let mut right = vec![S::ZERO; n];
         right.extend(targets);
-        let (mut x, ..) = Factors::of(matrix, n).solve(&right);
+        let (mut x, ..) = Factors::factorise(matrix, n).solve(&right);
         x.truncate(n);
         x
     }
 
     /// Coordinates and rates as a user sees them.
     pub(crate) fn public(&self, state: &State<S>) -> Vec<S> {
-        let expansion = Expansion::at(self, state);
+        let expansion = Expansion::new(self, state);
         let value = |row: &Row| row.value.map_or(S::ZERO, |node| expansion.series.get(node, 0));
         let values = self.readings.iter().map(value);
         values.chain(self.readings.iter().map(|row| expansion.rate(row))).collect()
@@ -143,7 +143,7 @@ impl<S: Scalar> Scene<S> {
         let rows: Vec<&Row> = slots.iter().map(|&slot| self.slot(slot)).collect();
         let holonomic: Vec<&Row> = rows.iter().copied().filter(|row| row.value.is_some()).collect();
         let left = self.newton(state, &holonomic, |_| S::ZERO, 8);
-        let expansion = Expansion::at(self, state);
+        let expansion = Expansion::new(self, state);
         let targets: Vec<S> = rows.iter().map(|row| -expansion.rate(row)).collect();
         let change = self.nearest(&expansion, &rows, &targets);
         state.v.iter_mut().zip(&change).for_each(|(v, &change)| *v = *v + change);
@@ -160,7 +160,7 @@ impl<S: Scalar> Scene<S> {
     pub(crate) fn energy(&self, state: &State<S>) -> [S; 2] {
         let squares = state.v.iter().zip(&self.masses).map(|(&v, &m)| m * v * v);
         let kinetic = squares.fold(S::ZERO, |sum, x| sum + x) / whole(2);
-        let expansion = Expansion::at(self, state);
+        let expansion = Expansion::new(self, state);
         [kinetic, expansion.series.get(self.potential, 0)]
     }
 }

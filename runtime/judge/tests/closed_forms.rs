@@ -35,7 +35,7 @@ const BALL: &str = "#[gravity(g)] #[particle(P, mass = m)] #[support(P = floor, 
 /// tₙ = √(2h/g) (1 + 2e + … + 2eⁿ).
 #[test]
 fn a_ball_bounces() {
-    let judge = Judge::of(BALL, &[1.0, 9.81, 0.8], &["x", "y"]).expect("a scene");
+    let judge = Judge::new(BALL, &[1.0, 9.81, 0.8], &["x", "y"]).expect("a scene");
     let motion = follow(&judge, &[0.0, 1.0, 0.0, 0.0], 2.5);
     let expected = [
         "0.45152364098573089300438960606833",
@@ -55,7 +55,7 @@ fn a_ball_bounces() {
 /// √(2h/g) (1 + e)/(1 − e) for e = 0.8, h = 1: 9 √(2/g).
 #[test]
 fn infinitely_many_impacts_come_to_their_end() {
-    let judge = Judge::of(BALL, &[1.0, 2.0, 0.8], &["x", "y"]).expect("a scene");
+    let judge = Judge::new(BALL, &[1.0, 2.0, 0.8], &["x", "y"]).expect("a scene");
     let motion = follow(&judge, &[0.0, 1.0, 1.0, 0.0], 10.0);
     let last = motion.events.last().expect("events");
     assert_eq!(last.change, Change::Settle);
@@ -76,7 +76,7 @@ fn the_feet_of_the_zigzag_open_one_after_the_other() {
         #[figure(A = (-6 * l / 5, 0), B = (-3 * l / 5, 4 * l / 5), C = (0, 0))] \
         #[coordinate(outer = angle(AB), from = right)] #[coordinate(inner = angle(BC), from = right)] \
         #[coordinate(y = y(C))] struct Zigzag { m1: f64, m2: f64, l: f64, g: f64 }";
-    let judge = Judge::of(text, &[0.5, 0.5, 1.0, 1.0], &["outer", "inner", "y"]);
+    let judge = Judge::new(text, &[0.5, 0.5, 1.0, 1.0], &["outer", "inner", "y"]);
     let judge = judge.unwrap_or_else(|error| panic!("{error}"));
     let phi: f64 = 1.2;
     // On the energy level of rest at π/2.
@@ -97,7 +97,7 @@ fn units_do_not_matter() {
         #[figure(D = (0, 0), A = (-l, 0), B = (l, 0))] #[coordinate(phi = angle(DB), from = horizontal)] \
         #[coordinate(y = -y(D))] #[mirror(x = 0)] struct Pair { m: f64, l: f64, g: f64 }";
     for [m, l, t] in [[1.0; 3], [1.0, 1e9, 1.0], [1.0, 1e-9, 1.0], [1.0, 1.0, 1e9], [1e9, 1.0, 1e-9]] {
-        let judge = Judge::of(text, &[m, l, 9.81 * l / t / t], &["phi", "y"]).expect("a scene");
+        let judge = Judge::new(text, &[m, l, 9.81 * l / t / t], &["phi", "y"]).expect("a scene");
         let phi: f64 = 0.1;
         let motion = follow(&judge, &[phi, 0.5 * l * phi.tan(), 0.0, 0.0], 1.2 * t);
         assert_eq!(motion.events[0].contacts, [0, 1]);
@@ -110,7 +110,7 @@ fn units_do_not_matter() {
 #[test]
 fn conditions_are_met() {
     use liftoff_judge::{Condition, Expression, Function, Operator, Relation};
-    let judge = Judge::of(BALL, &[1.0, 2.0, 1.0], &["x", "y"]).expect("a scene");
+    let judge = Judge::new(BALL, &[1.0, 2.0, 1.0], &["x", "y"]).expect("a scene");
     let y = |order| Expression::Coordinate { index: 1, order };
     let condition = |difference, relation| Condition { difference, relation, action: None };
     let less = |a, b| Expression::Join(Operator::Subtract, Box::new(a), Box::new(Expression::Number(b)));
@@ -151,7 +151,7 @@ fn loops_pass_singular_positions() {
         #[figure(B = (0, l), D = (l, l), F = (2 * l, l))] #[coordinate(phi = -angle(AB), from = up)] \
         #[coordinate(phi_c = -angle(CD), from = up)] #[coordinate(phi_e = -angle(EF), from = up)] \
         #[coordinate(psi_b = angle(BD))] #[coordinate(psi_d = angle(DF))] struct Bars { m: f64, l: f64, g: f64 }";
-    let judge = Judge::of(text, &[1.0, 1.0, 9.0], &["phi", "phi_c", "phi_e", "psi_b", "psi_d"]);
+    let judge = Judge::new(text, &[1.0, 1.0, 9.0], &["phi", "phi_c", "phi_e", "psi_b", "psi_d"]);
     let judge = judge.unwrap_or_else(|error| panic!("{error}"));
     let motion = follow(&judge, &[0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 0.0, 0.0], 4.0);
     let (phi, rate) = (motion.end[0], motion.end[5]);

@@ -53,7 +53,7 @@ fn fall(lambda: f64, delta: f64, t: f64) -> f64 {
 fn bars_fall_together() {
     for lambda in [0.1, 0.5, 0.75] {
         let judge =
-            Judge::of(ZIGZAG, &[1.0 - lambda, lambda, 1.0, GRAVITY], &["phi_inner", "phi_outer", "y"]);
+            Judge::new(ZIGZAG, &[1.0 - lambda, lambda, 1.0, GRAVITY], &["phi_inner", "phi_outer", "y"]);
         let judge = judge.unwrap_or_else(|error| panic!("{error}"));
         for delta in [1e-1, 1e-4, 1e-8, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15] {
             let phi = FRAC_PI_2 - delta;

@@ -12,7 +12,7 @@ fn ball() -> Judge {
     let text = "#[gravity(g)] #[particle(P, mass = m)] #[support(P = floor, restitution = e)] \
         #[figure(P = (0, 1))] #[coordinate(x = x(P))] #[coordinate(y = y(P))] \
         struct Ball { m: f64, g: f64, e: f64 }";
-    Judge::of(text, &[2.0, G, E], &["x", "y"]).expect("a scene")
+    Judge::new(text, &[2.0, G, E], &["x", "y"]).expect("a scene")
 }
 
 fn falling(t: f64) -> (f64, Vec<f64>) {
@@ -91,7 +91,7 @@ fn a_jump_does_not() {
 fn a_contact_that_pulls_does_not() {
     let text = "#[gravity(0, g)] #[particle(P, mass = m)] #[support(P = floor)] #[figure(P = (0, 1))] \
         #[coordinate(x = x(P))] #[coordinate(y = y(P))] struct Lifted { m: f64, g: f64 }";
-    let judge = Judge::of(text, &[2.0, G], &["x", "y"]).expect("a scene");
+    let judge = Judge::new(text, &[2.0, G], &["x", "y"]).expect("a scene");
     let still = |t: f64| (t, vec![0.0; 4]);
     let samples = [0.0, 0.5, 1.0].map(still).to_vec();
     let record = Record {
@@ -114,7 +114,7 @@ fn a_lateness_that_errors_at_the_start_make_is_none() {
         #[support(P = corner(-l / 2, 0), under = AD)] #[support(Q = corner(l / 2, 0), under = DB)] \
         #[figure(D = (0, 0), A = (-l, 0), B = (l, 0))] #[coordinate(phi = angle(DB), from = horizontal)] \
         #[coordinate(y = -y(D))] #[mirror(x = 0)] struct Pair { m: f64, l: f64, g: f64 }";
-    let judge = Judge::of(text, &[1.0, 1.0, 1.0], &["phi", "y"]).expect("a scene");
+    let judge = Judge::new(text, &[1.0, 1.0, 1.0], &["phi", "y"]).expect("a scene");
     let start = vec![1e-9, 0.5e-9, 0.0, 0.0];
     let motion = judge.follow(&Task::new(&start, 31_354.0));
     let open = &motion.events[0];
@@ -142,7 +142,7 @@ fn a_lateness_that_errors_at_the_start_make_is_none() {
 
 #[test]
 fn what_is_not_understood_is_not_judged() {
-    assert!(Judge::of("struct Nothing", &[], &[]).is_err());
+    assert!(Judge::new("struct Nothing", &[], &[]).is_err());
     let verdict = ball().verdict(&Record::default(), MOST_WORK);
     assert!(matches!(verdict, Verdict::NotJudged { .. }), "{verdict}");
 }

@@ -35,7 +35,7 @@ pub(crate) fn by(environment: &dyn Fn(&str) -> Option<String>) -> Option<Launche
 mod tests {
     use super::*;
 
-    fn of(variables: &[(&str, &str)]) -> Option<(&'static str, Option<usize>)> {
+    fn find_launcher(variables: &[(&str, &str)]) -> Option<(&'static str, Option<usize>)> {
         let value =
             |name: &str| variables.iter().find(|(known, _)| *known == name).map(|(_, v)| (*v).to_owned());
         by(&value).map(|launched| (launched.variable, launched.count))
@@ -43,11 +43,14 @@ mod tests {
 
     #[test]
     fn launchers_are_known_by_their_variables() {
-        assert_eq!(of(&[("SLURM_NTASKS", "4")]), None);
-        assert_eq!(of(&[("PMIX_RANK", "0"), ("OMPI_COMM_WORLD_SIZE", "3")]), Some((COUNTS[0], Some(3))));
-        assert_eq!(of(&[("PMI_SIZE", "2")]), Some((COUNTS[1], Some(2))));
-        assert_eq!(of(&[("PMIX_RANK", "1")]), Some((RANK, None)));
-        assert_eq!(of(&[("PMI_SIZE", "two")]), Some((COUNTS[1], None)));
+        assert_eq!(find_launcher(&[("SLURM_NTASKS", "4")]), None);
+        assert_eq!(
+            find_launcher(&[("PMIX_RANK", "0"), ("OMPI_COMM_WORLD_SIZE", "3")]),
+            Some((COUNTS[0], Some(3)))
+        );
+        assert_eq!(find_launcher(&[("PMI_SIZE", "2")]), Some((COUNTS[1], Some(2))));
+        assert_eq!(find_launcher(&[("PMIX_RANK", "1")]), Some((RANK, None)));
+        assert_eq!(find_launcher(&[("PMI_SIZE", "two")]), Some((COUNTS[1], None)));
         let follows = |rank: Option<&str>| follows(&|name| (name == "PMI_RANK").then_some(rank?.to_owned()));
         assert_eq!([None, Some("0"), Some("2")].map(follows), [false, false, true]);
     }

@@ -28,4 +28,4 @@ pub use error::ReplayError;
 pub use kinematic::difference;
 pub use number::Number;
 pub use reading::{Moment, Reading};
-pub use replay::{Replayed, read, replay};
+pub use replay::{Replayed, replay, replay_outputs};

@@ -19,7 +19,7 @@ pub(crate) struct ReplayModel<S: Number> {
 
 impl<S: Number> ReplayModel<S> {
     /// The model of a run on these numbers.
-    pub(crate) fn of(run: &Trajectory, on: ModelOn<S>) -> Self {
+    pub(crate) fn new(run: &Trajectory, on: ModelOn<S>) -> Self {
         let Scales { length, time, .. } = run.scales();
         Self { on, units: run.scales().state(run.layout()), length, time }
     }

@@ -45,7 +45,7 @@ pub fn replay<S: Number>(
     tolerance: f64,
     samples: &[f64],
 ) -> Result<Replayed<S>, ReplayError> {
-    let model = ReplayModel::of(run, model);
+    let model = ReplayModel::new(run, model);
     let mut replay = Replay::new(&model, run, start, tolerance, f64::INFINITY)?;
     replay.wanted = samples;
     replay.play(usize::MAX)?;
@@ -57,7 +57,7 @@ pub fn replay<S: Number>(
 ///
 /// # Errors
 /// The motion cannot be computed once more, an output has no value on these numbers, or the run does not have its moment.
-pub fn read<S: Number>(
+pub fn replay_outputs<S: Number>(
     run: &Trajectory,
     model: ModelOn<S>,
     start: &[S],
@@ -66,7 +66,7 @@ pub fn read<S: Number>(
 ) -> Result<Vec<S>, ReplayError> {
     let readings = located(run, &run.segments(), readings)?;
     let Some(last) = readings.last().copied() else { return Ok(Vec::new()) };
-    let model = ReplayModel::of(run, model);
+    let model = ReplayModel::new(run, model);
     let mut replay = Replay::new(&model, run, start, tolerance, last.t)?;
     replay.values = vec![S::ZERO; readings.len()];
     replay.readings = readings;

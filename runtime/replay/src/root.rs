@@ -103,7 +103,7 @@ impl<S: Number> EventRefinement<'_, S> {
         let Some(moment) = S::infinitesimal() else { return Ok((root, state)) };
         let mut next = state.clone();
         integrator.shift(&mut next, moment);
-        let slope = (self.at(guard, root + moment, &next)? - value).part(1);
+        let slope = (self.evaluate_guard(guard, root + moment, &next)? - value).part(1);
         let h = SPAN * self.model.time;
         let [late, early] = [1.0, -1.0].map(|sign| root + S::from_f64(sign * h));
         let change = self.value(guard, late, integrator)?.0 - self.value(guard, early, integrator)?.0;
@@ -126,11 +126,11 @@ impl<S: Number> EventRefinement<'_, S> {
         let t = self.t.to_f64();
         let mut state = self.state.to_vec();
         integrator.refine(&mut state, after).map_err(|failure| failed(failure, t))?;
-        Ok((self.at(guard, after, &state)?, state))
+        Ok((self.evaluate_guard(guard, after, &state)?, state))
     }
 
     /// The guard at a reduced state after a time.
-    fn at(&self, guard: Guard, after: S, state: &[S]) -> Result<S, ReplayError> {
+    fn evaluate_guard(&self, guard: Guard, after: S, state: &[S]) -> Result<S, ReplayError> {
         let instant = Instant::new(self.model, self.phase, self.t + after, state);
         let unsupported = |what: Unsupported| ReplayError::Condition { t: self.t.to_f64(), feature: what.0 };
         instant.guard(guard, self.conditions).map_err(unsupported)

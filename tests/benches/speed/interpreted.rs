@@ -34,7 +34,7 @@ fn row(name: &str, start: &[(&str, f64)], until: Option<&str>) -> Result<Value> 
     };
     let text = compiled.layout().declaration;
     let derived = || -> Result<Entry> {
-        Ok(Entry::interpreted(Interpreted::of(&liftoff_codegen::analyse(text.parse()?)?)))
+        Ok(Entry::interpreted(Interpreted::from_analysis(&liftoff_codegen::analyse(text.parse()?)?)))
     };
     let own = derived()?;
     let first = || black_box(derived().and_then(|entry| Ok(entry.run(&spec)?))).is_ok();

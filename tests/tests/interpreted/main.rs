@@ -18,7 +18,7 @@ use liftoff_studio::run_spec::Values;
 fn each(mut compare: impl FnMut(&Entry, &Arc<Interpreted>)) {
     for entry in models().with(guides::models()).with(clutches::models()).iter() {
         let analysis = liftoff_codegen::analyse(entry.layout().declaration.parse().unwrap()).unwrap();
-        compare(entry, &Interpreted::of(&analysis));
+        compare(entry, &Interpreted::from_analysis(&analysis));
     }
 }
 

@@ -238,7 +238,9 @@ fn check_conditions(analysis: &Analysis, at: Option<f64>, source: &mut Source, s
                 .map(|(name, value)| (name.to_owned(), value))
                 .to_vec(),
         });
-        let Ok(conditions) = Conditions::of(analysis, &writer.title(phase.set), &request) else { continue };
+        let Ok(conditions) = Conditions::derive(analysis, &writer.title(phase.set), &request) else {
+            continue;
+        };
         let from = at.unwrap_or_else(|| source.range(0.3, 1.3));
         let shown = printed(shown.into_iter().chain([(Math::symbol(&format!("{name}_0")), from)]));
         let reactions = conditions.reactions.iter().map(|condition| &condition.reaction);

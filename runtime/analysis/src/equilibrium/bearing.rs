@@ -44,15 +44,15 @@ pub(super) fn loads(
     set: ContactSet,
     state: &[DoubleDouble],
 ) -> Option<(Vec<Load>, Vec<JointForce>)> {
-    let shares = Shares::of(subject, set, state)?;
+    let shares = Shares::compute(subject, set, state)?;
     let forces = shares.joint_forces(subject, state);
     let layout = subject.layout();
     let mut loads = Vec::new();
     for contact in set.iter() {
-        let normal = shares.range(shares.place(contact)?)?;
+        let normal = shares.range(shares.find_index(contact)?)?;
         let tangent = layout.tangents.iter().position(|of| *of == contact);
         let tangent = tangent.map(|k| layout.contacts.len() + layout.joints.len() + k);
-        let friction = match tangent.and_then(|row| shares.place(row)) {
+        let friction = match tangent.and_then(|row| shares.find_index(row)) {
             Some(place) => Some(shares.range(place)?),
             None => None,
         };
@@ -77,7 +77,7 @@ struct Shares {
 }
 
 impl Shares {
-    fn of(subject: &Subject, set: ContactSet, state: &[DoubleDouble]) -> Option<Self> {
+    fn compute(subject: &Subject, set: ContactSet, state: &[DoubleDouble]) -> Option<Self> {
         let layout = subject.layout();
         let equations = subject.system.equations(state);
         let n = layout.coordinates.len();
@@ -142,7 +142,7 @@ impl Shares {
         found.collect()
     }
 
-    fn place(&self, row: usize) -> Option<usize> {
+    fn find_index(&self, row: usize) -> Option<usize> {
         self.rows.iter().position(|known| *known == row)
     }
 

@@ -33,7 +33,7 @@ pub(super) fn equilibrium(
     let natural = |a: &DVector<f64>| a.norm() * time * time / unit;
     let mut is_last = false;
     for _ in 0..ITERATIONS {
-        let local = Local::of(subject, set, &state).ok()?;
+        let local = Local::new(subject, set, &state).ok()?;
         let force = local.at_rest();
         if force.is_empty() || !force.iter().all(|a| a.is_finite()) {
             return force.is_empty().then_some(state);
@@ -52,7 +52,7 @@ pub(super) fn equilibrium(
         let mut step = step * (reach * FARTHEST / length).min(1.0);
         let better = |step: &DVector<f64>| {
             let state = closed(subject, set, local.state_at(step))?;
-            let moved = Local::of(subject, set, &state).ok()?.at_rest();
+            let moved = Local::new(subject, set, &state).ok()?.at_rest();
             (natural(&moved) < natural(&force)).then_some(state)
         };
         let found = (0..HALVINGS).find_map(|_| {

@@ -122,13 +122,13 @@ pub(super) fn described(
     let Some((loads, joint_forces)) = loads(subject, touching, state) else { return Ok(None) };
     let idle = touching.iter().zip(&loads).filter(|(_, load)| !load.bears).map(|(i, _)| i);
     let bearing = touching.difference(idle.collect()).union(layout.guides());
-    let local = Local::of(subject, subject.sticking(bearing), state)?;
+    let local = Local::new(subject, subject.sticking(bearing), state)?;
     Ok(Some(Equilibrium {
         closed: touching.iter().flat_map(|i| layout.contacts[i].supports).copied().collect(),
         positions: positions(subject, state),
         loads,
         joint_forces,
-        linear: Linearisation::at(subject, &local),
+        linear: Linearisation::from_local(subject, &local),
         time: subject.scales.time,
         coordinates: layout.coordinates,
     }))

@@ -83,7 +83,7 @@ impl ReturnMap<'_> {
         let state = full(layout, moved(state, &[]));
         let equations = model.system.equations(&state);
         let value = |row: Held| {
-            let value = row.of(&equations, &state).map_or(0.0, |value| value.value());
+            let value = row.evaluate(&equations, &state).map_or(0.0, |value| value.value());
             (value * at.natural(layout, row)).abs() <= CLOSED
         };
         let mut held = Vec::new();
@@ -114,7 +114,7 @@ impl ReturnMap<'_> {
             let state = full(layout, moved(state, four));
             let equations = model.system.equations(&state);
             for (i, row) in held.iter().enumerate() {
-                let value = row.of(&equations, &state).or_else(|| self.section.height(model, &state));
+                let value = row.evaluate(&equations, &state).or_else(|| self.section.height(model, &state));
                 let value = value.unwrap_or(Dual4::constant(0.0));
                 let scale = at.natural(layout, *row);
                 values[i] = value.value() * scale;
@@ -176,7 +176,7 @@ impl Place {
 
 impl Held {
     /// What is zero, but for the section.
-    fn of(self, equations: &Equations<Dual4>, state: &[Dual4]) -> Option<Dual4> {
+    fn evaluate(self, equations: &Equations<Dual4>, state: &[Dual4]) -> Option<Dual4> {
         match self {
             Self::Gap(row) => Some(equations.gap()[row]),
             Self::Rate(row) => {

@@ -16,7 +16,7 @@ mod start;
 use liftoff::Trajectory;
 use liftoff_core::scalar::Dual4;
 use liftoff_core::system::ModelOn;
-use liftoff_replay::{Reading, ReplayError, Replayed, read, replay};
+use liftoff_replay::{Reading, ReplayError, Replayed, replay, replay_outputs};
 
 use crate::SensitivityError;
 pub(crate) use direction::{Direction, WIDTH, moved, parameters};
@@ -56,7 +56,7 @@ impl Sensitivities {
     /// # Errors
     /// The run cannot be computed once more; its start cannot be varied; it has events without derivatives, that graze, come
     /// apart or are infinitely many.
-    pub fn of(
+    pub fn compute(
         run: &Trajectory,
         model: impl Fn(&[Dual4]) -> Result<ModelOn<Dual4>, String>,
         variables: &[Variable],
@@ -67,7 +67,7 @@ impl Sensitivities {
         let replayed = along(run, &model, &directions)?;
         let mut all: Option<Self> = None;
         for (replayed, four) in replayed.iter().zip(directions.chunks(WIDTH)) {
-            let found = Self::read(replayed, four);
+            let found = Self::from_replay(replayed, four);
             match &mut all {
                 Some(all) => all.append(found),
                 None => all = Some(found),
@@ -76,7 +76,7 @@ impl Sensitivities {
         all.ok_or(SensitivityError::NoVariable)
     }
 
-    fn read(replayed: &Replayed<Dual4>, directions: &[Direction]) -> Self {
+    fn from_replay(replayed: &Replayed<Dual4>, directions: &[Direction]) -> Self {
         let row = |x: &Dual4| x.gradient().iter().zip(directions).map(|(x, of)| x / of.unit).collect();
         let rows = |state: &Vec<Dual4>| state.iter().map(row).collect();
         let events = replayed.times.iter().zip(&replayed.states);
@@ -116,7 +116,9 @@ pub(crate) fn read_along(
     directions: &[Direction],
     readings: &[Reading<'_>],
 ) -> Result<Vec<Vec<Dual4>>, SensitivityError> {
-    by_fours(run, model, directions, |model, start| read(run, model, start, error_per_step(run), readings))
+    by_fours(run, model, directions, |model, start| {
+        replay_outputs(run, model, start, error_per_step(run), readings)
+    })
 }
 
 fn by_fours<T>(

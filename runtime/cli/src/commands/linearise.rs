@@ -49,7 +49,7 @@ impl Linearise {
         if self.unfold {
             return self.tell_unfolded(model, &subject, closed);
         }
-        let linear = Linearisation::of(&subject, closed)?;
+        let linear = Linearisation::compute(&subject, closed)?;
         warn_of_motion(linear.residual());
         match (&self.svg, self.json) {
             (Some(path), _) => self.draw(path, model, &subject, &analysis::mode_shapes(&linear)),
@@ -113,7 +113,7 @@ impl Linearise {
         let whole = pose_args::subject(unfolded.model(), parameters.clone(), start)?;
         let supports: Vec<&str> =
             closed.iter().flat_map(|i| mirrored.layout().contacts[i].supports).copied().collect();
-        let linear = Linearisation::of(&whole, whole.contacts(&supports)?)?;
+        let linear = Linearisation::compute(&whole, whole.contacts(&supports)?)?;
         let reflection = unfolded.reflection(&parameters, &whole.positions())?;
         Ok((unfolded.model().clone(), whole, linear.by_symmetry(&reflection)?))
     }

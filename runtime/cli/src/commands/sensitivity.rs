@@ -63,7 +63,7 @@ impl Sensitivity {
             simulation.start_state().map_err(|error| error.to_string())
         };
         loop {
-            match Sensitivities::of(run, equations, &variables, start) {
+            match Sensitivities::compute(run, equations, &variables, start) {
                 Ok(found) => return Ok((variables, found)),
                 Err(error @ SensitivityError::Start { .. }) if self.of.is_empty() && variables.len() > 1 => {
                     note(&error.to_string());

@@ -9,7 +9,7 @@ pub(super) struct Failing<'a> {
 }
 
 impl<'a> Failing<'a> {
-    pub fn of(out: &'a mut (dyn Write + Send)) -> Self {
+    pub fn new(out: &'a mut (dyn Write + Send)) -> Self {
         Self { out, failed: false }
     }
 }

@@ -38,7 +38,7 @@ impl<'a> Npz<'a> {
     pub fn begin(heading: &Heading, out: &'a mut (dyn Write + Send)) -> io::Result<Self> {
         Ok(Self {
             out,
-            columns: heading.columns.iter().map(Spooled::of).collect(),
+            columns: heading.columns.iter().map(Spooled::new).collect(),
             metadata: said(heading),
             spool: BufWriter::new(tempfile::tempfile().map_err(spooling)?),
             rows: 0,
@@ -61,7 +61,7 @@ impl Target for Npz<'_> {
         let Self { out, columns, metadata, spool, rows } = *self;
         let spool = spool.into_inner().map_err(|error| spooling(error.into_error()))?;
         let mut spool = BufReader::new(spool);
-        let mut archive = ZipWriter::new_stream(Failing::of(out));
+        let mut archive = ZipWriter::new_stream(Failing::new(out));
         let (text, length) = (characters(&metadata), metadata.chars().count());
         begin(&mut archive, METADATA, (&format!("<U{length}"), "()"), text.len() as u64)?;
         archive.write_all(&text)?;

@@ -16,7 +16,7 @@ pub(super) struct Spooled {
 }
 
 impl Spooled {
-    pub fn of(column: &Column) -> Self {
+    pub fn new(column: &Column) -> Self {
         let kind = match column.kind {
             Kind::Integer => "<i8",
             Kind::Number => "<f8",

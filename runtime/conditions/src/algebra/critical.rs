@@ -34,7 +34,7 @@ pub(crate) struct Pair {
 }
 
 impl Pair {
-    pub fn of(ring: &Ring, coordinate: Symbol, forms: [&Form; 2]) -> Self {
+    pub fn compute(ring: &Ring, coordinate: Symbol, forms: [&Form; 2]) -> Self {
         let [u, w] = over_one_denominator(ring, forms);
         let common = minors(ring, &u, &w);
         if common.is_zero() {

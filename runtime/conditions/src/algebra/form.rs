@@ -19,7 +19,7 @@ pub(crate) struct Form {
 }
 
 impl Form {
-    pub fn of(ring: &Ring, quotient: &Quotient) -> Self {
+    pub fn from_quotient(ring: &Ring, quotient: &Quotient) -> Self {
         let [mut numerator, monomial] = ring.fraction(quotient.numerator());
         let mut below = vec![(monomial, 1)];
         for (factor, k) in quotient.factors() {

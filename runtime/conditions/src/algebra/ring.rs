@@ -41,7 +41,7 @@ pub(crate) struct Ring {
 
 impl Ring {
     /// What these series are polynomials in; the symbols given come first.
-    pub fn of<'a>(first: &[Symbol], series: impl Iterator<Item = &'a Series>) -> Self {
+    pub fn new<'a>(first: &[Symbol], series: impl Iterator<Item = &'a Series>) -> Self {
         let mut found = BTreeSet::new();
         for (term, _) in series.flat_map(|series| series.terms()) {
             let waves = term.wave.argument.iter();

@@ -14,7 +14,7 @@ pub(super) struct Begin {
 }
 
 impl Begin {
-    pub fn of(named: &Named, coordinate: usize, request: &Request) -> Result<Self, ConditionError> {
+    pub fn from_request(named: &Named, coordinate: usize, request: &Request) -> Result<Self, ConditionError> {
         let of = &named.analysis.kinematics.coordinates[coordinate];
         let (own, rate_name) = (of.name.as_str(), format!("{}'", of.name));
         let stranger = request.start.iter().find(|(name, _)| *name != own && *name != rate_name);
@@ -26,7 +26,8 @@ impl Begin {
             |name: &str| request.start.iter().rev().find(|(known, _)| known == name).map(|(_, value)| *value);
         let [plain, turns] = named.occurs(coordinate);
         let not_finite = || ConditionError::NotFinite { name: own.to_owned() };
-        let place = given(own).map(|value| Place::of(value, turns).ok_or_else(not_finite)).transpose()?;
+        let place =
+            given(own).map(|value| Place::from_value(value, turns).ok_or_else(not_finite)).transpose()?;
         let rate = given(&rate_name).unwrap_or(0.0);
         Ok(Self { place, quarters: given(own).filter(|_| turns && !plain).and_then(quarters), rate })
     }

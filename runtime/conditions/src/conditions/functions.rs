@@ -27,17 +27,17 @@ pub(super) struct Functions<'a> {
 }
 
 impl<'a> Functions<'a> {
-    pub fn of(named: &'a Named<'a>, level: &'a Level) -> Self {
+    pub fn new(named: &'a Named<'a>, level: &'a Level) -> Self {
         let quotients = [&level.rate_squared, &level.acceleration];
         let quotients = quotients.into_iter().chain(level.reactions.iter().map(|(_, reaction)| reaction));
         let series = quotients.flat_map(|q| q.factors().iter().map(|(f, _)| f).chain([q.numerator()]));
-        let ring = Ring::of(&[level.coordinate, level.start], series);
+        let ring = Ring::new(&[level.coordinate, level.start], series);
         Self {
             named,
             level,
-            rate_squared: Form::of(&ring, &level.rate_squared),
-            acceleration: Form::of(&ring, &level.acceleration),
-            reactions: level.reactions.iter().map(|(row, r)| (*row, Form::of(&ring, r))).collect(),
+            rate_squared: Form::from_quotient(&ring, &level.rate_squared),
+            acceleration: Form::from_quotient(&ring, &level.acceleration),
+            reactions: level.reactions.iter().map(|(row, r)| (*row, Form::from_quotient(&ring, r))).collect(),
             ring,
         }
     }
@@ -91,7 +91,7 @@ impl<'a> Functions<'a> {
     }
 
     fn pair(&self, (row, one): &(usize, Form), (other_row, other): &(usize, Form)) -> Coincidence {
-        let pair = Pair::of(&self.ring, self.level.coordinate, [one, other]);
+        let pair = Pair::compute(&self.ring, self.level.coordinate, [one, other]);
         let multiple = |[above, below]: [Polynomial; 2]| {
             let ratio = self.written().quotient(&above, &below);
             let ratio = if ratio.contains_sum() { ratio.group() } else { ratio };
@@ -117,8 +117,10 @@ impl<'a> Functions<'a> {
         rate: f64,
     ) -> Result<Numbers, ConditionError> {
         let analysis = self.named.analysis;
-        let values = Values::of(analysis, &request.parameters, coordinate, place, rate)?;
-        let slope = |quotient: &Quotient| Form::of(&self.ring, &quotient.derivative(self.level.coordinate));
+        let values = Values::new(analysis, &request.parameters, coordinate, place, rate)?;
+        let slope = |quotient: &Quotient| {
+            Form::from_quotient(&self.ring, &quotient.derivative(self.level.coordinate))
+        };
         let reactions = self.reactions.iter().zip(&self.level.reactions);
         let reactions = reactions.map(|((row, form), (_, r))| Reaction {
             label: self.label(*row),

@@ -74,7 +74,7 @@ impl Conditions {
     /// # Errors
     /// No such contact set; more than one degree of freedom; energy that is not conserved; no reaction; a start or parameters
     /// that it does not have.
-    pub fn of(analysis: &Analysis, supports: &str, request: &Request) -> Result<Self, ConditionError> {
+    pub fn derive(analysis: &Analysis, supports: &str, request: &Request) -> Result<Self, ConditionError> {
         Self::of_phase(analysis, crate::phase::find(analysis, supports)?, request)
     }
 
@@ -83,11 +83,11 @@ impl Conditions {
         phase: &Phase,
         request: &Request,
     ) -> Result<Self, ConditionError> {
-        let named = Named::of(analysis, phase);
+        let named = Named::new(analysis, phase);
         let coordinate = named.single_coordinate()?;
-        let begin = Begin::of(&named, coordinate, request)?;
-        let level = Level::of(analysis, phase, begin.start())?;
-        let functions = Functions::of(&named, &level);
+        let begin = Begin::from_request(&named, coordinate, request)?;
+        let level = Level::derive(analysis, phase, begin.start())?;
+        let functions = Functions::new(&named, &level);
         Ok(Self {
             phase: named.title(),
             coordinate: functions.symbol(0),

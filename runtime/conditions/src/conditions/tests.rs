@@ -37,7 +37,7 @@ struct Letters {
 }
 
 impl Letters {
-    fn of(functions: &Functions) -> Self {
+    fn from_functions(functions: &Functions) -> Self {
         let variable = |v| {
             let at = functions.ring.position(v).expect("a variable");
             Polynomial::variable(functions.ring.len(), at)
@@ -88,10 +88,10 @@ fn assert_same(functions: &Functions, form: &Form, [above, below]: [Polynomial; 
 
 fn with(model: &Analysis, check: impl Fn(&Functions, &Letters)) {
     let phase = model.phases.iter().find(|phase| phase.kept.len() == 1).expect("one degree of freedom");
-    let named = Named::of(model, phase);
-    let level = Level::of(model, phase, Start::Rest).expect("a level");
-    let functions = Functions::of(&named, &level);
-    check(&functions, &Letters::of(&functions));
+    let named = Named::new(model, phase);
+    let level = Level::derive(model, phase, Start::Rest).expect("a level");
+    let functions = Functions::new(&named, &level);
+    check(&functions, &Letters::from_functions(&functions));
 }
 
 /// `N = (m₁ + m₂) g (2 − (φ̇² sin φ − φ̈ cos φ) l/g)`: not negative where (3.18) holds.

@@ -45,8 +45,8 @@ pub struct Integral {
 }
 
 /// All of a contact set.
-pub(crate) fn of(analysis: &Analysis, phase: &Phase) -> Vec<Integral> {
-    let named = Named::of(analysis, phase);
+pub(crate) fn find_integrals(analysis: &Analysis, phase: &Phase) -> Vec<Integral> {
+    let named = Named::new(analysis, phase);
     work::limited(WORK, || {
         let mut integrals = Vec::new();
         if phase.moving.is_empty() {

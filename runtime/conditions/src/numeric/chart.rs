@@ -23,7 +23,7 @@ pub(crate) struct Place {
 
 impl Place {
     /// A value of a coordinate. The doubles nearest to quarter turns are these.
-    pub fn of(value: f64, turns: bool) -> Option<Self> {
+    pub fn from_value(value: f64, turns: bool) -> Option<Self> {
         let finite = value.is_finite().then_some(value)?;
         if let Some(quarters) = quarters(value).filter(|_| turns) {
             let (x, far) = [(0, false), (1, false), (0, true), (-1, false)][quarters.rem_euclid(4) as usize];
@@ -82,7 +82,12 @@ pub(crate) struct Charted {
 impl Charted {
     /// With all variables but the coordinate's replaced by their values; `None` where the coordinate stands beside its own
     /// sine or cosine.
-    pub fn of(ring: &Ring, values: &Values, coordinate: Symbol, polynomial: &Polynomial) -> Option<Self> {
+    pub fn substitute(
+        ring: &Ring,
+        values: &Values,
+        coordinate: Symbol,
+        polynomial: &Polynomial,
+    ) -> Option<Self> {
         let plain = ring.position(Variable::Plain(coordinate)).filter(|&at| polynomial.depends_on(at));
         match (ring.circle(coordinate), plain) {
             (Some(pair), None) => Some(on_circle(&values.coefficients(ring, polynomial, pair))),
@@ -146,7 +151,7 @@ fn on_circle(coefficients: &Coefficients<2>) -> Charted {
         (0..degree - i - j).for_each(|_| product = times_square(&product, 1));
         product.iter().enumerate().for_each(|(k, c)| sum[k + i as usize] += c);
     }
-    Charted::new(Univariate::of(&sum), 2 * degree as usize, true)
+    Charted::new(Univariate::from_coefficients(&sum), 2 * degree as usize, true)
 }
 
 /// Times 1 ± t².
@@ -162,5 +167,5 @@ fn on_line(coefficients: &Coefficients<1>) -> Charted {
     let degree = coefficients.keys().map(|[k]| *k as usize).max().unwrap_or(0);
     let mut sum = vec![BigRational::zero(); degree + 1];
     coefficients.iter().for_each(|([k], c)| sum[*k as usize] += c);
-    Charted::new(Univariate::of(&sum), degree, false)
+    Charted::new(Univariate::from_coefficients(&sum), degree, false)
 }

@@ -20,7 +20,7 @@ pub(crate) struct Values(BTreeMap<Variable, BigRational>);
 
 impl Values {
     /// Those of the parameters, by name, and of a start with its rate.
-    pub fn of(
+    pub fn new(
         analysis: &Analysis,
         given: &[(String, f64)],
         coordinate: usize,

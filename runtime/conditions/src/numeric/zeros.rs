@@ -96,8 +96,9 @@ pub(crate) struct OnLevel<'a> {
 
 impl OnLevel<'_> {
     fn function(&self, form: &Form) -> Option<Function> {
-        let [above, below] =
-            form.expanded(self.ring).map(|p| Charted::of(self.ring, self.values, self.coordinate, &p));
+        let [above, below] = form
+            .expanded(self.ring)
+            .map(|p| Charted::substitute(self.ring, self.values, self.coordinate, &p));
         Some(Function { above: above?, below: below? })
     }
 

@@ -14,7 +14,7 @@ fn named(values: &[(&str, f64)]) -> Vec<(String, f64)> {
 /// From rest upright, or from another start.
 fn conditions(model: &Analysis, phase: &str, start: (&str, f64), parameters: &[(&str, f64)]) -> Conditions {
     let request = Request { start: named(&[start]), parameters: named(parameters) };
-    Conditions::of(model, phase, &request).expect("conditions")
+    Conditions::derive(model, phase, &request).expect("conditions")
 }
 
 fn numbers(model: &Analysis, phase: &str, start: (&str, f64), parameters: &[(&str, f64)]) -> Numbers {
@@ -40,7 +40,7 @@ const ROUNDING: f64 = 1e-15;
 #[test]
 fn the_condition_of_the_paper() {
     let model = by_ratio("zigzag_published");
-    insta::assert_snapshot!(Conditions::of(&model, "A, C, E", &Request::default()).unwrap().section());
+    insta::assert_snapshot!(Conditions::derive(&model, "A, C, E", &Request::default()).unwrap().section());
     let upright = conditions(
         &model,
         "A, C, E",
@@ -53,7 +53,7 @@ fn the_condition_of_the_paper() {
 #[test]
 fn the_strict_conditions() {
     let model = by_ratio("zigzag");
-    insta::assert_snapshot!(Conditions::of(&model, "A, E, C", &Request::default()).unwrap().section());
+    insta::assert_snapshot!(Conditions::derive(&model, "A, E, C", &Request::default()).unwrap().section());
 }
 
 #[test]
@@ -120,7 +120,7 @@ fn strict_first_openings() {
 #[test]
 fn the_critical_ratio_is_found_by_the_algebra() {
     let told = |model: &Analysis| {
-        let found = Conditions::of(model, "A, E, C", &Request::default()).expect("conditions");
+        let found = Conditions::derive(model, "A, E, C", &Request::default()).expect("conditions");
         let [pair] = found.pairs.as_slice() else { panic!("{found:?}") };
         let proportional = pair.proportional.iter();
         let proportional: Vec<(String, Option<String>)> = proportional

@@ -5,7 +5,7 @@ use liftoff_fmu::{ContactState, Interface, Quantity};
 
 /// Where a motion is.
 #[derive(Debug, Clone)]
-pub(crate) struct Place {
+pub(crate) struct Instant {
     /// The time, s.
     pub(crate) t: f64,
     /// Coordinates, then rates.
@@ -29,7 +29,7 @@ impl Readings {
     ///
     /// # Errors
     /// An expression that the model does not have, as none is.
-    pub(crate) fn of(interface: &Interface) -> Result<Self, String> {
+    pub(crate) fn from_interface(interface: &Interface) -> Result<Self, String> {
         let (mut outputs, mut of) = (Vec::new(), Vec::new());
         for variable in &interface.variables {
             of.push(variable.expression.as_ref().map(|_| outputs.len()));
@@ -41,7 +41,7 @@ impl Readings {
     }
 
     /// All values at a place.
-    pub(crate) fn at(&self, simulation: &Simulation, place: &Place) -> Vec<f64> {
+    pub(crate) fn evaluate(&self, simulation: &Simulation, place: &Instant) -> Vec<f64> {
         simulation.values(&place.phase, (place.t, &place.state), &self.outputs)
     }
 
@@ -51,12 +51,12 @@ impl Readings {
     }
 }
 
-impl Place {
+impl Instant {
     /// The value of a variable that is an integer.
     pub(crate) fn integer(&self, interface: &Interface, quantity: &Quantity) -> Option<i64> {
         match *quantity {
             Quantity::Contact(i) => {
-                Some(ContactState::of(self.phase.set, i, &interface.layout.contacts[i]) as i64)
+                Some(ContactState::new(self.phase.set, i, &interface.layout.contacts[i]) as i64)
             }
             Quantity::Events => Some(self.events.into()),
             _ => None,

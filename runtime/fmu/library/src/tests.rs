@@ -19,11 +19,11 @@ struct Unit {
 }
 
 impl Unit {
-    fn of(text: &str, name: &str) -> Self {
+    fn unpack(text: &str, name: &str) -> Self {
         let model = source::models(text).expect("a model").remove(0);
         let folder = std::env::temp_dir().join(format!("liftoff-library-{}-{name}", std::process::id()));
         fs::create_dir_all(&folder).expect("a folder");
-        let resources = Resources::of(&model);
+        let resources = Resources::from_model(&model);
         fs::write(folder.join("model.rs"), &resources.declaration).expect("a file");
         fs::write(folder.join("run.toml"), toml::to_string(&resources.spec).expect("numbers"))
             .expect("a file");
@@ -51,7 +51,7 @@ impl Drop for Unit {
 
 #[test]
 fn steps_end_early_at_the_engines_events() {
-    let unit = Unit::of(FIG_1A, "early");
+    let unit = Unit::unpack(FIG_1A, "early");
     let run =
         unit.resources.model().expect("a model").run(&unit.resources.spec.clone().limit(2.0)).expect("a run");
     let opens = run.events()[1].t;
@@ -67,7 +67,7 @@ fn steps_end_early_at_the_engines_events() {
 
 #[test]
 fn descriptions_of_others_are_refused() {
-    let unit = Unit::of(FIG_1A, "token");
+    let unit = Unit::unpack(FIG_1A, "token");
     let refused = Instance::new(EVENTS, &unit.folder, "another").map(drop).expect_err("another token");
     assert!(refused.starts_with("the instantiation token is another"), "{refused}");
     let nowhere =
@@ -79,7 +79,7 @@ fn descriptions_of_others_are_refused() {
 /// the velocity √(2 g), to the order of a step, and bounces with e = 0.8 of it.
 #[test]
 fn an_importer_with_eulers_steps_bounces_a_ball() {
-    let unit = Unit::of(BALL, "euler");
+    let unit = Unit::unpack(BALL, "euler");
     let mut instance = unit.begun(Kind::Exchange);
     instance.update().expect("nothing to do");
     instance.enter_continuous().expect("a stage");
@@ -104,7 +104,7 @@ fn an_importer_with_eulers_steps_bounces_a_ball() {
 
 #[test]
 fn each_kind_refuses_the_calls_of_the_other() {
-    let unit = Unit::of(BALL, "kinds");
+    let unit = Unit::unpack(BALL, "kinds");
     let mut exchange = unit.begun(Kind::Exchange);
     assert!(exchange.enter_step().is_err() && exchange.step(0.0, 1.0).is_err());
     assert!(exchange.states(3).is_err() && exchange.event_indicators(2).is_err());
@@ -117,7 +117,7 @@ fn each_kind_refuses_the_calls_of_the_other() {
 
 #[test]
 fn a_start_below_the_ground_is_refused() {
-    let unit = Unit::of(BALL, "fails");
+    let unit = Unit::unpack(BALL, "fails");
     let mut instance = unit.instance(EVENTS);
     // y is the sixth variable: time, m, g, e, x, y.
     instance.set(&[5], &[-1.0]).expect("a value");
@@ -142,7 +142,7 @@ const ENDING: &str = r##"
 
 #[test]
 fn a_run_that_fails_on_the_way_stays_failed() {
-    let unit = Unit::of(ENDING, "ending");
+    let unit = Unit::unpack(ENDING, "ending");
     let mut instance = unit.begun(Kind::CoSimulation { event_mode: false, early_return: false });
     instance.step(0.0, 0.5).expect("a motion");
     for _ in 0..2 {

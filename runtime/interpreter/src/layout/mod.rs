@@ -20,7 +20,7 @@ use liftoff_core::model::{
 static KNOWN: Mutex<Option<HashMap<String, &'static Layout>>> = Mutex::new(None);
 
 /// The layout of an analysed model.
-pub(crate) fn of(analysis: &Analysis) -> &'static Layout {
+pub(crate) fn build_layout(analysis: &Analysis) -> &'static Layout {
     let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
     let known = known.get_or_insert_default();
     let layout = || Box::leak(Box::new(layout(analysis)));

@@ -32,7 +32,7 @@ pub(crate) struct Straight {
 
 impl Straight {
     /// None where this processor, or what runs on it, does not let programs be compiled.
-    pub fn of(code: &Code) -> Option<Self> {
+    pub fn compile(code: &Code) -> Option<Self> {
         let pointer = compiled(1, 0, |writer| super::straight::write(writer, code))?;
         // The signature is the one that `compiled` declares for one pointer and no number.
         #[allow(unsafe_code, reason = "the module's proof")]
@@ -57,7 +57,7 @@ pub(crate) struct Order {
 
 impl Order {
     /// None where it cannot be compiled.
-    pub fn of(code: &SeriesCode) -> Option<Self> {
+    pub fn compile(code: &SeriesCode) -> Option<Self> {
         if code.has_magnitudes() {
             return None;
         }

@@ -38,9 +38,9 @@ impl Writer<'_> {
             | Operation::Values(_)
             | Operation::SinCos { .. }
             | Operation::Magnitude(..) => self.number(0.0),
-            Operation::Offset(a, _) | Operation::OffsetBack(a, _) => self.at(a),
+            Operation::Offset(a, _) | Operation::OffsetBack(a, _) => self.load_register(a),
             Operation::Neg(a) | Operation::Versed(_, a) => {
-                let a = self.at(a);
+                let a = self.load_register(a);
                 self.builder.ins().fneg(a)
             }
             Operation::Add(a, b) => self.of_two(a, b, |writer, a, b| writer.builder.ins().fadd(a, b)),
@@ -48,15 +48,15 @@ impl Writer<'_> {
             Operation::Scale(a, b) => self.of_two(a, b, |writer, a, b| writer.builder.ins().fmul(a, b)),
             Operation::Divide(a, b) => self.of_two(a, b, |writer, a, b| writer.builder.ins().fdiv(a, b)),
             Operation::ScaleAdd(a, factor, b) => {
-                let [a, factor, b] = [a, factor, b].map(|register| self.at(register));
+                let [a, factor, b] = [a, factor, b].map(|register| self.load_register(register));
                 self.mul_add(a, factor, b)
             }
             Operation::Times(a, k) => {
-                let (a, k) = (self.at(a), self.number(f64::from(k)));
+                let (a, k) = (self.load_register(a), self.number(f64::from(k)));
                 self.builder.ins().fmul(a, k)
             }
             Operation::Product(column, a, b) => {
-                let [a, b] = [a, b].map(|register| self.at(register));
+                let [a, b] = [a, b].map(|register| self.load_register(register));
                 let ([a0, b0], sum) = (self.kept(column), self.load(SUMS, column));
                 let inner = self.mul_add(b, a0, sum);
                 let product = self.mul_add(a, b0, inner);
@@ -64,14 +64,14 @@ impl Writer<'_> {
                 product
             }
             Operation::Square(column, a) => {
-                let a = self.at(a);
+                let a = self.load_register(a);
                 let ([twice, _], sum) = (self.kept(column), self.load(SUMS, column));
                 let square = self.mul_add(a, twice, sum);
                 self.write(column, a, a);
                 square
             }
             Operation::Quotient(column, a, b) => {
-                let [a, b] = [a, b].map(|register| self.at(register));
+                let [a, b] = [a, b].map(|register| self.load_register(register));
                 let known = self.without_numerator(column, b);
                 let [inverse, _] = self.kept(column);
                 let quotient = self.mul_add(a, inverse, known);
@@ -79,13 +79,13 @@ impl Writer<'_> {
                 quotient
             }
             Operation::Inverse(column, _, b) => {
-                let b = self.at(b);
+                let b = self.load_register(b);
                 let quotient = self.without_numerator(column, b);
                 self.write(column, b, quotient);
                 quotient
             }
             Operation::Sqrt(column, a) => {
-                let a = self.at(a);
+                let a = self.load_register(a);
                 let [half_inverse, _] = self.kept(column);
                 let known = self.minus_sum(column, half_inverse);
                 let root = self.mul_add(a, half_inverse, known);
@@ -96,7 +96,7 @@ impl Writer<'_> {
     }
 
     fn of_two(&mut self, a: Register, b: Register, make: impl Fn(&mut Self, Value, Value) -> Value) -> Value {
-        let [a, b] = [a, b].map(|register| self.at(register));
+        let [a, b] = [a, b].map(|register| self.load_register(register));
         make(self, a, b)
     }
 
@@ -115,7 +115,7 @@ impl Writer<'_> {
 
     /// The coefficients of a sine and a cosine.
     fn turned(&mut self, column: usize, angle: Register) -> [Value; 2] {
-        let (angle, [sin0, cos0]) = (self.at(angle), self.kept(column));
+        let (angle, [sin0, cos0]) = (self.load_register(angle), self.kept(column));
         let (order, part) = (self.arguments[ORDER], self.arguments[PART]);
         let sums = [column, column + 1].map(|column| self.load(SUMS, column));
         let [of_sin, of_cos] = sums.map(|sum| self.builder.ins().fmul(sum, part));

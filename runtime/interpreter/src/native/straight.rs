@@ -16,24 +16,24 @@ pub(super) fn write(writer: &mut Writer<'_>, code: &Code) {
             }
             Operation::Pi => writer.number(Real::pi()),
             Operation::Neg => {
-                let a = writer.at(a);
+                let a = writer.load_register(a);
                 writer.builder.ins().fneg(a)
             }
             Operation::Sqrt => {
-                let a = writer.at(a);
+                let a = writer.load_register(a);
                 writer.builder.ins().sqrt(a)
             }
             Operation::MulAdd => {
-                let [a, b, c] = [a, b, c].map(|register| writer.at(register));
+                let [a, b, c] = [a, b, c].map(|register| writer.load_register(register));
                 writer.mul_add(a, b, c)
             }
             Operation::SinCos => {
-                let x = writer.at(a);
+                let x = writer.load_register(a);
                 writer.sin_cos(x, [to, b]);
                 continue;
             }
             Operation::Add | Operation::Sub | Operation::Mul | Operation::Div => {
-                let [a, b] = [a, b].map(|register| writer.at(register));
+                let [a, b] = [a, b].map(|register| writer.load_register(register));
                 let instruction = writer.builder.ins();
                 match operation {
                     Operation::Add => instruction.fadd(a, b),

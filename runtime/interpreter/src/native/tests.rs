@@ -48,7 +48,7 @@ fn all_operations() -> Code {
 #[test]
 fn code_has_the_bits_of_the_interpreter() {
     let (code, mut noise) = (all_operations(), noise());
-    let native = Straight::of(&code).expect("programs can be compiled here");
+    let native = Straight::compile(&code).expect("programs can be compiled here");
     for _ in 0..1000 {
         let mut own: Vec<f64> = (0..code.registers).map(|_| 100.0 * noise()).collect();
         let mut compiled = own.clone();

@@ -70,7 +70,7 @@ impl<'a> Writer<'a> {
     }
 
     /// The number in a register.
-    pub fn at(&mut self, register: Register) -> Value {
+    pub fn load_register(&mut self, register: Register) -> Value {
         if let Some(&known) = self.known.get(&register) {
             return known;
         }
@@ -87,7 +87,7 @@ impl<'a> Writer<'a> {
     /// Writes the registers that are read once the function has returned.
     pub fn keep(&mut self, registers: impl IntoIterator<Item = Register>) {
         for register in registers {
-            let value = self.at(register);
+            let value = self.load_register(register);
             self.store(0, register as usize, value);
         }
     }

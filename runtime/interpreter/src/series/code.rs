@@ -76,7 +76,7 @@ pub(crate) struct SeriesCode {
 }
 
 impl SeriesCode {
-    pub fn of(
+    pub fn lower(
         analysis: &Analysis,
         constants: &[Id],
         phase: &PhaseFunctions,

@@ -30,7 +30,7 @@ impl SeriesOrders for PhaseOrders<'_> {
             0 => code.order(&mut tape.values(), registers, true),
             _ => code.higher_order(n, tape, registers),
         }
-        code.read(registers, if n == 0 { 1.0 } else { 0.0 }, rates, guard);
+        code.copy_results(registers, if n == 0 { 1.0 } else { 0.0 }, rates, guard);
     }
 }
 
@@ -38,14 +38,14 @@ impl SeriesCode {
     /// An order n > 0.
     pub(super) fn higher_order(&self, n: usize, tape: &mut TapeOf<f64>, registers: &mut [f64]) {
         #[cfg(feature = "jit")]
-        if let Some(native) = self.native.get(|| crate::native::Order::of(self)) {
+        if let Some(native) = self.native.get(|| crate::native::Order::compile(self)) {
             return native.call(registers, tape.row(n), n);
         }
         self.order(&mut tape.coefficients(n), registers, false);
     }
 
     /// What an order has left in the registers; `one` is the coefficient of 1, the rate of the time.
-    fn read(&self, registers: &[f64], one: f64, rates: &mut [f64], guard: &mut [f64]) {
+    fn copy_results(&self, registers: &[f64], one: f64, rates: &mut [f64], guard: &mut [f64]) {
         let at = |register: Register| registers[register as usize];
         rates.fill(0.0);
         if self.timed {

@@ -25,7 +25,7 @@ pub(crate) struct KernelCode {
 
 impl KernelCode {
     /// None where no phase needs it.
-    pub fn of(
+    pub fn lower(
         analysis: &Analysis,
         constants: &[Id],
         kernel: &[Id],
@@ -81,6 +81,6 @@ impl KernelOrders for Orders<'_> {
         for (foot, &register) in feet.iter_mut().zip(&code.feet) {
             *foot = registers[register as usize];
         }
-        take(&Kernel::of(full, values), &feet);
+        take(&Kernel::from_values(full, values), &feet);
     }
 }

@@ -37,7 +37,7 @@ impl<S: Number> Evaluator<S> {
     }
 
     pub(super) fn kernel(&self, state: &[S]) -> Kernel<S> {
-        Kernel::at(self.full(), &self.constants, &self.whole(state))
+        Kernel::evaluate(self.full(), &self.constants, &self.whole(state))
     }
 
     /// The state, not a number beyond its end.

@@ -48,7 +48,7 @@ pub(crate) struct HeldCode {
 }
 
 impl HeldCode {
-    fn of(motion: &Motion, held: &HeldMotion, code: impl Fn(&[Id]) -> Code) -> Self {
+    fn lower(motion: &Motion, held: &HeldMotion, code: impl Fn(&[Id]) -> Code) -> Self {
         let Solution { accelerations, multipliers, pivots } = &held.solution;
         let derivative = held.rates.iter().chain(accelerations);
         let outputs: Vec<Id> = derivative.chain(pivots.as_flattened()).chain(multipliers).copied().collect();
@@ -72,7 +72,7 @@ pub(crate) enum MassForm {
 }
 
 impl FullCode {
-    pub fn of(analysis: &Analysis, constants: &[Id]) -> Self {
+    pub fn lower(analysis: &Analysis, constants: &[Id]) -> Self {
         let (functions, motion) = (&analysis.functions, &analysis.motion);
         let (n, rows, entries) = (motion.n, motion.rows.len(), motion.entries());
         let source = |symbol: Symbol| match symbol {
@@ -91,7 +91,7 @@ impl FullCode {
         let kinks: Vec<Id> = functions.kinks.iter().map(|kink| kink.value()).collect();
         let slips: Vec<Id> = functions.slips.iter().flatten().copied().collect();
         let (quantities, groups) = quantities(functions);
-        let held = functions.held.iter().map(|held| HeldCode::of(motion, held, of_state)).collect();
+        let held = functions.held.iter().map(|held| HeldCode::lower(motion, held, of_state)).collect();
         let (mass, kernel) = kernel(functions, n);
         Self {
             coordinates: n,
@@ -108,7 +108,7 @@ impl FullCode {
             quantities,
             quantity_codes: groups.iter().map(|ids| code(entries + n + rows, ids)).collect(),
             held,
-            series: KernelCode::of(analysis, constants, &kernel, &source),
+            series: KernelCode::lower(analysis, constants, &kernel, &source),
         }
     }
 }

@@ -13,7 +13,7 @@ use crate::pool::Lent;
 const WIDTH: usize = 4;
 
 /// ∂f/∂y of a phase.
-pub(super) fn of(phase: &InterpretedPhase<f64>) -> Jacobian<'_> {
+pub(super) fn build_jacobian(phase: &InterpretedPhase<f64>) -> Jacobian<'_> {
     let (system, info) = (&phase.system, Phase::info(phase));
     let parameters: Vec<_> = system.parameters.iter().map(|&value| Dual4::constant(value)).collect();
     let dual = Evaluator::new(&system.model, &parameters, info.set);

@@ -14,7 +14,7 @@ pub(crate) struct Kernel<S: Number> {
 }
 
 impl<S: Number> Kernel<S> {
-    pub fn at(code: &FullCode, constants: &[S], state: &[S]) -> Self {
+    pub fn evaluate(code: &FullCode, constants: &[S], state: &[S]) -> Self {
         let (n, rows) = (code.coordinates, code.rows);
         let before = n + (4 + n) * rows;
         let mut values = Lent::new(before + n * n);
@@ -35,7 +35,7 @@ impl<S: Number> Kernel<S> {
     }
 
     /// Of what has been computed, M entry by entry.
-    pub fn of(code: &FullCode, values: Lent<S>) -> Self {
+    pub fn from_values(code: &FullCode, values: Lent<S>) -> Self {
         Self { values, n: code.coordinates, rows: code.rows }
     }
 

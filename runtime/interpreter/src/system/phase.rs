@@ -40,7 +40,7 @@ pub(crate) struct PhaseCode {
 }
 
 impl PhaseCode {
-    pub fn of(analysis: &Analysis, constants: &[Id], phase: &PhaseFunctions) -> Self {
+    pub fn lower(analysis: &Analysis, constants: &[Id], phase: &PhaseFunctions) -> Self {
         let (n, program) = (analysis.motion.n, &analysis.functions.program);
         let (coordinates, rates) = (phase.kept.len(), phase.moving.len());
         let place = |list: &[usize], index: u16| list.iter().position(|&i| i == usize::from(index));
@@ -79,7 +79,8 @@ impl PhaseCode {
             pivots: code(&phase.pivots),
             energy: code(&energy),
             affine: analysis.functions.are_guards_affine(&analysis.motion, phase),
-            series: (rates <= UNROLLED).then(|| SeriesCode::of(analysis, constants, phase, entries, &source)),
+            series: (rates <= UNROLLED)
+                .then(|| SeriesCode::lower(analysis, constants, phase, entries, &source)),
         }
     }
 }
@@ -283,7 +284,7 @@ impl Phase for InterpretedPhase<f64> {
     }
 
     fn jacobian(&self) -> Option<Jacobian<'_>> {
-        self.system.model.layout.compliant.then(|| jacobian::of(self))
+        self.system.model.layout.compliant.then(|| jacobian::build_jacobian(self))
     }
 }
 

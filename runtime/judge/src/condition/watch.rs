@@ -23,7 +23,7 @@ pub(crate) struct Watch {
 
 impl Watch {
     /// Fails where a name is not in the declaration.
-    pub fn of(scene: &Scene<Number>, conditions: &[Condition]) -> Result<Self, NotJudged> {
+    pub fn new(scene: &Scene<Number>, conditions: &[Condition]) -> Result<Self, NotJudged> {
         let mut sources = Vec::new();
         conditions.iter().try_for_each(|condition| gather(scene, &condition.difference, &mut sources))?;
         let mut reader = Reader { scene, tape: Tape::new(sources.len()), sources: &sources };
@@ -41,7 +41,7 @@ impl Watch {
         let terms = expansion.inputs.rates.first().map_or(1, Vec::len).saturating_sub(1).max(1);
         let read = |source: &Source| {
             let mut series = match source {
-                Source::Value(node, order) => derivative(expansion.series.of(*node), *order),
+                Source::Value(node, order) => derivative(expansion.series.coefficients(*node), *order),
                 Source::Reactions(contacts) => reactions(expansion, contacts),
             };
             series.resize(terms, Number::ZERO);
@@ -51,7 +51,7 @@ impl Watch {
         let inputs = Inputs { t: expansion.inputs.t, positions, rates: vec![Vec::new(); self.sources.len()] };
         let mut series = Series::new(&self.tape);
         (0..terms).for_each(|k| series.extend(&self.tape, Level::Position, k, &inputs));
-        self.differences.iter().map(|&node| series.of(node).to_vec()).collect()
+        self.differences.iter().map(|&node| series.coefficients(node).to_vec()).collect()
     }
 }
 
@@ -159,13 +159,13 @@ impl Reader<'_> {
                 if *n < 0 { self.tape.divide(one, power) } else { power }
             }
             _ => match source(self.scene, of)? {
-                Some(source) => self.read(&source),
+                Some(source) => self.translate(&source),
                 None => Tape::<Number>::ZERO,
             },
         })
     }
 
-    fn read(&self, source: &Source) -> Node {
+    fn translate(&self, source: &Source) -> Node {
         let place = self.sources.iter().position(|other| other == source);
         place.map_or(Tape::<Number>::ZERO, |i| self.tape.position(i))
     }
@@ -174,7 +174,7 @@ impl Reader<'_> {
     fn kinetic(&mut self) -> Node {
         let mut sum = Tape::<Number>::ZERO;
         for i in 0..self.scene.n() {
-            let speed = self.read(&Source::Value(self.scene.tape.position(i), 1));
+            let speed = self.translate(&Source::Value(self.scene.tape.position(i), 1));
             let half = self.tape.number(self.scene.masses[i] / whole(2));
             let square = self.tape.multiply(speed, speed);
             let part = self.tape.multiply(half, square);

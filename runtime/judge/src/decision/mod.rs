@@ -86,7 +86,7 @@ struct Round<'a, S> {
 impl<'a, S: Scalar> Round<'a, S> {
     fn new(scene: &'a Scene<S>, state: &State<S>, (held, resting): (&[usize], &[usize])) -> Self {
         Self {
-            expansion: Expansion::at(scene, state),
+            expansion: Expansion::new(scene, state),
             decision: Decision { bearing: held.iter().map(|&i| (i, 0)).collect(), ..Decision::default() },
             open: resting.to_vec(),
             rough: resting.iter().any(|&i| scene.contacts[i].slip.is_some()),
@@ -98,7 +98,8 @@ impl<'a, S: Scalar> Round<'a, S> {
 
     fn decide(&mut self, k: usize) -> Result<(), Undecided> {
         let bearing: Vec<usize> = self.decision.bearing.iter().map(|&(i, _)| i).collect();
-        let kkt = Kkt::of(self.expansion.scene, &self.expansion.series, self.expansion.scene.slots(&bearing));
+        let kkt =
+            Kkt::assemble(self.expansion.scene, &self.expansion.series, self.expansion.scene.slots(&bearing));
         let mut problem = delassus(&self.expansion, &kkt, &self.open, k);
         self.weigh(&mut problem, k);
         if problem.free.contradicts(self.largest) {
@@ -108,7 +109,7 @@ impl<'a, S: Scalar> Round<'a, S> {
             true => tried(&self.expansion, &bearing, &self.open, (k, self.largest))?,
             false => match self.all_bear(k, &bearing, &problem) {
                 Some(outcome) => outcome,
-                None => Outcome::of(&problem, kkt.slots, &self.open)?,
+                None => Outcome::solve(&problem, kkt.slots, &self.open)?,
             },
         };
         self.expansion.push(&outcome.slots, k, &outcome.a, &outcome.all);
@@ -120,7 +121,7 @@ impl<'a, S: Scalar> Round<'a, S> {
     /// where W is rounding.
     fn all_bear(&self, k: usize, bearing: &[usize], problem: &Problem<S>) -> Option<Outcome<S>> {
         let scene = self.expansion.scene;
-        let kkt = Kkt::of(scene, &self.expansion.series, scene.slots(&[bearing, &self.open].concat()));
+        let kkt = Kkt::assemble(scene, &self.expansion.series, scene.slots(&[bearing, &self.open].concat()));
         let response = self.expansion.next(&kkt, k);
         let first = scene.joints.len() + bearing.len();
         let multipliers = response.multipliers.get(first..first + self.open.len())?.to_vec();
@@ -173,7 +174,7 @@ impl<'a, S: Scalar> Round<'a, S> {
 
 impl<S: Scalar> Outcome<S> {
     /// Of contacts without slip rows.
-    fn of(problem: &Problem<S>, mut slots: Vec<Slot>, open: &[usize]) -> Result<Self, Undecided> {
+    fn solve(problem: &Problem<S>, mut slots: Vec<Slot>, open: &[usize]) -> Result<Self, Undecided> {
         let (multipliers, opening) = smooth(problem)?;
         let mut a = problem.free.a.clone();
         let mut all = problem.free.multipliers.clone();

@@ -25,7 +25,7 @@ pub(super) fn tried<S: Scalar>(
         let chosen = |j: usize| set & (1 << j) != 0;
         let closed: Vec<usize> =
             bearing.iter().copied().chain((0..open.len()).filter(|&j| chosen(j)).map(|j| open[j])).collect();
-        let kkt = Kkt::of(scene, &expansion.series, scene.slots(&closed));
+        let kkt = Kkt::assemble(scene, &expansion.series, scene.slots(&closed));
         let response = expansion.next(&kkt, k);
         let first = scene.joints.len() + bearing.len();
         let (mut multipliers, mut opening, mut admissible) = (Vec::new(), Vec::new(), true);

@@ -64,7 +64,7 @@ impl<S: Scalar> Response<S> {
 }
 
 impl<S: Scalar> Kkt<S> {
-    pub fn of(scene: &Scene<S>, series: &Series<S>, slots: Vec<Slot>) -> Self {
+    pub fn assemble(scene: &Scene<S>, series: &Series<S>, slots: Vec<Slot>) -> Self {
         let n = scene.n();
         let size = n + slots.len();
         let mut matrix = vec![vec![S::ZERO; size]; size];
@@ -78,7 +78,7 @@ impl<S: Scalar> Kkt<S> {
                 matrix[i][n + r] = -entry;
             }
         }
-        Self { slots, n, factors: Factors::of(matrix, n) }
+        Self { slots, n, factors: Factors::factorise(matrix, n) }
     }
 
     /// M a − Jᵀ λ = force, J a = targets.

@@ -31,7 +31,7 @@ pub(crate) struct Expansion<'a, S> {
 }
 
 impl<'a, S: Scalar> Expansion<'a, S> {
-    pub fn at(scene: &'a Scene<S>, state: &State<S>) -> Self {
+    pub fn new(scene: &'a Scene<S>, state: &State<S>) -> Self {
         let positions = state.q.iter().zip(&state.v).map(|(&q, &v)| vec![q, v]).collect();
         let rates = state.v.iter().map(|&v| vec![v]).collect();
         let inputs = Inputs { t: state.t, positions, rates };
@@ -53,9 +53,9 @@ impl<'a, S: Scalar> Expansion<'a, S> {
     }
 
     /// Series of motion with these contacts closed, to an order; none where rows contradict one another.
-    pub fn of(scene: &'a Scene<S>, state: &State<S>, closed: &[usize], order: usize) -> Option<Self> {
-        let mut expansion = Self::at(scene, state);
-        let kkt = Kkt::of(scene, &expansion.series, scene.slots(closed));
+    pub fn solve(scene: &'a Scene<S>, state: &State<S>, closed: &[usize], order: usize) -> Option<Self> {
+        let mut expansion = Self::new(scene, state);
+        let kkt = Kkt::assemble(scene, &expansion.series, scene.slots(closed));
         expansion.firmness = kkt.factors.firmness();
         for k in 0..order {
             let response = expansion.next(&kkt, k);
@@ -82,7 +82,7 @@ impl<'a, S: Scalar> Expansion<'a, S> {
                 return;
             }
             for &(i, node) in &row.gradient {
-                let entries = self.series.of(node);
+                let entries = self.series.coefficients(node);
                 for j in 1..=k.min(entries.len().saturating_sub(1)) {
                     if let Some(&past) = multiplier.get(k - j) {
                         force[i] = force[i] + entries[j] * past;
@@ -107,7 +107,7 @@ impl<'a, S: Scalar> Expansion<'a, S> {
         let mut sum = self.series.get(row.drift, k + 1);
         let mut size = sum.abs().to_f64();
         for &(i, node) in &row.gradient {
-            let entries = self.series.of(node);
+            let entries = self.series.coefficients(node);
             for j in 1..=(k + 1).min(entries.len().saturating_sub(1)) {
                 let part = entries[j] * self.inputs.rates[i][k + 1 - j];
                 size += part.abs().to_f64();

@@ -33,7 +33,7 @@ pub(crate) fn collide<S: Scalar>(
     if touching.iter().any(|&i| scene.contacts[i].slip.is_some()) {
         return rough(scene, state, (held, touching), applied);
     }
-    let blow = Blow::of(scene, state, (held, touching), applied);
+    let blow = Blow::compute(scene, state, (held, touching), applied);
     let restitution =
         touching.iter().map(|&i| if plastic { S::ZERO } else { scene.contacts[i].restitution }).collect();
     let impulses = blow.impulses(restitution, |j| scene.contacts[touching[j]].poisson)?;
@@ -59,9 +59,14 @@ struct Blow<S> {
 }
 
 impl<S: Scalar> Blow<S> {
-    fn of(scene: &Scene<S>, state: &State<S>, (held, touching): (&[usize], &[usize]), applied: &[S]) -> Self {
-        let expansion = Expansion::at(scene, state);
-        let kkt = Kkt::of(scene, &expansion.series, scene.slots(held));
+    fn compute(
+        scene: &Scene<S>,
+        state: &State<S>,
+        (held, touching): (&[usize], &[usize]),
+        applied: &[S],
+    ) -> Self {
+        let expansion = Expansion::new(scene, state);
+        let kkt = Kkt::assemble(scene, &expansion.series, scene.slots(held));
         let zeros = vec![S::ZERO; kkt.slots.len()];
         let free = kkt.solve(applied, &zeros).a;
         let respond = |&i: &usize| {

@@ -17,14 +17,14 @@ pub(super) fn rough<S: Scalar>(
     if touching.len() > 10 || touching.iter().any(|&i| scene.contacts[i].restitution != S::ZERO) {
         return Err(Undecided::Many);
     }
-    let expansion = Expansion::at(scene, state);
+    let expansion = Expansion::new(scene, state);
     let mut sets: Vec<u32> = (0..1_u32 << touching.len()).collect();
     sets.sort_by_key(|set| core::cmp::Reverse(set.count_ones()));
     let speed = scene.speed(state);
     for set in sets {
         let chosen = (0..touching.len()).filter(|&j| set & (1 << j) != 0).map(|j| touching[j]);
         let closed: Vec<usize> = held.iter().copied().chain(chosen).collect();
-        let kkt = Kkt::of(scene, &expansion.series, scene.slots(&closed));
+        let kkt = Kkt::assemble(scene, &expansion.series, scene.slots(&closed));
         let joints = scene.joints.len();
         let targets: Vec<S> = kkt
             .slots

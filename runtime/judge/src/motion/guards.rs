@@ -29,8 +29,8 @@ impl Follower<'_> {
             match *touch {
                 Touch::Open(order) => {
                     let Some(gap) = contact.row.value else { continue };
-                    let root =
-                        first(&expansion.series.of(gap)[order..], h).filter(|&s| self.meets(expansion, i, s));
+                    let root = first(&expansion.series.coefficients(gap)[order..], h)
+                        .filter(|&s| self.meets(expansion, i, s));
                     all.extend(root.map(|s| (s, Guard::Gap(i))));
                 }
                 Touch::Bearing(_) | Touch::Held => {
@@ -40,7 +40,7 @@ impl Follower<'_> {
                         all.extend(root.map(|s| (s, Guard::Reaction(i))));
                     }
                     for end in contact.foot.into_iter().flatten() {
-                        all.extend(first(expansion.series.of(end), h).map(|s| (s, Guard::Foot(i))));
+                        all.extend(first(expansion.series.coefficients(end), h).map(|s| (s, Guard::Foot(i))));
                     }
                 }
                 Touch::Idle | Touch::Beyond | Touch::Removed | Touch::Resting => {}
@@ -56,7 +56,7 @@ impl Follower<'_> {
     /// Whether a corner is under its bar.
     fn meets(&self, expansion: &Expansion<Number>, contact: usize, s: Number) -> bool {
         let ends = self.scene.contacts[contact].foot.into_iter().flatten();
-        ends.into_iter().all(|end| value(expansion.series.of(end), s) >= Number::ZERO)
+        ends.into_iter().all(|end| value(expansion.series.coefficients(end), s) >= Number::ZERO)
     }
 
     /// Corners that have passed the end of their bar, or come back over it.
@@ -64,7 +64,7 @@ impl Follower<'_> {
         if self.scene.contacts.iter().all(|contact| contact.foot.is_none()) {
             return Ok(());
         }
-        let expansion = Expansion::at(self.scene, &self.state);
+        let expansion = Expansion::new(self.scene, &self.state);
         for i in 0..self.touches.len() {
             let contact = &self.scene.contacts[i];
             let (Some(foot), Some(gap)) = (contact.foot, contact.row.value) else { continue };

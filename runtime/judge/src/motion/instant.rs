@@ -53,13 +53,13 @@ impl Follower<'_> {
 
     /// Contacts that approach at the start are struck.
     pub(super) fn strike_at_start(&mut self) -> Result<(), NotJudged> {
-        let touching = self.of(|touch| touch == Touch::Open(1));
+        let touching = self.find_contacts(|touch| touch == Touch::Open(1));
         let struck: Vec<usize> = touching.into_iter().filter(|&i| self.rate(i) < -self.still()).collect();
         if struck.is_empty() { Ok(()) } else { self.collide(&struck, None) }
     }
 
     fn rate(&self, contact: usize) -> f64 {
-        Expansion::at(self.scene, &self.state).rate(&self.scene.contacts[contact].row).to_f64()
+        Expansion::new(self.scene, &self.state).rate(&self.scene.contacts[contact].row).to_f64()
     }
 
     /// The impact of contacts whose gaps have become zero, if they approach.
@@ -70,7 +70,8 @@ impl Follower<'_> {
         if approaching.is_empty() && applied.is_none() {
             return Ok(());
         }
-        let touching = self.of(|touch| matches!(touch, Touch::Bearing(_) | Touch::Idle | Touch::Resting));
+        let touching =
+            self.find_contacts(|touch| matches!(touch, Touch::Bearing(_) | Touch::Idle | Touch::Resting));
         let none = vec![Number::ZERO; self.scene.n()];
         let answer =
             collide(self.scene, &self.state, (&self.held(), &touching), applied.unwrap_or(&none), false);
@@ -100,13 +101,14 @@ impl Follower<'_> {
         for (&i, rate) in touching.iter().zip(rates) {
             self.touches[i] = if rate > still { Touch::Open(1) } else { Touch::Resting };
         }
-        let resting = self.of(|touch| matches!(touch, Touch::Resting | Touch::Held));
+        let resting = self.find_contacts(|touch| matches!(touch, Touch::Resting | Touch::Held));
         self.scene.project(&mut self.state, &self.scene.slots(&resting));
     }
 
     /// Which of the contacts that rest stay closed.
     pub(super) fn decide(&mut self) -> Result<(), NotJudged> {
-        let resting = self.of(|touch| matches!(touch, Touch::Bearing(_) | Touch::Idle | Touch::Resting));
+        let resting =
+            self.find_contacts(|touch| matches!(touch, Touch::Bearing(_) | Touch::Idle | Touch::Resting));
         if resting.is_empty() {
             return Ok(());
         }

@@ -102,7 +102,7 @@ impl<'a> Follower<'a> {
             state,
             touches: Vec::new(),
             rhythm: Rhythm::default(),
-            watch: Watch::of(scene, task.conditions)?,
+            watch: Watch::new(scene, task.conditions)?,
             conditions: task.conditions,
             sides: vec![Side::Fresh; task.conditions.len()],
             ends_at_impacts: task.ends_at_impacts,
@@ -117,7 +117,7 @@ impl<'a> Follower<'a> {
             let place = scene.contacts.iter().position(|contact| contact.name == *name);
             follower.touches[place.ok_or_else(|| NotJudged::Name(name.clone()))?] = Touch::Held;
         }
-        let closed = follower.of(|touch| matches!(touch, Touch::Resting | Touch::Held));
+        let closed = follower.find_contacts(|touch| matches!(touch, Touch::Resting | Touch::Held));
         let slots = scene.slots(&closed);
         if !task.kept.is_empty() {
             scene.complete(&mut follower.state, &public, (task.kept, &slots));
@@ -128,7 +128,7 @@ impl<'a> Follower<'a> {
 
     /// What touches at a start.
     fn touching(&self) -> Vec<Touch> {
-        let expansion = Expansion::at(self.scene, &self.state);
+        let expansion = Expansion::new(self.scene, &self.state);
         let speed = self.scene.speed(&self.state);
         let touch = |contact: &crate::scene::Contact<Number>| {
             let value = |node| expansion.series.get(node, 0).to_f64();
@@ -149,20 +149,20 @@ impl<'a> Follower<'a> {
     }
 
     /// The contacts that do something.
-    fn of(&self, is: impl Fn(Touch) -> bool) -> Vec<usize> {
+    fn find_contacts(&self, is: impl Fn(Touch) -> bool) -> Vec<usize> {
         (0..self.touches.len()).filter(|&i| is(self.touches[i])).collect()
     }
 
     fn closed(&self) -> Vec<usize> {
-        self.of(|touch| matches!(touch, Touch::Bearing(_) | Touch::Idle | Touch::Held))
+        self.find_contacts(|touch| matches!(touch, Touch::Bearing(_) | Touch::Idle | Touch::Held))
     }
 
     fn bearing(&self) -> Vec<usize> {
-        self.of(|touch| matches!(touch, Touch::Bearing(_) | Touch::Held))
+        self.find_contacts(|touch| matches!(touch, Touch::Bearing(_) | Touch::Held))
     }
 
     fn held(&self) -> Vec<usize> {
-        self.of(|touch| touch == Touch::Held)
+        self.find_contacts(|touch| touch == Touch::Held)
     }
 
     fn t(&self) -> f64 {

@@ -28,7 +28,7 @@ impl Follower<'_> {
         let count = self.rhythm.impacts.len();
         let [.., (t0, a), (t1, b), (t2, c)] = &self.rhythm.impacts[..] else { return false };
         let [before, last] = [*t1 - *t0, *t2 - *t1].map(Scalar::to_f64);
-        let expansion = Expansion::at(self.scene, &self.state);
+        let expansion = Expansion::new(self.scene, &self.state);
         let rises =
             struck.iter().map(|&i| expansion.along(&self.scene.contacts[i].row, &answer.v).0.to_f64());
         let low = last * rises.fold(0.0, f64::max) < LOW * self.scene.length;

@@ -35,7 +35,7 @@ impl Follower<'_> {
     pub(super) fn step(&mut self, until: Number) -> Result<(), NotJudged> {
         let bearing = self.bearing();
         self.spend(self.terms);
-        let expansion = Expansion::of(self.scene, &self.state, &bearing, self.terms);
+        let expansion = Expansion::solve(self.scene, &self.state, &bearing, self.terms);
         let expansion = expansion.ok_or(NotJudged::Singular(self.t()))?;
         let left = until - self.state.t;
         let free = expansion.reach(self.scene.length);
@@ -154,8 +154,8 @@ impl Follower<'_> {
         bearing: &[usize],
         within: f64,
     ) -> bool {
-        let fresh = Expansion::at(self.scene, state);
-        let kkt = Kkt::of(self.scene, &fresh.series, self.scene.slots(bearing));
+        let fresh = Expansion::new(self.scene, state);
+        let kkt = Kkt::assemble(self.scene, &fresh.series, self.scene.slots(bearing));
         let response = fresh.next(&kkt, 0);
         let (mut apart, mut size) = (0.0_f64, self.scene.speed(state).powi(2) / self.scene.length);
         let weights = self.scene.angles.iter().map(|&angle| if angle { self.scene.length } else { 1.0 });

@@ -28,7 +28,7 @@ impl<S: Scalar> Factors<S> {
     /// these unknowns alone. Pivots are taken from the constraints first: where these all but
     /// depend on each other, by δ, what follows is known to ε/δ, with pivots of the mass matrix to
     /// ε/δ².
-    pub fn of(mut entries: Vec<Vec<S>>, unknowns: usize) -> Self {
+    pub fn factorise(mut entries: Vec<Vec<S>>, unknowns: usize) -> Self {
         let n = entries.len();
         let (row_scales, column_scales) = equilibrate(&mut entries);
         let (mut rows, mut columns): (Vec<usize>, Vec<usize>) = ((0..n).collect(), (0..n).collect());

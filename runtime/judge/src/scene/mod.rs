@@ -131,7 +131,7 @@ impl<S: Scalar> Scene<S> {
     ///
     /// # Errors
     /// See [`SceneError`].
-    pub fn of(declaration: &str, parameters: &[f64], coordinates: &[&str]) -> Result<Self, SceneError> {
+    pub fn new(declaration: &str, parameters: &[f64], coordinates: &[&str]) -> Result<Self, SceneError> {
         let tokens: proc_macro2::TokenStream =
             declaration.parse().map_err(|error| SceneError::Declaration(format!("{error}")))?;
         let system =

@@ -8,7 +8,7 @@ use liftoff_core::scalar::Scalar;
 
 impl<'a, S: Scalar> Builder<'a, S> {
     pub(super) fn new(system: &'a System, parameters: &[f64], n: usize) -> Self {
-        let values = Values::of(system, parameters);
+        let values = Values::new(system, parameters);
         let tape = Tape::new(n);
         let bodies = 3 * system.bodies.len();
         let carriers = (0..system.particles.len()).map(|i| bodies + 2 * i).collect();
@@ -23,7 +23,7 @@ impl<'a, S: Scalar> Builder<'a, S> {
             potential: Tape::<S>::ZERO,
             turned: Vec::new(),
         };
-        builder.points = (0..system.points.len()).map(|point| builder.place(point)).collect();
+        builder.points = (0..system.points.len()).map(|point| builder.locate(point)).collect();
         builder
     }
 
@@ -56,7 +56,7 @@ impl<'a, S: Scalar> Builder<'a, S> {
         self.system.particles.iter().position(|particle| particle.point == point).map(|i| self.carriers[i])
     }
 
-    fn place(&mut self, point: usize) -> [Node; 2] {
+    fn locate(&mut self, point: usize) -> [Node; 2] {
         let declared = &self.system.points[point];
         if let Some(at) = &declared.ground {
             return self.constants(at);

@@ -9,7 +9,7 @@ use liftoff_core::scalar::Scalar;
 pub(crate) struct Values<S>(Vec<S>);
 
 impl<S: Scalar> Values<S> {
-    pub fn of(system: &System, parameters: &[f64]) -> Self {
+    pub fn new(system: &System, parameters: &[f64]) -> Self {
         let mut values = Self(parameters.iter().map(|&x| S::from_f64(x)).collect());
         for constant in &system.constants {
             let value = match constant {

@@ -42,7 +42,7 @@ impl<S: Scalar> Series<S> {
     }
 
     /// The coefficients computed.
-    pub fn of(&self, node: Node) -> &[S] {
+    pub fn coefficients(&self, node: Node) -> &[S] {
         &self.coefficients[node.0]
     }
 

@@ -42,7 +42,7 @@ pub(crate) fn halves(layout: &Layout) -> Result<Halves, String> {
 
 /// A compiled model once more, interpreted.
 pub(crate) fn interpreted(layout: &Layout) -> Result<Arc<Interpreted>, String> {
-    derived(layout, |analysis| Ok(Interpreted::of(analysis)))
+    derived(layout, |analysis| Ok(Interpreted::from_analysis(analysis)))
 }
 
 /// The declaration of a model as one would write it: comments, attributes and fields one a line.

@@ -21,7 +21,7 @@ impl Entry {
     pub fn unfolded(&self) -> Result<Unfolded, MotionError> {
         let halves = halves(self.layout()).map_err(MotionError::Input)?;
         let run = RunSpec { parameters: self.default_run().parameters, ..RunSpec::default() };
-        let model = Self::interpreted(Interpreted::of(&halves.analysis)).with_default_run(run);
+        let model = Self::interpreted(Interpreted::from_analysis(&halves.analysis)).with_default_run(run);
         Ok(Unfolded { model, halves })
     }
 }

@@ -53,7 +53,7 @@ pub fn embedded(name: &'static str, source: &'static str, default_run: RunSpec) 
 
 /// The models of a text, derived for the interpreter.
 fn derived(source: &str) -> Result<Vec<Arc<Interpreted>>, Vec<Mistake>> {
-    each(source, |item| Ok(Interpreted::of(&liftoff_codegen::analyse(item)?)))
+    each(source, |item| Ok(Interpreted::from_analysis(&liftoff_codegen::analyse(item)?)))
 }
 
 /// What is made of every item that derives `BarSystem`, in order.

@@ -53,7 +53,7 @@ pub fn audit(run: &Trajectory, held: &[&str]) -> Verdict {
 pub fn witness(run: &Trajectory, held: &[&str]) {
     let phases = run.segments().len();
     let testimony = match phases {
-        0..=SEGMENTS => Testimony::of(run, held).ok_or_else(|| NOTHING.to_owned()),
+        0..=SEGMENTS => Testimony::from_run(run, held).ok_or_else(|| NOTHING.to_owned()),
         _ => Err(format!("{phases} phases are too many to be judged in passing")),
     };
     keep(run, testimony.map_err(|why| Verdict::NotJudged { why }));
@@ -88,7 +88,7 @@ pub(crate) struct Testimony {
 
 impl Testimony {
     /// None of what did not begin.
-    pub(crate) fn of(run: &Trajectory, held: &[&str]) -> Option<Self> {
+    pub(crate) fn from_run(run: &Trajectory, held: &[&str]) -> Option<Self> {
         let record = record(run, held)?;
         Some(Self { layout: run.layout(), parameters: run.parameters().to_vec(), record })
     }
@@ -96,7 +96,7 @@ impl Testimony {
     fn judge(&self) -> Result<Judge, String> {
         let coordinates: Vec<&str> =
             self.layout.coordinates.iter().map(|coordinate| coordinate.name).collect();
-        Judge::of(self.layout.declaration, &self.parameters, &coordinates).map_err(|error| error.to_string())
+        Judge::new(self.layout.declaration, &self.parameters, &coordinates).map_err(|error| error.to_string())
     }
 
     fn before(&self, ask: impl FnOnce(&Judge, &Record) -> Verdict) -> Verdict {
@@ -126,7 +126,7 @@ impl Testimony {
 const NOTHING: &str = "there is no motion";
 
 fn ask(run: &Trajectory, held: &[&str], ask: impl FnOnce(&Judge, &Record) -> Verdict) -> Verdict {
-    match Testimony::of(run, held) {
+    match Testimony::from_run(run, held) {
         Some(testimony) => testimony.before(ask),
         None => Verdict::NotJudged { why: NOTHING.to_owned() },
     }

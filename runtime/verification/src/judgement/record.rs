@@ -20,7 +20,7 @@ pub(super) fn record(run: &Trajectory, held: &[&str]) -> Option<Record> {
     let start = run.events().first()?;
     let layout = run.layout();
     let Scales { time, .. } = run.scales();
-    let awaited = Awaited::of(run);
+    let awaited = Awaited::from_run(run);
     let last = run.events().last();
     let barred = last.filter(|event| event.kind == EventKind::Close);
     let stop = |name: &&str| layout.contacts.iter().any(|c| c.stop && c.supports.contains(name));
@@ -56,7 +56,7 @@ struct Awaited {
 }
 
 impl Awaited {
-    fn of(run: &Trajectory) -> Self {
+    fn from_run(run: &Trajectory) -> Self {
         let (mut conditions, mut given) = (Vec::new(), None);
         for (k, condition) in run.conditions().iter().enumerate() {
             let met = met(run, k);

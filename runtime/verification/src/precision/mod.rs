@@ -111,7 +111,7 @@ pub struct Measurement {
 
 impl Precision {
     /// Makes the reference, with the simulation's own method for the order of events. Where that cannot be made the
-    /// measurements have times but no errors. `system` makes the model's equations in double-double, see [`Reference::of`].
+    /// measurements have times but no errors. `system` makes the model's equations in double-double, see [`Reference::compute`].
     pub fn new(simulation: Simulation, system: impl Fn(&[f64]) -> Arc<dyn System<DoubleDouble>>) -> Self {
         let verdict = Verdict::NotJudged { why: "there is no motion".to_owned() };
         let truth = Err(ReferenceError::from(ReplayError::Empty).into());
@@ -124,7 +124,7 @@ impl Precision {
                     let held = precision.simulation.held();
                     precision.truth = match &precision.verdict {
                         Verdict::Disagrees { .. } => Err(PrecisionError::Disagreement),
-                        _ => Reference::of(&run, &held, &system).map_err(PrecisionError::Reference),
+                        _ => Reference::compute(&run, &held, &system).map_err(PrecisionError::Reference),
                     };
                     break;
                 }
@@ -226,7 +226,7 @@ impl Precision {
     /// Of the final state, over the run, which is recorded for it, and of the events' times.
     fn errors(&self, simulation: &Simulation, run: &Trajectory) -> Result<[f64; 3], String> {
         let truth = self.truth.as_ref().map_err(ToString::to_string)?;
-        let others = || format!("other events: {}", told(run.events()));
+        let others = || format!("other events: {}", describe_events(run.events()));
         let late = truth.lateness(run.events().iter()).ok_or_else(others)?;
         let recorded = simulation.run().map_err(|error| stopped(&error).to_string())?;
         let over = truth.run_error(&recorded).ok_or_else(others)?;
@@ -235,7 +235,7 @@ impl Precision {
 }
 
 /// Events in a line; what only touches zero does not count.
-fn told(events: &[Event]) -> String {
+fn describe_events(events: &[Event]) -> String {
     let one = |event: &Event| match event.supports.len() {
         0 => event.kind.to_string(),
         _ => format!("{} {}", event.supports.join(" "), event.kind),

@@ -24,7 +24,7 @@ pub(super) fn judged(
     system: &Arc<dyn System<DoubleDouble>>,
 ) -> Result<Reference, ReferenceError> {
     let not_judged = |why: String| ReferenceError::NotJudged { why };
-    let testimony = Testimony::of(run, held).ok_or(ReplayError::Empty)?;
+    let testimony = Testimony::from_run(run, held).ok_or(ReplayError::Empty)?;
     if let Some(given) = testimony.given() {
         return Err(not_judged(given.to_owned()));
     }

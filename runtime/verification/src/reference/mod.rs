@@ -104,7 +104,7 @@ impl Reference {
     ///
     /// # Errors
     /// The motion cannot be computed, or not to more digits than doubles have; or the judge finds another.
-    pub fn of(
+    pub fn compute(
         run: &Trajectory,
         held: &[&str],
         system: impl FnOnce(&[f64]) -> Arc<dyn System<DoubleDouble>>,

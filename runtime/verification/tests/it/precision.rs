@@ -59,9 +59,10 @@ fn the_error_over_the_run_is_that_against_a_closed_form() -> Outcome {
         let errors = [(state[1] - t.cos().abs()) / length, (state[3] + sign * t.sin()) / (length / time)];
         largest = errors.into_iter().fold(largest, |most, error| most.max(error.abs()));
     }
-    for reference in
-        [Reference::of(&run, &[], precise::<Oscillator>), Reference::replayed(&run, precise::<Oscillator>)]
-    {
+    for reference in [
+        Reference::compute(&run, &[], precise::<Oscillator>),
+        Reference::replayed(&run, precise::<Oscillator>),
+    ] {
         let error = reference?.run_error(&run).expect("the same events");
         assert!((error / largest - 1.0).abs() < 1e-6, "{error:e}, not {largest:e}");
     }

@@ -53,7 +53,7 @@ fn times(reference: &Reference) -> Vec<Option<DoubleDouble>> {
 fn assert_falls_as_quadrature_says(form: Form) -> Outcome {
     let model = PairOnCorners { m: 1.0, l: 1.0, g: 9.81 };
     let run = Simulation::new(&model)?.start(Pose::at("phi", 0.1))?.until("phi = pi/2")?.form(form).run()?;
-    let reference = Reference::of(&run, &[], precise::<PairOnCorners>)?;
+    let reference = Reference::compute(&run, &[], precise::<PairOnCorners>)?;
     let [Some(start), Some(opens), Some(ends)] = times(&reference)[..] else { panic!("start, opening, end") };
     assert_eq!(reference.source(), &Source::Judge);
     assert_eq!(start, DoubleDouble::ZERO);
@@ -79,7 +79,7 @@ fn the_same_without_closed_forms() -> Outcome {
     let model = PairOnCorners { m: 1.0, l: 1.0, g: 9.81 };
     let run = |form| -> Result<_, Box<dyn std::error::Error>> {
         let start = Simulation::new(&model)?.start(Pose::at("phi", 0.1))?;
-        Ok(Reference::of(&start.until("phi = pi/2")?.form(form).run()?, &[], precise::<PairOnCorners>)?)
+        Ok(Reference::compute(&start.until("phi = pi/2")?.form(form).run()?, &[], precise::<PairOnCorners>)?)
     };
     let (closed, projected) = (run(Form::Closed)?, run(Form::Projected)?);
     for (a, b) in times(&closed).iter().zip(times(&projected)) {
@@ -95,7 +95,7 @@ fn a_double_pendulum_after_ten_seconds() -> Outcome {
     let model = DoublePendulum { m: 1.0, l: 1.0, g: 9.81 };
     let start = Pose::at("a", 2.0).with("b", 1.0);
     let run = Simulation::new(&model)?.start(start)?.until("t = 10")?.run()?;
-    let reference = Reference::of(&run, &[], precise::<DoublePendulum>)?;
+    let reference = Reference::compute(&run, &[], precise::<DoublePendulum>)?;
     assert_eq!(reference.source(), &Source::Judge);
     let expected = [
         "0.993000786578872811843386338785",
@@ -113,7 +113,7 @@ fn impacts_keep_their_digits() -> Outcome {
     let model = Ball { m: 1.0, g: 9.81, e: 0.8 };
     let start = Pose::at("y", 1.0).with("x", 0.0);
     let run = Simulation::new(&model)?.start(start)?.until("t = 2.5")?.run()?;
-    let reference = Reference::of(&run, &[], precise::<Ball>)?;
+    let reference = Reference::compute(&run, &[], precise::<Ball>)?;
     let times: Vec<_> = times(&reference).into_iter().map(|t| t.expect("no touch")).collect();
     let expected = [
         "0.45152364098573089300438960606833",
@@ -132,7 +132,7 @@ fn impacts_keep_their_digits() -> Outcome {
 #[test]
 fn a_blow_keeps_its_digits() -> Outcome {
     let run = Simulation::new(&StruckChain { m: 1.0, l: 1.0 })?.impulse("C", [0.0, 1.0], 0.5)?;
-    let reference = Reference::of(&run.until("t = 0.5")?.run()?, &[], precise::<StruckChain>)?;
+    let reference = Reference::compute(&run.until("t = 0.5")?.run()?, &[], precise::<StruckChain>)?;
     assert_eq!(reference.source(), &Source::Judge);
     let rates: Vec<f64> = reference.state()[4..].iter().map(|rate| rate.to_f64()).collect();
     assert_eq!(rates, [-1.5, 4.5, 0.0, -1.0]);
@@ -146,7 +146,8 @@ fn a_blow_keeps_its_digits() -> Outcome {
 fn without_a_motion_there_is_no_reference() -> Outcome {
     let run = Simulation::new(&PairOnCorners { m: 1.0, l: 1.0, g: 9.81 })?.start(Pose::at("phi", 0.0))?.run();
     assert!(run.is_err_and(|error| {
-        Reference::of(error.trajectory(), &[], precise::<PairOnCorners>) == Err(ReplayError::Empty.into())
+        Reference::compute(error.trajectory(), &[], precise::<PairOnCorners>)
+            == Err(ReplayError::Empty.into())
     }));
     Ok(())
 }
@@ -157,7 +158,7 @@ fn infinitely_many_impacts_have_their_end() -> Outcome {
     let model = Ball { m: 1.0, g: 9.81, e: 0.5 };
     let simulation = Simulation::new(&model)?.start(Pose::at("y", 1.0).with("x", 0.0))?.until("t = 2")?;
     let run = simulation.clone().tolerance(1e-13).run()?;
-    let reference = Reference::of(&run, &[], precise::<Ball>)?;
+    let reference = Reference::compute(&run, &[], precise::<Ball>)?;
     assert_eq!(reference.source(), &Source::Judge);
     let settles = reference.events().iter().find(|event| event.kind == EventKind::Settle).expect("an end");
     assert_near(settles.t.expect("a time"), "1.354570922957192679013168818205");
@@ -180,7 +181,7 @@ fn conditions_are_found_by_the_judge() -> Outcome {
     let start = Pose::at("y", 1.0).with("x", 0.0);
     let end = |condition: &str| -> Result<(Reference, f64), Box<dyn std::error::Error>> {
         let run = Simulation::new(&model)?.start(start.clone())?.until(condition)?.limit(5.0).run()?;
-        let reference = Reference::of(&run, &[], precise::<Ball>)?;
+        let reference = Reference::compute(&run, &[], precise::<Ball>)?;
         let t = reference.events().last().and_then(|event| event.t).expect("a time").to_f64();
         Ok((reference, t))
     };
@@ -205,7 +206,7 @@ fn the_other_branch_of_a_closed_form_is_followed() -> Outcome {
     let bar = BouncingBar { m: 1.0, l: 1.0, g: 9.81, e: 0.0 };
     let start = Pose::at("phi", core::f64::consts::PI).with("x", 0.0).with("y", 1.0);
     let run = Simulation::new(&bar)?.start(start)?.limit(5.0).run()?;
-    let reference = Reference::of(&run, &[], precise::<BouncingBar>)?;
+    let reference = Reference::compute(&run, &[], precise::<BouncingBar>)?;
     assert!(reference.state_error(&run.final_state()) < 1e-10);
     Ok(())
 }
@@ -235,7 +236,8 @@ fn the_error_over_a_run_that_settles_is_that_against_a_closed_form() -> Outcome 
     let (e, end) = (0.7, 8.0);
     let model = SprungBall { m: 1.0, k: 1.0, g: 1.0, e };
     let simulation = Simulation::new(&model)?.start(Pose::at("y", 1.0).with("x", 0.0))?.until("t = 8")?;
-    let reference = Reference::of(&simulation.clone().tolerance(1e-13).run()?, &[], precise::<SprungBall>)?;
+    let reference =
+        Reference::compute(&simulation.clone().tolerance(1e-13).run()?, &[], precise::<SprungBall>)?;
     let speeds = (1..150).map(|n| 3f64.sqrt() * e.powi(n));
     let flights = speeds.scan(core::f64::consts::FRAC_PI_3, |t, v| {
         let begins = *t;

@@ -23,7 +23,7 @@ fn by_parameters<M: BarSystem>(
         variable.parameter.into_iter().for_each(|k| parameters[k] = value);
         Ok(start(&parameters))
     };
-    Sensitivities::of(run, |parameters| Ok(varied::<M>(parameters)), &variables, start)
+    Sensitivities::compute(run, |parameters| Ok(varied::<M>(parameters)), &variables, start)
 }
 
 fn start(run: &Trajectory) -> Vec<f64> {

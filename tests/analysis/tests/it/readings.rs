@@ -4,7 +4,7 @@ use liftoff::prelude::*;
 use liftoff_core::scalar::Dual4;
 use liftoff_core::system::varied;
 use liftoff_fixtures::{Belt, Block, BouncingBar, Zigzag};
-use liftoff_replay::{Moment, Reading, ReplayError, read};
+use liftoff_replay::{Moment, Reading, ReplayError, replay_outputs};
 
 /// Half the step of the differences, relative: its sixth power is 1e-18, and rounding of runs at 1e-13 gives 1e-10.
 const STEP: f64 = 1e-3;
@@ -47,7 +47,7 @@ impl Case {
         let parameters: Vec<Dual4> =
             run.parameters().iter().enumerate().map(|(i, &value)| Dual4::new(value, seed(i))).collect();
         let start: Vec<Dual4> = run.events()[0].state.iter().map(|&x| Dual4::new(x, [0.0; 4])).collect();
-        read(run, (self.model)(&parameters), &start, 1e-12, readings)
+        replay_outputs(run, (self.model)(&parameters), &start, 1e-12, readings)
     }
 
     /// p ∂y/∂p.
@@ -171,7 +171,9 @@ fn what_cannot_be_read_is_named() {
     let start: Vec<Dual4> = run.events()[0].state.iter().map(|&x| Dual4::new(x, [0.0; 4])).collect();
     let parameters: Vec<Dual4> = run.parameters().iter().map(|&x| Dual4::new(x, [0.0; 4])).collect();
     let read = |reading: Reading<'_>| {
-        read(&run, varied::<BouncingBar>(&parameters), &start, 1e-12, &[reading]).unwrap_err().to_string()
+        replay_outputs(&run, varied::<BouncingBar>(&parameters), &start, 1e-12, &[reading])
+            .unwrap_err()
+            .to_string()
     };
     let told = read(Reading { moment: Moment::Time(0.1), output: Some(&velocity) });
     assert_eq!(told, "`vx(A)` asks for velocities of points, which are known in doubles only");

@@ -57,7 +57,7 @@ impl<M: BarSystem> Case<M> {
     }
 
     fn sensitivities(&self, run: &Trajectory) -> Result<Sensitivities, SensitivityError> {
-        Sensitivities::of(
+        Sensitivities::compute(
             run,
             |parameters| Ok(varied::<M>(parameters)),
             &self.variables(),

@@ -15,7 +15,7 @@ fn subject<M: BarSystem>(model: &M, start: Pose) -> Subject {
 
 fn modes<M: BarSystem>(model: &M, start: Pose, closed: &[&str]) -> Vec<Mode> {
     let subject = subject(model, start);
-    let linear = Linearisation::of(&subject, subject.contacts(closed).unwrap()).unwrap();
+    let linear = Linearisation::compute(&subject, subject.contacts(closed).unwrap()).unwrap();
     assert!(linear.residual() < 1e-13, "{:e}", linear.residual());
     linear.modes()
 }
@@ -111,7 +111,7 @@ fn the_symmetric_motion_of_the_frame_is_unstable() {
     for lambda in [0.0, 0.25, 0.5, 0.75, 1.0] {
         let subject = frame(lambda, [FRAC_PI_2; 4]);
         let all = subject.contacts(&["A", "C", "E"]).unwrap();
-        let linear = Linearisation::of(&subject, all).unwrap();
+        let linear = Linearisation::compute(&subject, all).unwrap();
         assert!(linear.residual() < 1e-13, "{:e}", linear.residual());
         let parts = linear.by_symmetry(&reflection()).unwrap();
         let exact = ((1.0 / 3.0 + 2.0 * lambda) / (1.0 / 12.0 + lambda - lambda * lambda)).sqrt();
@@ -135,7 +135,7 @@ fn what_is_not_symmetric_has_no_symmetric_motions() {
     let lean = frame(0.5, [1.4, 1.4, 1.5, 1.5]);
     let fallen = frame(0.5, [1.4; 4]);
     let parts = |subject: &Subject, closed: &[&str], reflection: &DMatrix<f64>| {
-        let linear = Linearisation::of(subject, subject.contacts(closed).unwrap()).unwrap();
+        let linear = Linearisation::compute(subject, subject.contacts(closed).unwrap()).unwrap();
         linear.by_symmetry(reflection).map(|parts| [parts.symmetric.degrees(), parts.antisymmetric.degrees()])
     };
     let mirror = reflection();

@@ -19,7 +19,7 @@ impl Pair {
     /// The motion that the engine is given, against that of these equations, which is the oracle's.
     pub(super) fn interpreted(&self, full: &Full, set: u64, a: &[f64], lambda: &[f64], force: f64) {
         let (mut accelerations, mut multipliers) = (vec![0.0; a.len()], vec![0.0; lambda.len()]);
-        let model = Interpreted::of(&self.analysis).model(&self.parameters);
+        let model = Interpreted::from_analysis(&self.analysis).model(&self.parameters);
         let closed = ContactSet::from_bits(set);
         model.system.solve(&self.state(full), closed, &mut accelerations, &mut multipliers);
         self.close("interpreted accelerations", &accelerations, a);
@@ -28,7 +28,7 @@ impl Pair {
 
     /// A closed form as the engine is given it, against the values of its functions.
     pub(super) fn interpreted_form(&self, functions: &PhaseFunctions, full: &Full, [a, r]: [&[f64]; 2]) {
-        let model = Interpreted::of(&self.analysis).model(&self.parameters);
+        let model = Interpreted::from_analysis(&self.analysis).model(&self.parameters);
         let set = ContactSet::from_bits_and_stick(functions.set.closed, functions.set.stick);
         let phase: Arc<dyn Phase> = model.system.phase(set, Form::Closed);
         let (mut y, mut reactions) = (vec![0.0; phase.info().entries], vec![0.0; r.len()]);

@@ -23,7 +23,9 @@ fn with_roots(roots: &[BigRational], complex: usize) -> Univariate {
     };
     let one = BigRational::one;
     let real = roots.iter().fold(vec![one()], |p, root| times(p, &[-root, one()]));
-    Univariate::of(&(0..complex).fold(real, |p, _| times(p, &[one(), BigRational::zero(), one()])))
+    Univariate::from_coefficients(
+        &(0..complex).fold(real, |p, _| times(p, &[one(), BigRational::zero(), one()])),
+    )
 }
 
 proptest! {

@@ -11,7 +11,7 @@ pub(crate) struct Univariate(Vec<BigInt>);
 
 impl Univariate {
     /// What has the roots of a polynomial with rational coefficients: its coefficients over their content.
-    pub fn of(coefficients: &[BigRational]) -> Self {
+    pub fn from_coefficients(coefficients: &[BigRational]) -> Self {
         let common = coefficients.iter().fold(BigInt::one(), |common, c| common.lcm(c.denom()));
         Self::primitive(coefficients.iter().map(|c| c.numer() * (&common / c.denom())).collect())
     }
@@ -53,7 +53,7 @@ impl Univariate {
             power *= c;
             scaled
         });
-        Self::of(&scaled.collect::<Vec<_>>())
+        Self::from_coefficients(&scaled.collect::<Vec<_>>())
     }
 
     /// xⁿ p(1/x).

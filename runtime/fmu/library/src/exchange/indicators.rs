@@ -9,8 +9,9 @@
 //! opened, or begun to slide, at t₀ without being struck: z then grows with the third power of the time, more slowly at first than the
 //! errors of some steps add up; u (t/T)³ is as large as K ε u, that of K steps, at τ.
 
-use crate::place::Place;
+use crate::place::Instant;
 use liftoff::{Output, Simulation};
+use liftoff_core::model::{Layout, Slip};
 use liftoff_core::model::{Layout, Slip};
 use liftoff_fmu::{Guard, Interface, Quantity};
 
@@ -42,7 +43,7 @@ pub(crate) struct Bands<'a> {
 
 impl Bands<'_> {
     /// ε (1 + K exp(−(t − t₀)/τ)), the second for what is loose.
-    fn of(&self, contact: usize, t: f64, time: f64) -> f64 {
+    fn compute_band(&self, contact: usize, t: f64, time: f64) -> f64 {
         let since = self.loose.get(contact).map_or(f64::INFINITY, |begun| t - begun);
         let decay = (STEPS * self.tolerance).cbrt() * time;
         self.tolerance * (1.0 + STEPS * (-since.max(0.0) / decay).exp())
@@ -54,7 +55,7 @@ impl Indicators {
     ///
     /// # Errors
     /// An expression that the model does not have, as none is.
-    pub(crate) fn of(interface: &Interface) -> Result<Self, String> {
+    pub(crate) fn from_interface(interface: &Interface) -> Result<Self, String> {
         let of = |variable: &liftoff_fmu::Variable| match variable.quantity {
             Quantity::Guard(guard) => Some(guard),
             _ => None,
@@ -77,7 +78,7 @@ impl Indicators {
     }
 
     /// Their values at a place.
-    pub(crate) fn at(&self, simulation: &Simulation, place: &Place, bands: Bands) -> Vec<f64> {
+    pub(crate) fn evaluate(&self, simulation: &Simulation, place: &Instant, bands: Bands) -> Vec<f64> {
         let (layout, scales) = (simulation.layout(), simulation.scales());
         let values = simulation.values(&place.phase, (place.t, &place.state), &self.outputs);
         let (ends, firm) = (ends(simulation, place), bands.tolerance);
@@ -86,7 +87,7 @@ impl Indicators {
             let [normal, gap, friction, coefficient, slip] = core::array::from_fn(|k| values[EACH * i + k]);
             let (set, end) =
                 (place.phase.set, layout.contacts[i].foot.map_or(f64::INFINITY, |foot| ends[foot]));
-            let loose = bands.of(i, place.t, scales.time);
+            let loose = bands.compute_band(i, place.t, scales.time);
             let (value, band) = match guard {
                 Guard::Normal(_) if set.contains(i) => {
                     (f64::from(set.side(i).sign()) * normal, firm * scales.force())
@@ -106,8 +107,8 @@ impl Indicators {
     }
 
     /// The same, each with what it is.
-    pub(crate) fn named(&self, simulation: &Simulation, place: &Place, bands: Bands) -> Vec<(Guard, f64)> {
-        self.guards.iter().copied().zip(self.at(simulation, place, bands)).collect()
+    pub(crate) fn named(&self, simulation: &Simulation, place: &Instant, bands: Bands) -> Vec<(Guard, f64)> {
+        self.guards.iter().copied().zip(self.evaluate(simulation, place, bands)).collect()
     }
 
     /// How many there are.
@@ -122,7 +123,7 @@ impl Indicators {
 }
 
 /// The distance of each corner under a bar to the bar's nearer end.
-pub(super) fn ends(simulation: &Simulation, place: &Place) -> Vec<f64> {
+pub(super) fn ends(simulation: &Simulation, place: &Instant) -> Vec<f64> {
     let layout: &Layout = simulation.layout();
     let mut feet = vec![0.0; 2 * layout.feet()];
     simulation.model().system.feet(&layout.state_at(&place.state, place.t), &mut feet);

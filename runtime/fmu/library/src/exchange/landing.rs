@@ -8,7 +8,7 @@
 
 use super::indicators::{STEPS, ends};
 use super::projected;
-use crate::place::Place;
+use crate::place::Instant;
 use liftoff::Simulation;
 use liftoff_core::model::{ContactSet, Slip};
 use liftoff_fmu::Guard;
@@ -24,7 +24,7 @@ const NEAR: f64 = 100.0;
 /// The state at an event at which these indicators have crossed zero.
 pub(crate) fn land(
     simulation: &Simulation,
-    (place, tolerance): (&Place, f64),
+    (place, tolerance): (&Instant, f64),
     crossed: &[Guard],
 ) -> Vec<f64> {
     let (before, n) = (place.phase.set, simulation.layout().coordinates.len());
@@ -59,7 +59,7 @@ fn apart(simulation: &Simulation, a: &[f64], b: &[f64]) -> f64 {
 }
 
 /// The open contacts that are penetrated: by less than their bands, or by as much as they crossed zero together with others.
-fn below(simulation: &Simulation, place: &Place) -> ContactSet {
+fn below(simulation: &Simulation, place: &Instant) -> ContactSet {
     let (layout, ends) = (simulation.layout(), ends(simulation, place));
     let mut gaps = vec![0.0; layout.contacts.len()];
     simulation.model().system.gaps(&layout.state_at(&place.state, place.t), &mut gaps);
@@ -69,7 +69,7 @@ fn below(simulation: &Simulation, place: &Place) -> ContactSet {
 }
 
 /// The state a moment before, when the deepest of these contacts was reached.
-fn taken_back(simulation: &Simulation, place: &Place, closing: ContactSet) -> Vec<f64> {
+fn taken_back(simulation: &Simulation, place: &Instant, closing: ContactSet) -> Vec<f64> {
     let (layout, system, n) = (simulation.layout(), &simulation.model().system, place.state.len() / 2);
     let full = layout.state_at(&place.state, place.t);
     let (mut a, mut multipliers) = (vec![0.0; n], vec![0.0; layout.rows()]);

@@ -9,7 +9,7 @@ mod decision;
 mod indicators;
 mod landing;
 
-use crate::place::Place;
+use crate::place::Instant;
 use decision::decide;
 pub(crate) use indicators::{Bands, Indicators};
 use liftoff::{Output, Segment, Simulation};
@@ -25,11 +25,11 @@ pub(crate) struct Exchange {
     derivatives: Vec<Output>,
     indicators: Indicators,
     tolerance: f64,
-    place: Place,
+    place: Instant,
     /// When each contact has last opened or begun to slide without being struck.
     loose: Vec<f64>,
     /// The state of the phase that the importer's state stands for.
-    seen: OnceCell<Place>,
+    seen: OnceCell<Instant>,
 }
 
 /// What an event has done.
@@ -54,7 +54,7 @@ impl Exchange {
         let layout = simulation.layout();
         let state = layout.public_state(&state).to_vec();
         let decision = decide(&simulation, t, &state)?;
-        let place = Place { t, state: decision.state, phase: decision.phase, events: 0 };
+        let place = Instant { t, state: decision.state, phase: decision.phase, events: 0 };
         let loose = vec![t; layout.contacts.len()];
         let named = interface.derivatives().into_iter();
         let named =
@@ -69,7 +69,7 @@ impl Exchange {
     }
 
     /// The time and the states of the importer.
-    pub(crate) fn place(&self) -> &Place {
+    pub(crate) fn instant(&self) -> &Instant {
         &self.place
     }
 
@@ -84,8 +84,8 @@ impl Exchange {
     }
 
     /// The place that outputs are read at.
-    pub(crate) fn seen(&self) -> &Place {
-        self.seen.get_or_init(|| Place { state: seen(&self.simulation, &self.place), ..self.place.clone() })
+    pub(crate) fn seen(&self) -> &Instant {
+        self.seen.get_or_init(|| Instant { state: seen(&self.simulation, &self.place), ..self.place.clone() })
     }
 
     /// ẋ: rates, then accelerations.
@@ -96,7 +96,7 @@ impl Exchange {
 
     /// The event indicators.
     pub(crate) fn indicators(&self) -> Vec<f64> {
-        self.indicators.at(&self.simulation, self.seen(), self.bands())
+        self.indicators.evaluate(&self.simulation, self.seen(), self.bands())
     }
 
     /// How far indicators are raised.
@@ -137,14 +137,14 @@ impl Exchange {
         let changes = i32::from(decision.phase.set != self.place.phase.set);
         let events = self.place.events.saturating_add(decision.events.max(changes));
         self.note_loose(t, decision.phase.set);
-        self.place = Place { t, state: decision.state, phase: decision.phase, events };
+        self.place = Instant { t, state: decision.state, phase: decision.phase, events };
         self.seen.take();
         Ok(Update { moved: true, ended: decision.ended })
     }
 }
 
 /// The state of a phase that a state stands for.
-fn seen(simulation: &Simulation, place: &Place) -> Vec<f64> {
+fn seen(simulation: &Simulation, place: &Instant) -> Vec<f64> {
     let Segment { form, bearing, .. } = place.phase;
     match form {
         Form::Closed => embedded(simulation, bearing, place),
@@ -153,7 +153,7 @@ fn seen(simulation: &Simulation, place: &Place) -> Vec<f64> {
 }
 
 /// embed(restrict(x)) of a contact set.
-fn embedded(simulation: &Simulation, set: ContactSet, place: &Place) -> Vec<f64> {
+fn embedded(simulation: &Simulation, set: ContactSet, place: &Instant) -> Vec<f64> {
     let layout = simulation.layout();
     let phase = Arc::clone(&simulation.model().system).phase(set, Form::Closed);
     let (mut reduced, mut full) = (vec![0.0; phase.info().entries], layout.state_at(&place.state, place.t));

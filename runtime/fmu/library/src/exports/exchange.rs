@@ -53,7 +53,7 @@ pub unsafe extern "C" fn fmi3SetContinuousStates(
 ///
 /// # Safety
 /// As of all exports.
-unsafe fn read(
+unsafe fn write_values(
     instance: Handle,
     (values, count): (*mut f64, usize),
     of: impl FnOnce(&mut Instance, usize) -> Result<Vec<f64>, String>,
@@ -65,7 +65,7 @@ unsafe fn read(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3GetContinuousStates(instance: Handle, states: *mut f64, count: usize) -> Status {
     // SAFETY: the importer vouches for all.
-    unsafe { read(instance, (states, count), Instance::states) }
+    unsafe { write_values(instance, (states, count), Instance::states) }
 }
 
 #[unsafe(no_mangle)]
@@ -75,7 +75,7 @@ pub unsafe extern "C" fn fmi3GetContinuousStateDerivatives(
     count: usize,
 ) -> Status {
     // SAFETY: the importer vouches for all.
-    unsafe { read(instance, (derivatives, count), Instance::derivatives) }
+    unsafe { write_values(instance, (derivatives, count), Instance::derivatives) }
 }
 
 #[unsafe(no_mangle)]
@@ -85,7 +85,7 @@ pub unsafe extern "C" fn fmi3GetNominalsOfContinuousStates(
     count: usize,
 ) -> Status {
     // SAFETY: the importer vouches for all.
-    unsafe { read(instance, (nominals, count), Instance::nominals) }
+    unsafe { write_values(instance, (nominals, count), Instance::nominals) }
 }
 
 #[unsafe(no_mangle)]
@@ -95,7 +95,7 @@ pub unsafe extern "C" fn fmi3GetEventIndicators(
     count: usize,
 ) -> Status {
     // SAFETY: the importer vouches for all.
-    unsafe { read(instance, (indicators, count), Instance::event_indicators) }
+    unsafe { write_values(instance, (indicators, count), Instance::event_indicators) }
 }
 
 /// Writes a count.

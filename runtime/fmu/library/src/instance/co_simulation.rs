@@ -33,7 +33,7 @@ impl Instance {
         let Some(Begun::Motion(motion)) = &mut self.begun else {
             return Err("the motion has not begun".to_owned());
         };
-        let here = motion.place().t;
+        let here = motion.instant().t;
         let is_here = (from - here).abs() <= ONE_TIME * length.max(here.abs());
         if !is_here {
             return Err(format!("the step begins at t = {from}, and the motion is at t = {here}"));
@@ -47,7 +47,7 @@ impl Instance {
             None => to,
         };
         let arrival = advance(motion, aim.max(here), pauses)?;
-        let t = motion.place().t;
+        let t = motion.instant().t;
         Ok(match arrival {
             Arrival::Reached => Step { event: false, ended: false, early: false, t: to },
             Arrival::Event => {

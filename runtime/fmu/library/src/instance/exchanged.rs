@@ -54,7 +54,7 @@ impl Instance {
     /// `fmi3GetContinuousStates`.
     pub(crate) fn states(&mut self, count: usize) -> Result<Vec<f64>, String> {
         self.must_count(count)?;
-        Ok(self.exchange()?.place().state.clone())
+        Ok(self.exchange()?.instant().state.clone())
     }
 
     /// `fmi3GetContinuousStateDerivatives`.

@@ -8,7 +8,7 @@ mod values;
 use crate::exchange::{Exchange, Indicators};
 use crate::experiment::Experiment;
 use crate::motion::Motion;
-use crate::place::{Place, Readings};
+use crate::place::{Instant, Readings};
 use crate::settings::{Settings, variable};
 use liftoff::{Pose, Simulation};
 use liftoff_core::model::ContactKind;
@@ -64,7 +64,7 @@ impl Instance {
     /// # Errors
     /// The resources cannot be read, or the description is another's.
     pub(crate) fn new(kind: Kind, resources: &Path, token: &str) -> Result<Self, String> {
-        let resources = Resources::read(resources).map_err(|error| error.to_string())?;
+        let resources = Resources::load(resources).map_err(|error| error.to_string())?;
         if token != resources.token().map_err(|error| error.to_string())? {
             return Err(
                 "the instantiation token is another: the description, the resources and the library are not \
@@ -73,7 +73,7 @@ impl Instance {
             );
         }
         let model = resources.model().map_err(|error| error.to_string())?;
-        let interface = Interface::of(&model, &resources.spec).map_err(|error| error.to_string())?;
+        let interface = Interface::from_model(&model, &resources.spec).map_err(|error| error.to_string())?;
         if let (Kind::Exchange, Some(lacks)) = (kind, interface.exchange_lacks) {
             return Err(format!("this model is for co-simulation only: it has {lacks}"));
         }
@@ -81,8 +81,8 @@ impl Instance {
             kind,
             model,
             spec: resources.spec,
-            readings: Readings::of(&interface)?,
-            indicators: Indicators::of(&interface)?,
+            readings: Readings::from_interface(&interface)?,
+            indicators: Indicators::from_interface(&interface)?,
             interface,
             stage: Stage::Instantiated,
             settings: Settings::default(),
@@ -197,10 +197,10 @@ impl Instance {
     }
 
     /// Where the motion is.
-    fn place(&self) -> Option<(&Simulation, &Place)> {
+    fn instant(&self) -> Option<(&Simulation, &Instant)> {
         match self.begun.as_ref()? {
             Begun::Exchange(exchange) => Some((exchange.simulation(), exchange.seen())),
-            Begun::Motion(motion) => Some((motion.simulation(), motion.place())),
+            Begun::Motion(motion) => Some((motion.simulation(), motion.instant())),
         }
     }
 }

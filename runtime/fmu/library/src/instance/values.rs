@@ -24,12 +24,12 @@ impl Instance {
     }
 
     fn values(&self) -> Vec<f64> {
-        self.place().map_or_else(Vec::new, |(simulation, place)| self.readings.at(simulation, place))
+        self.instant().map_or_else(Vec::new, |(simulation, place)| self.readings.evaluate(simulation, place))
     }
 
     /// Event indicators, in the order of their variables.
     fn guards(&self) -> Vec<(Guard, f64)> {
-        let Some((simulation, place)) = self.place() else { return Vec::new() };
+        let Some((simulation, place)) = self.instant() else { return Vec::new() };
         let tolerance = self.experiment.tolerance.unwrap_or(super::TOLERANCE);
         let bands = match &self.begun {
             Some(Begun::Exchange(exchange)) => exchange.bands(),
@@ -41,7 +41,7 @@ impl Instance {
     fn float(&self, reference: u32, values: &[f64], guards: &[(Guard, f64)]) -> Result<f64, String> {
         let (place, variable) = variable(&self.interface, reference)?;
         let value = match variable.quantity {
-            Quantity::Time => Some(self.place().map_or(self.experiment.start, |(_, place)| place.t)),
+            Quantity::Time => Some(self.instant().map_or(self.experiment.start, |(_, place)| place.t)),
             Quantity::Parameter(_) => self.settings.value(variable),
             Quantity::Guard(guard) => {
                 guards.iter().find(|(known, _)| *known == guard).map(|(_, value)| *value)
@@ -58,7 +58,7 @@ impl Instance {
         is: fn(&Quantity) -> bool,
     ) -> Result<Vec<i64>, String> {
         self.begin()?;
-        let Some((_, place)) = self.place() else { return Err("the motion has not begun".to_owned()) };
+        let Some((_, place)) = self.instant() else { return Err("the motion has not begun".to_owned()) };
         let of = |variable: &Variable| {
             let value = place.integer(&self.interface, &variable.quantity);
             value

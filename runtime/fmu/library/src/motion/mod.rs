@@ -3,7 +3,7 @@
 
 mod observer;
 
-use crate::place::Place;
+use crate::place::Instant;
 use liftoff::{RunError, Simulation};
 use liftoff_studio::registry::chain;
 use observer::Paced;
@@ -25,9 +25,9 @@ enum Request {
 #[derive(Debug)]
 enum Reply {
     /// What was asked for.
-    Reached(Place),
+    Reached(Instant),
     /// An event, before it.
-    Event(Place),
+    Event(Instant),
 }
 
 /// Where a motion has come to.
@@ -44,7 +44,7 @@ pub(crate) enum Arrival {
 /// A run in progress.
 pub(crate) struct Motion {
     simulation: Simulation,
-    place: Place,
+    place: Instant,
     /// Whether it is before an event that has not been passed.
     waits: bool,
     requests: Option<Sender<Request>>,
@@ -95,7 +95,7 @@ impl Motion {
     }
 
     /// Where it is.
-    pub(crate) fn place(&self) -> &Place {
+    pub(crate) fn instant(&self) -> &Instant {
         &self.place
     }
 
@@ -141,7 +141,7 @@ impl Motion {
 }
 
 /// Refuses what is no number: the engine does so at the ends of steps.
-fn refuse_lost(place: &Place) -> Result<(), String> {
+fn refuse_lost(place: &Instant) -> Result<(), String> {
     match place.state.iter().all(|x| x.is_finite()) {
         true => Ok(()),
         false => Err(format!("the motion is no number at t = {}", place.t)),
@@ -149,7 +149,7 @@ fn refuse_lost(place: &Place) -> Result<(), String> {
 }
 
 /// The place of the start, after what happens there.
-fn first(requests: &Sender<Request>, replies: &Receiver<Reply>) -> Option<Place> {
+fn first(requests: &Sender<Request>, replies: &Receiver<Reply>) -> Option<Instant> {
     requests.send(Request::After).ok()?;
     match replies.recv().ok()? {
         Reply::Reached(place) | Reply::Event(place) => Some(place),

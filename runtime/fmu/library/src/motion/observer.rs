@@ -4,7 +4,7 @@
 //! which change nothing, are told before the step that they are in.
 
 use super::{Reply, Request};
-use crate::place::Place;
+use crate::place::Instant;
 use liftoff::{Observer, Step};
 use std::sync::mpsc::{Receiver, Sender};
 
@@ -14,7 +14,7 @@ pub(super) struct Paced {
     /// What is asked for; none once nobody asks any more.
     asked: Option<Request>,
     /// The end of the last step.
-    last: Option<Place>,
+    last: Option<Instant>,
     /// The event that was told last.
     told: Option<f64>,
     /// Touches within the step that comes.
@@ -43,8 +43,8 @@ impl Paced {
     }
 
     /// Where a step is at a time.
-    fn place(&self, step: &dyn Step, t: f64) -> Place {
-        Place { t, state: step.state(t), phase: step.phase(), events: self.events }
+    fn interpolate(&self, step: &dyn Step, t: f64) -> Instant {
+        Instant { t, state: step.state(t), phase: step.phase(), events: self.events }
     }
 
     /// The first touch of this step up to a time.
@@ -88,16 +88,16 @@ impl Observer for Paced {
                 None => return,
                 Some(Request::After) => {
                     let t = self.told.map_or(begin, |told| told.max(begin));
-                    let place = self.place(step, t);
+                    let place = self.interpolate(step, t);
                     self.answer(Reply::Reached(place));
                 }
                 Some(Request::To(t)) => {
                     if let Some(touch) = self.touch(t) {
-                        let before = self.place(step, touch);
+                        let before = self.interpolate(step, touch);
                         (self.events, self.told) = (self.events.saturating_add(1), Some(touch));
                         self.answer(Reply::Event(before));
                     } else if t < end {
-                        let place = self.place(step, t.max(begin));
+                        let place = self.interpolate(step, t.max(begin));
                         self.answer(Reply::Reached(place));
                     } else {
                         break;
@@ -105,6 +105,6 @@ impl Observer for Paced {
                 }
             }
         }
-        self.last = Some(self.place(step, end));
+        self.last = Some(self.interpolate(step, end));
     }
 }
