@@ -121,7 +121,7 @@ fn cases(model: &Model) -> Vec<Value> {
 }
 
 /// What a script says of the equations of these models and of the program's numbers, where there is a Python with the packages.
-fn told(name: &str, models: &[&str], packages: &[&str]) -> Option<String> {
+fn run_script(name: &str, models: &[&str], packages: &[&str]) -> Option<String> {
     let python = python_with(packages)?;
     let folder = folder(name);
     let exported = models.iter().map(|name| {
@@ -147,13 +147,13 @@ fn told(name: &str, models: &[&str], packages: &[&str]) -> Option<String> {
 /// equations, which takes digits of the program's, is beyond 1e4.
 #[test]
 fn sympy_computes_the_same_accelerations_and_derives_the_same_equations() {
-    let Some(told) = told("sympy", &MODELS, &["sympy"]) else { return };
+    let Some(told) = run_script("sympy", &MODELS, &["sympy"]) else { return };
     assert_eq!(told.matches("by Lagrange's equations too").count(), 3, "{told}");
 }
 
 /// The same to 1e-11 by CasADi's functions of the module for SymPy, which round as the program does, in another order.
 #[test]
 fn casadi_computes_the_same_accelerations_and_differentiates_them() {
-    let Some(told) = told("casadi", &MODELS, &["sympy", "casadi"]) else { return };
+    let Some(told) = run_script("casadi", &MODELS, &["sympy", "casadi"]) else { return };
     assert_eq!(told.matches("of derivatives").count(), MODELS.len(), "{told}");
 }

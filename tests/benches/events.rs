@@ -23,10 +23,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (sin, cos) = (-0.2 - PI / 3.0).sin_cos();
     let rolling = Pose::at("phi", -0.2).with("phi'", -2.0).with("x'", -2.0 * sin).with("y'", 2.0 * cos);
     for tolerance in [1e-9, 1e-14] {
-        told("bouncing-ball", tolerance, &simulation(&ball, &from_rest, tolerance)?, impacts);
+        measure("bouncing-ball", tolerance, &simulation(&ball, &from_rest, tolerance)?, impacts);
     }
     for tolerance in [1e-9, 1e-14] {
-        told("rimless-wheel", tolerance, &simulation(&wheel, &rolling, tolerance)?, impacts);
+        measure("rimless-wheel", tolerance, &simulation(&wheel, &rolling, tolerance)?, impacts);
     }
     Ok(())
 }
@@ -59,7 +59,7 @@ impl Observer for Count {
     }
 }
 
-fn told(name: &str, tolerance: f64, simulation: &Simulation, impacts: u64) {
+fn measure(name: &str, tolerance: f64, simulation: &Simulation, impacts: u64) {
     let (mut least, before) = (f64::INFINITY, memory());
     let mut last = 0.0;
     for _ in 0..REPEATS {

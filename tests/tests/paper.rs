@@ -14,7 +14,7 @@ const ROUNDING: f64 = 1e-13;
 struct References(BTreeMap<String, serde_json::Value>);
 
 impl References {
-    fn read() -> Self {
+    fn load() -> Self {
         let text = include_str!("../../models/data/references.json");
         Self(serde_json::from_str(text).expect("references.json is an object"))
     }
@@ -44,7 +44,7 @@ fn lift_off(pair: &FallingPair) -> f64 {
 
 #[test]
 fn falling_pair_meets_the_references() {
-    let references = References::read();
+    let references = References::load();
     let phi = lift_off(&EARTH);
     let rate = EARTH.rate_squared(phi).sqrt();
     references.check("fig1a.phi1", phi, ROUNDING);
@@ -115,7 +115,7 @@ fn crest(system: &Zigzag) -> f64 {
 
 #[test]
 fn zigzag_meets_table_1() {
-    let references = References::read();
+    let references = References::load();
     for text in ["0.00", "0.25", "0.50", "0.75", "1.00"] {
         let id = |name: &str| format!("fig1b.{name}[{text}]");
         let system = unit_zigzag(text.parse().expect("number"));
@@ -135,7 +135,7 @@ fn zigzag_meets_table_1() {
 
 #[test]
 fn zigzag_meets_figures_8_to_10() {
-    let references = References::read();
+    let references = References::load();
     let system = unit_zigzag(0.5);
     let lift = root(|phi| system.mu(phi) - 2.0, 0.3, 1.0).expect("lifts off");
     let h = system.free_integral(lift, system.rate_squared(lift).sqrt());

@@ -7,7 +7,7 @@ use super::figure::decimals;
 use super::printed::GRAVITY;
 use super::published;
 use super::reading::events_of;
-use super::reading::{at, time_of};
+use super::reading::{evaluate_output, time_of};
 use super::strict;
 use super::strikes::Strikes;
 use super::{ReportError, Study};
@@ -45,9 +45,12 @@ fn problem_books(pair: &falling_pair::Runs, zigzag: &published::Runs) -> Result<
     let (held, fall) = (pair.held(), pair.fall());
     let end = held.interval()[1];
     let free = time_of(fall, "phi", FRAC_PI_3, fall.interval())?;
-    let value = |output: &str| at(held, output, end);
-    let [kept, flying] = [at(held, "phi' * sqrt(l / g)", end)?, at(fall, "phi' * sqrt(l / g)", free)?];
-    let level = |record: &Trajectory| at(record, "-phi'", record.interval()[1]);
+    let value = |output: &str| evaluate_output(held, output, end);
+    let [kept, flying] = [
+        evaluate_output(held, "phi' * sqrt(l / g)", end)?,
+        evaluate_output(fall, "phi' * sqrt(l / g)", free)?,
+    ];
+    let level = |record: &Trajectory| evaluate_output(record, "-phi'", record.interval()[1]);
     let text = format!(
         "The problem books keep the bars on their supports. At φ = π/3, where A and B reach the corners, the corners of \
          Fig. 1a would then have to pull with N = {} <i>mg</i> (−19/160), and the bars' centres would fall with {} <i>g</i> \
@@ -70,7 +73,7 @@ fn no_second_contact(pair: &falling_pair::Runs) -> Result<Option<Finding>, Repor
         "In Fig. 1a the bars leave the corners at φ₁ for good, as the paper reads off its Fig. 6; it is a near miss. When the \
          ends A and B pass above the corners, at φ = π/3, the bars clear them by {} <i>l</i>; from there on the ends are \
          inside the gap.",
-        decimals(at(fall, "gap(P) / l", passes)?, 4),
+        decimals(evaluate_output(fall, "gap(P) / l", passes)?, 4),
     );
     Ok(Some(Finding { anchor: "clearance", title: "No repeated contact in Fig. 1a", text }))
 }
@@ -99,7 +102,7 @@ fn sizes(pair: &falling_pair::Runs, tolerance: f64) -> Result<Finding, ReportErr
     };
     let angle = |run: &Trajectory| -> Result<f64, ReportError> {
         let open = events_of(run, EventKind::Open).next().map_or(f64::NAN, |event| event.t);
-        Ok(at(run, "phi", open)?)
+        Ok(evaluate_output(run, "phi", open)?)
     };
     let [one, other] = [angle(pair.fall())?, angle(&model.run(&other)?)?];
     let text = format!(
@@ -147,7 +150,7 @@ fn without_gravity(pair: &falling_pair::Runs, tolerance: f64) -> Result<Option<F
     let (Some(open), fall) = (pair.opening(), pair.fall()) else { return Ok(None) };
     let end = fall.interval()[1];
     let begin = open + 0.1 * (end - open);
-    let value = |output: &str| at(fall, output, begin);
+    let value = |output: &str| evaluate_output(fall, output, begin);
     let start = [("phi", value("phi")?), ("y", value("y")?), ("phi'", value("phi'")?), ("y'", value("y'")?)];
     let spec = RunSpec {
         parameters: named(&[("m", 1.0), ("l", 1.0), ("g", 0.0)]),
@@ -171,7 +174,7 @@ fn without_gravity(pair: &falling_pair::Runs, tolerance: f64) -> Result<Option<F
 
 fn first_strike(zigzag: &published::Runs, strikes: &Strikes) -> Result<Option<Finding>, ReportError> {
     let Some([_, touch]) = zigzag.interval() else { return Ok(None) };
-    let value = |output: &str| at(zigzag.flight(), output, touch);
+    let value = |output: &str| evaluate_output(zigzag.flight(), output, touch);
     let text = format!(
         "At λ = {} the floor is reached by B and D, at φ₂ &lt; 0, when A, C and E are still {} <i>l</i> above it. That is why C's          acceleration does not vanish at φ₂: it is that of free flight, {} <i>g</i> downward by (3.22), not a consequence of the          contact, which begins there. For λ &lt; {:.10} it is A, C and E that land again first, at λ = 0.01 at φ₂ = {};          at that border all five points reach the floor at once. That is why φ₂ of Table 1 goes from 0.34 to −0.022          (<a href=#strikes>figure</a>). Watched on its own, C lands again first for λ &lt; {:.10}.",
         zigzag.ratio().1,
@@ -189,8 +192,8 @@ fn thread(tolerance: f64) -> Result<Finding, ReportError> {
     let model = models().find("zigzag-thread")?;
     let run = model.run(&model.default_run().tolerance(tolerance))?;
     let cut = run.events().iter().find(|event| event.kind == EventKind::Cut).map_or(0.0, |event| event.t);
-    let before = |output: &str| at(&run, output, 0.5 * cut);
-    let after = |output: &str| at(&run, output, cut + 1e-9);
+    let before = |output: &str| evaluate_output(&run, output, 0.5 * cut);
+    let after = |output: &str| evaluate_output(&run, output, cut + 1e-9);
     let text = format!(
         "The paper begins behind the breakage of the thread BD. Declared with it (<code>zigzag-thread</code>, λ = ½, at rest at \
          φ = {}), its tension is {} (<i>m</i>₁ + <i>m</i>₂)<i>g</i>, which is ½ cot φ; the floor bears {} at C and {} at A and \

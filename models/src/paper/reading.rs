@@ -21,7 +21,7 @@ pub fn coordinate(record: &Trajectory, state: &[f64], name: &str) -> Option<f64>
 }
 
 /// The value of an output at a time.
-pub fn at(record: &Trajectory, output: &str, t: f64) -> Result<f64, MotionError> {
+pub fn evaluate_output(record: &Trajectory, output: &str, t: f64) -> Result<f64, MotionError> {
     Ok(record.function(output)?(t))
 }
 
@@ -71,7 +71,7 @@ pub fn equal_steps(
     count: u32,
 ) -> Result<Vec<f64>, MotionError> {
     let [from, to] = interval;
-    let [first, last] = [at(record, output, from)?, at(record, output, to)?];
+    let [first, last] = [evaluate_output(record, output, from)?, evaluate_output(record, output, to)?];
     let value = |i| first + (last - first) * f64::from(i) / f64::from(count);
     let inner: Result<Vec<f64>, _> =
         (1..count).map(|i| time_of(record, output, value(i), interval)).collect();
@@ -80,7 +80,11 @@ pub fn equal_steps(
 
 /// Positions of the named points at a time.
 pub fn places(record: &Trajectory, points: &[&str], t: f64) -> Result<Vec<[f64; 2]>, MotionError> {
-    let place =
-        |point: &&str| Ok([at(record, &format!("x({point})"), t)?, at(record, &format!("y({point})"), t)?]);
+    let place = |point: &&str| {
+        Ok([
+            evaluate_output(record, &format!("x({point})"), t)?,
+            evaluate_output(record, &format!("y({point})"), t)?,
+        ])
+    };
     points.iter().map(place).collect()
 }

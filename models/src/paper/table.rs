@@ -6,7 +6,7 @@ use super::table1::{self, Table1};
 
 /// Table 1, the other numbers that the paper prints, and all references.
 pub fn text(rows: &[Row], tables: &References) -> String {
-    [Table1::of(rows, tables).text(), printed(rows, tables), compared(rows)].join("\n")
+    [Table1::from_rows(rows, tables).text(), printed(rows, tables), compared(rows)].join("\n")
 }
 
 /// What the paper prints outside its table, in its units.

@@ -36,7 +36,7 @@ pub fn holds(id: &str) -> bool {
 
 impl Table1 {
     /// From the rows of all quantities.
-    pub fn of(rows: &[Row], tables: &References) -> Self {
+    pub fn from_rows(rows: &[Row], tables: &References) -> Self {
         let entry = |row: &str, ratio: &str| {
             let id = format!("fig1b.{row}[{ratio}]");
             let computed = match rows.iter().find(|row| row.id == id).and_then(|row| row.computed.as_ref()) {

@@ -26,7 +26,7 @@ struct Drift {
 }
 
 impl Drift {
-    fn of(energy: fn(&[f64]) -> f64) -> Self {
+    fn new(energy: fn(&[f64]) -> f64) -> Self {
         Self { energy, first: None, most: 0.0 }
     }
 }
@@ -50,7 +50,7 @@ fn swing(
     let unit = RunSpec::with(&[("m", 1.0), ("l", 1.0), ("g", 1.0)]);
     let spec = unit.start(start).limit(periods * period()).tolerance(1e-13);
     let simulation = models().find(name)?.simulation(&spec)?.method(by);
-    let mut drift = Drift::of(energy);
+    let mut drift = Drift::new(energy);
     let run = simulation.observe(&mut drift).map_err(stopped)?;
     Ok((drift.most, run.final_state()))
 }

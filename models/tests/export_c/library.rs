@@ -28,7 +28,7 @@ fn quietly(command: &mut Command) {
 
 impl Library {
     /// Exports, compiles to a static library, and links it with the driver.
-    pub fn of(folder: &Path, name: &str, layout: &'static Layout) -> Self {
+    pub fn build(folder: &Path, name: &str, layout: &'static Layout) -> Self {
         Self::of_file(folder, Path::new(name), &name.replace('-', "_"), layout)
     }
 

@@ -63,7 +63,7 @@ fn every_function_of_every_model_is_that_of_the_program() {
     let mut sum = [0, 0];
     for entry in models().iter() {
         let model = model(entry.name());
-        let library = Library::of(&folder, entry.name(), model.layout());
+        let library = Library::build(&folder, entry.name(), model.layout());
         let [cases, closed] = compared(&library, entry.name(), &model);
         sum = [sum[0] + cases, sum[1] + closed];
     }
@@ -125,7 +125,7 @@ fn the_program_of_the_book_finds_when_the_contact_opens() {
     let book = include_str!("../../../runtime/cli/src/book/other_programs.md");
     let source = book.split("```c\n").nth(1).and_then(|rest| rest.split("```").next()).expect("a program");
     let model = model("falling-pair");
-    Library::of(&folder, "falling-pair", model.layout());
+    Library::build(&folder, "falling-pair", model.layout());
     std::fs::write(folder.join("fall.c"), source).expect("a file");
     let commands = [
         "cc -std=c99 -Wall -Wextra -Werror -pedantic fall.c -Ifalling_pair-in-c -Lfalling_pair-in-c -lfalling_pair -lm",

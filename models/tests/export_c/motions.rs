@@ -53,7 +53,7 @@ fn its_motions_are_those_of_the_program_to_the_error_of_the_method() {
         // Somewhere within, where no event is near.
         let length = (segment.t1 - segment.t0).min(1.0);
         let (from, to) = (segment.t0 + 0.01 * length, segment.t0 + 0.9 * length);
-        let library = Library::of(&folder, name, layout);
+        let library = Library::build(&folder, name, layout);
         let state = whole(layout, &run, &segment, from);
         let asked = library.question("from", &model(name).parameters, segment.bearing, &state);
         let question = |steps: usize| format!("{asked} {:e} {steps}", to - from);

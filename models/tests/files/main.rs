@@ -15,7 +15,7 @@ fn liftoff(arguments: &[&str]) -> Output {
 }
 
 /// What a command prints on a file, where it succeeds.
-fn told(command: &str, name: &str, arguments: &[&str]) -> String {
+fn run_command(command: &str, name: &str, arguments: &[&str]) -> String {
     let path = file(name);
     let output = liftoff(&[&[command, path.to_str().expect("UTF-8")], arguments].concat());
     assert!(output.status.success(), "{command} {name}: {}", String::from_utf8_lossy(&output.stderr));
@@ -32,14 +32,14 @@ fn refused(command: &str, path: &Path, arguments: &[&str]) -> String {
 /// A pendulum of a bar: ½ m l² φ̇²/3 = ½ m g l (cos φ − cos 80°) + the start's ½ m l² 1²/3.
 #[test]
 fn a_file_runs_with_the_values_and_the_run_that_it_declares() {
-    let run = told("run", "swing.rs", &["--until", "phi = 0", "--output", "phi'", "--json"]);
+    let run = run_command("run", "swing.rs", &["--until", "phi = 0", "--output", "phi'", "--json"]);
     let run: serde_json::Value = serde_json::from_str(&run).expect("JSON");
     assert_eq!((&run["model"], &run["parameters"]["l"]), (&"swinging-bar".into(), &0.5.into()));
     let rate = run["final_state"]["phi'"].as_f64().expect("a number");
     let start = 80.0_f64.to_radians();
     let expected = 1.0 + 3.0 * 9.81 / 0.5 * (1.0 - start.cos());
     assert!((rate * rate - expected).abs() < 1e-10 * expected, "{rate}");
-    assert!(told("list", "swing.rs", &[]).contains("m = 2 kg, l = 0.5, g = 9.81 m/s²"));
+    assert!(run_command("list", "swing.rs", &[]).contains("m = 2 kg, l = 0.5, g = 9.81 m/s²"));
 }
 
 /// A point flies round the end of a bar and is below it: from each state that is printed the run
@@ -51,7 +51,7 @@ fn a_state_that_is_printed_is_a_start() {
         let start = start.iter().flat_map(|given| ["--start".to_owned(), given.clone()]);
         let arguments: Vec<String> = options.into_iter().chain(start).chain(["--json".to_owned()]).collect();
         let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
-        serde_json::from_str::<serde_json::Value>(&told("run", "beside.rs", &arguments)).expect("JSON")
+        serde_json::from_str::<serde_json::Value>(&run_command("run", "beside.rs", &arguments)).expect("JSON")
     };
     let start = ["phi=0", "x=2.2", "y=0.3", "phi'=0", "x'=-1", "y'=-2"].map(str::to_owned);
     let whole = run(&start, 0.6);
@@ -73,26 +73,30 @@ fn a_state_that_is_printed_is_a_start() {
 
 #[test]
 fn every_command_takes_a_file() {
-    assert!(told("modes", "swing.rs", &[]).contains("own code"));
-    assert!(told("explain", "swing.rs", &[]).contains("sin φ"));
+    assert!(run_command("modes", "swing.rs", &[]).contains("own code"));
+    assert!(run_command("explain", "swing.rs", &[]).contains("sin φ"));
     for (command, out) in [("plot", "swing.svg"), ("animate", "swing.html")] {
-        told(command, "swing.rs", &["--out", out]);
+        run_command(command, "swing.rs", &["--out", out]);
         let written =
             std::fs::read_to_string(Path::new(env!("CARGO_TARGET_TMPDIR")).join(out)).expect("written");
         assert!(written.contains("<svg"));
     }
-    let rows = told("sweep", "swing.rs", &["--vary", "l=1:2:5", "--observe", "end phi'", "--csv", "-"]);
+    let rows =
+        run_command("sweep", "swing.rs", &["--vary", "l=1:2:5", "--observe", "end phi'", "--csv", "-"]);
     assert_eq!(rows.lines().count(), 6, "{rows}");
-    let table =
-        told("precision", "swing.rs", &["--until", "t = 1", "--methods", "taylor", "--tolerances", "1e-9"]);
+    let table = run_command(
+        "precision",
+        "swing.rs",
+        &["--until", "t = 1", "--methods", "taylor", "--tolerances", "1e-9"],
+    );
     assert!(table.contains("agrees within"), "{table}");
-    assert!(told("stability", "swing.rs", &["--short", "--out", "stability"]).contains("cases pass"));
-    told("report", "swing.rs", &["--out", "report"]);
+    assert!(run_command("stability", "swing.rs", &["--short", "--out", "stability"]).contains("cases pass"));
+    run_command("report", "swing.rs", &["--out", "report"]);
 }
 
 #[test]
 fn of_what_never_moves_that_alone_is_said() {
-    let text = told("stability", "rests.rs", &["--short", "--out", "rests"]);
+    let text = run_command("stability", "rests.rs", &["--short", "--out", "rests"]);
     assert_eq!(text.matches("never moves").count(), 2, "{text}");
     assert!(text.contains("0 of 1 cases pass, 1 is not judged"), "{text}");
 }
@@ -102,9 +106,9 @@ fn of_several_models_one_is_chosen() {
     let path = file("two.rs");
     assert!(refused("run", &path, &[]).contains("choose one: --model Ball, LongBar"));
     assert!(refused("run", &path, &["--model", "Bal"]).contains("did you mean `Ball`?"));
-    assert!(told("run", "two.rs", &["--model", "Ball"]).contains("impact"));
+    assert!(run_command("run", "two.rs", &["--model", "Ball"]).contains("impact"));
     assert!(
-        told(
+        run_command(
             "run",
             "two.rs",
             &["--model", "long-bar", "--set", "l=2", "--limit", "1", "--start", "theta_OA=-1"]
@@ -113,7 +117,7 @@ fn of_several_models_one_is_chosen() {
     );
     assert!(refused("run", &path, &["--model", "LongBar"]).contains("parameter `l` is not given"));
     for name in ["LongBar", "long-bar"] {
-        assert_eq!(told("explain", "two.rs", &["--model", name]).lines().next(), Some("LongBar"));
+        assert_eq!(run_command("explain", "two.rs", &["--model", name]).lines().next(), Some("LongBar"));
     }
     assert!(refused("explain", &path, &["--format", "html"]).contains("choose one: --model Ball, LongBar"));
     assert!(refused("explain", &path, &["--model", "Bal"]).contains("did you mean `Ball`?"));

@@ -18,6 +18,6 @@ pub fn refused(output: &Output) -> (String, i32) {
     (error, output.status.code().expect("a code"))
 }
 
-pub fn read(path: PathBuf) -> Vec<u8> {
+pub fn read_file(path: PathBuf) -> Vec<u8> {
     fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }

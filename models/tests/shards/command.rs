@@ -3,7 +3,7 @@
 #[path = "../processes/outcome.rs"]
 mod outcome;
 
-pub use outcome::{read, refused};
+pub use outcome::{read_file, refused};
 
 use outcome::succeeded;
 use std::fs;
@@ -23,7 +23,7 @@ pub fn done(folder: &Path, arguments: &[&str]) -> Output {
     liftoff(folder, arguments).output().expect("the command starts")
 }
 
-pub fn told(folder: &Path, arguments: &[&str]) -> String {
+pub fn run_program(folder: &Path, arguments: &[&str]) -> String {
     succeeded(&done(folder, arguments), arguments)
 }
 
@@ -50,7 +50,7 @@ pub fn with<'a>(options: &[&'a str]) -> Vec<&'a str> {
 /// All shards of so many.
 pub fn computed(folder: &Path, count: usize) {
     for index in 0..count {
-        told(folder, &with(&["--out=parts", &format!("--shard={index}/{count}")]));
+        run_program(folder, &with(&["--out=parts", &format!("--shard={index}/{count}")]));
     }
 }
 

@@ -1,6 +1,6 @@
 //! Processes killed at any moment, disks that are full, folders that cannot be written: what was done is there, and the end is the same.
 
-use crate::command::{done, liftoff, lines, read, refused, told, with};
+use crate::command::{done, liftoff, lines, read_file, refused, run_program, with};
 use crate::processes::{folder, text};
 use std::fs;
 use std::path::Path;
@@ -63,11 +63,11 @@ const SHARDS: usize = 3;
 #[test]
 fn shards_killed_at_any_moment_lose_nothing_and_end_alike() {
     let folder = folder("any-moment");
-    told(&folder, &long(&["--csv=whole.csv"]));
+    run_program(&folder, &long(&["--csv=whole.csv"]));
     let shard = |index: usize, out: &str| ["--out=".to_owned() + out, format!("--shard={index}/{SHARDS}")];
     let begin = Instant::now();
     let [out, index] = shard(0, "timed");
-    told(&folder, &long(&[&out, &index]));
+    run_program(&folder, &long(&[&out, &index]));
     let takes = begin.elapsed();
     let (mut seed, mut kills, mut resumed) = (7, 0, 0);
     for index in 0..SHARDS {
@@ -97,7 +97,7 @@ fn shards_killed_at_any_moment_lose_nothing_and_end_alike() {
             resumed += usize::from(known > 0);
         }
         let known = lines(&journal).saturating_sub(2);
-        let last = told(&folder, &sweep);
+        let last = run_program(&folder, &sweep);
         let there = folder.join(format!("parts/{index}-of-{SHARDS}.shard"));
         assert!(there.exists() && !journal.exists());
         assert!(self::known(&last) >= known, "{last}");
@@ -111,18 +111,18 @@ fn shards_killed_at_any_moment_lose_nothing_and_end_alike() {
         let takes = Duration::from_secs_f64(0.05 * random(&mut seed));
         killed(quiet(&folder, &["merge", "parts", "--csv=merged.csv"]), takes);
         let there = folder.join("merged.csv");
-        assert!(!there.exists() || read(there) == read(folder.join("whole.csv")));
+        assert!(!there.exists() || read_file(there) == read_file(folder.join("whole.csv")));
     }
-    told(&folder, &["merge", "parts", "--csv=merged.csv"]);
-    assert!(read(folder.join("whole.csv")) == read(folder.join("merged.csv")));
+    run_program(&folder, &["merge", "parts", "--csv=merged.csv"]);
+    assert!(read_file(folder.join("whole.csv")) == read_file(folder.join("merged.csv")));
 }
 
 /// A journal that ends anywhere, as one of a machine that has lost its power.
 #[test]
 fn a_journal_cut_anywhere_goes_on() {
     let folder = folder("cut");
-    told(&folder, &with(&["--out=whole", "--shard=0/8"]));
-    let whole = read(folder.join("whole/0-of-8.shard"));
+    run_program(&folder, &with(&["--out=whole", "--shard=0/8"]));
+    let whole = read_file(folder.join("whole/0-of-8.shard"));
     fs::create_dir(folder.join("parts")).expect("a folder");
     let head = whole.iter().enumerate().filter(|(_, byte)| **byte == b'\n').nth(1).expect("two lines").0 + 1;
     let mut seed = 3;
@@ -130,10 +130,10 @@ fn a_journal_cut_anywhere_goes_on() {
     let lengths = [0, 1, head / 2, head - 1, head, head + 1].into_iter().chain(anywhere);
     for length in lengths.collect::<Vec<_>>() {
         fs::write(folder.join("parts/0-of-8.shard.journal"), &whole[..length]).expect("a file");
-        let told = told(&folder, &with(&["--out=parts", "--shard=0/8"]));
+        let told = run_program(&folder, &with(&["--out=parts", "--shard=0/8"]));
         let ends = whole[..length].iter().filter(|byte| **byte == b'\n').count();
         assert_eq!(self::known(&told), ends.saturating_sub(2), "{length}: {told}");
-        assert!(read(folder.join("parts/0-of-8.shard")) == whole, "{length}");
+        assert!(read_file(folder.join("parts/0-of-8.shard")) == whole, "{length}");
         fs::remove_file(folder.join("parts/0-of-8.shard")).expect("removed");
     }
 }
@@ -142,7 +142,7 @@ fn a_journal_cut_anywhere_goes_on() {
 struct Disk<'a>(&'a Path);
 
 impl<'a> Disk<'a> {
-    fn of(folder: &'a Path, kilobytes: usize) -> Option<Self> {
+    fn mount(folder: &'a Path, kilobytes: usize) -> Option<Self> {
         let size = format!("size={kilobytes}k");
         let mut mount = Command::new("mount");
         let output = mount.args(["-t", "tmpfs", "-o", &size, "tmpfs"]).arg(folder).output();
@@ -161,12 +161,12 @@ impl Drop for Disk<'_> {
 #[test]
 fn a_sweep_goes_on_when_there_is_room_again() {
     let folder = folder("disk");
-    told(&folder, &with(&["--out=whole", "--shard=0/1"]));
-    let whole = read(folder.join("whole/0-of-1.shard"));
+    run_program(&folder, &with(&["--out=whole", "--shard=0/1"]));
+    let whole = read_file(folder.join("whole/0-of-1.shard"));
     let disk = folder.join("disk");
     fs::create_dir(&disk).expect("a folder");
     let needed = 2 * whole.len() / 1024;
-    let Some(_mounted) = Disk::of(&disk, 8) else {
+    let Some(_mounted) = Disk::mount(&disk, 8) else {
         eprintln!("skipped: a disk cannot be mounted here");
         return;
     };
@@ -186,9 +186,9 @@ fn a_sweep_goes_on_when_there_is_room_again() {
     assert!(known > 500, "{known}");
     let mut remount = Command::new("mount");
     assert!(remount.args(["-o", "remount,size=4m"]).arg(&disk).status().expect("mount").success());
-    let told = told(&folder, &sweep);
+    let told = run_program(&folder, &sweep);
     assert!(self::known(&told) >= known - 3, "{told}");
-    assert!(read(disk.join("parts/0-of-1.shard")) == whole);
+    assert!(read_file(disk.join("parts/0-of-1.shard")) == whole);
 }
 
 #[cfg(unix)]
@@ -214,5 +214,5 @@ fn folders_that_cannot_be_written_are_told_by_name() {
     }
     let (error, code) = refused(&done(&folder, &["merge", "/proc/1/none"]));
     assert!(error.contains("/proc/1/none") && code != 0, "{error}");
-    assert_eq!(text(&read(folder.join("file"))), "");
+    assert_eq!(text(&read_file(folder.join("file"))), "");
 }

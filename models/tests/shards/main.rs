@@ -5,7 +5,7 @@ mod kills;
 #[path = "../processes/mod.rs"]
 mod processes;
 
-use command::{computed, done, liftoff, lines, read, refused, told, with};
+use command::{computed, done, liftoff, lines, read_file, refused, run_program, with};
 use processes::{folder, text};
 use std::fs;
 use std::process::{Command, Stdio};
@@ -15,12 +15,12 @@ use std::time::Duration;
 #[test]
 fn merged_shards_are_the_table_of_one_process() {
     let folder = folder("merged");
-    told(&folder, &with(&["--csv=whole.csv"]));
+    run_program(&folder, &with(&["--csv=whole.csv"]));
     for count in [1, 2, 7] {
         computed(&folder, count);
-        let merged = told(&folder, &["merge", "parts", "--csv=merged.csv"]);
+        let merged = run_program(&folder, &["merge", "parts", "--csv=merged.csv"]);
         assert!(merged.starts_with(&format!("1025 members of zigzag from {count} shard")), "{merged}");
-        assert!(read(folder.join("whole.csv")) == read(folder.join("merged.csv")), "{count}");
+        assert!(read_file(folder.join("whole.csv")) == read_file(folder.join("merged.csv")), "{count}");
         fs::remove_dir_all(folder.join("parts")).expect("removed");
     }
 }
@@ -28,7 +28,7 @@ fn merged_shards_are_the_table_of_one_process() {
 #[test]
 fn tasks_of_an_array_know_their_shards() {
     let folder = folder("array");
-    told(&folder, &with(&["--csv=whole.csv"]));
+    run_program(&folder, &with(&["--csv=whole.csv"]));
     let task = |id: &str| {
         let mut command = liftoff(&folder, &with(&["--out=parts"]));
         let variables = [("ID", id), ("COUNT", "2"), ("MIN", "1"), ("MAX", "2")];
@@ -36,8 +36,8 @@ fn tasks_of_an_array_know_their_shards() {
         command.output().expect("the command starts")
     };
     assert!(["1", "2"].iter().all(|id| task(id).status.success()));
-    told(&folder, &["merge", "parts", "--csv=merged.csv"]);
-    assert!(read(folder.join("whole.csv")) == read(folder.join("merged.csv")));
+    run_program(&folder, &["merge", "parts", "--csv=merged.csv"]);
+    assert!(read_file(folder.join("whole.csv")) == read_file(folder.join("merged.csv")));
     let (error, code) = refused(&task("3"));
     assert!(error.contains("no shard 2 of 2") && code == 2, "{error}");
 }
@@ -60,17 +60,17 @@ fn processes_of_mpi_are_refused_without_it() {
 #[test]
 fn the_script_for_sbatch_computes_all_shards() {
     let folder = folder("sbatch");
-    told(&folder, &with(&["--csv=whole.csv"]));
-    told(&folder, &with(&["--out=parts", "--sbatch=job.sh", "--shards=3"]));
-    assert!(text(&read(folder.join("job.sh"))).contains("#SBATCH --array=0-2\n"));
+    run_program(&folder, &with(&["--csv=whole.csv"]));
+    run_program(&folder, &with(&["--out=parts", "--sbatch=job.sh", "--shards=3"]));
+    assert!(text(&read_file(folder.join("job.sh"))).contains("#SBATCH --array=0-2\n"));
     // From another folder, as a node has it.
     for id in ["0", "1", "2"] {
         let mut bash = Command::new("bash");
         bash.arg(folder.join("job.sh")).env("SLURM_ARRAY_TASK_ID", id).current_dir(std::env::temp_dir());
         assert!(bash.output().expect("bash").status.success());
     }
-    told(&folder, &["merge", "parts", "--csv=merged.csv"]);
-    assert!(read(folder.join("whole.csv")) == read(folder.join("merged.csv")));
+    run_program(&folder, &["merge", "parts", "--csv=merged.csv"]);
+    assert!(read_file(folder.join("whole.csv")) == read_file(folder.join("merged.csv")));
 }
 
 #[test]
@@ -95,12 +95,12 @@ fn a_shard_that_was_killed_goes_on_and_ends_alike() {
     let (error, code) = refused(&done(&folder, &["merge", "parts"]));
     assert!(error.contains("has no shards that are whole") && code == 2, "{error}");
     let known = lines(&journal) - 2;
-    let rest = told(&folder, &sweep("--out=parts"));
+    let rest = run_program(&folder, &sweep("--out=parts"));
     assert!(rest.contains(&format!("3000 members, {} computed, {known} known", 3000 - known)), "{rest}");
     assert!(!journal.exists());
-    told(&folder, &sweep("--out=whole"));
-    assert!(read(folder.join("parts/1-of-2.shard")) == read(folder.join("whole/1-of-2.shard")));
-    assert!(told(&folder, &sweep("--out=parts")).contains("0 computed, 3000 known"));
+    run_program(&folder, &sweep("--out=whole"));
+    assert!(read_file(folder.join("parts/1-of-2.shard")) == read_file(folder.join("whole/1-of-2.shard")));
+    assert!(run_program(&folder, &sweep("--out=parts")).contains("0 computed, 3000 known"));
 }
 
 /// Files may have so many blocks of 512 bytes, as on a disk that is full: the journal or the file of the shard does not fit.
@@ -108,8 +108,8 @@ fn a_shard_that_was_killed_goes_on_and_ends_alike() {
 #[test]
 fn on_a_full_disk_nothing_that_was_done_is_lost() {
     let folder = folder("full");
-    told(&folder, &with(&["--out=whole", "--shard=0/1"]));
-    let size = read(folder.join("whole/0-of-1.shard")).len() / 512;
+    run_program(&folder, &with(&["--out=whole", "--shard=0/1"]));
+    let size = read_file(folder.join("whole/0-of-1.shard")).len() / 512;
     for blocks in [0, 1, size / 2, size - 1, size] {
         let shell = format!("trap '' XFSZ; ulimit -f {blocks}; exec \"$0\" \"$@\"");
         let mut command = Command::new("sh");
@@ -120,8 +120,8 @@ fn on_a_full_disk_nothing_that_was_done_is_lost() {
         assert!(error.contains("cannot write parts/0-of-1.shard") && code == 1, "{blocks}: {error}");
         assert!(!folder.join("parts/0-of-1.shard").exists());
     }
-    assert!(told(&folder, &with(&["--out=parts", "--shard=0/1"])).contains(" known"));
-    assert!(read(folder.join("parts/0-of-1.shard")) == read(folder.join("whole/0-of-1.shard")));
+    assert!(run_program(&folder, &with(&["--out=parts", "--shard=0/1"])).contains(" known"));
+    assert!(read_file(folder.join("parts/0-of-1.shard")) == read_file(folder.join("whole/0-of-1.shard")));
 }
 
 #[test]
@@ -129,14 +129,14 @@ fn what_is_missing_or_damaged_is_told_and_run_again() {
     let folder = folder("gaps");
     computed(&folder, 4);
     let shard = |index: usize| folder.join(format!("parts/{index}-of-4.shard"));
-    let whole: Vec<_> = (0..4).map(|index| read(shard(index))).collect();
+    let whole: Vec<_> = (0..4).map(|index| read_file(shard(index))).collect();
     let merge = || refused(&done(&folder, &["merge", "parts", "--csv=merged.csv"]));
     for length in [0, 10, whole[1].len() / 2, whole[1].len() - 1] {
         fs::write(shard(1), &whole[1][..length]).expect("a file");
         let (error, _) = merge();
         assert!(error.contains("parts/1-of-4.shard is no"), "{length}: {error}");
-        told(&folder, &with(&["--out=parts", "--shard=1/4"]));
-        assert!(read(shard(1)) == whole[1], "{length}");
+        run_program(&folder, &with(&["--out=parts", "--shard=1/4"]));
+        assert!(read_file(shard(1)) == whole[1], "{length}");
     }
     // A byte of a row, and a shard that is not there.
     let mut damaged = whole[2].clone();
@@ -153,10 +153,10 @@ fn what_is_missing_or_damaged_is_told_and_run_again() {
     );
     assert!(error.contains("shard 3 is not there; run again: --shard i/4, --array=2-3"), "{error}");
     assert!(!folder.join("merged.csv").exists());
-    assert!(told(&folder, &with(&["--out=parts", "--shard=2/4"])).contains("1 computed, 255 known"));
-    told(&folder, &with(&["--out=parts", "--shard=3/4"]));
-    told(&folder, &["merge", "parts", "--csv=merged.csv"]);
-    assert!((0..4).all(|index| read(shard(index)) == whole[index]));
+    assert!(run_program(&folder, &with(&["--out=parts", "--shard=2/4"])).contains("1 computed, 255 known"));
+    run_program(&folder, &with(&["--out=parts", "--shard=3/4"]));
+    run_program(&folder, &["merge", "parts", "--csv=merged.csv"]);
+    assert!((0..4).all(|index| read_file(shard(index)) == whole[index]));
 }
 
 #[test]
@@ -168,12 +168,12 @@ fn shards_that_do_not_belong_together_are_refused_by_name() {
     assert!(merge("parts/0-of-2.shard").contains("parts/0-of-2.shard is shard 0 as parts/0-of-2.shard is"));
     let mut other = with(&["--out=other", "--shard=1/2"]);
     other[2] = "--vary=lambda=0.02:0.98:25";
-    told(&folder, &other);
+    run_program(&folder, &other);
     assert!(
         merge("other/1-of-2.shard")
             .contains("other/1-of-2.shard is of another sweep than parts/0-of-2.shard: its `vary`")
     );
-    let mine = text(&read(folder.join("parts/1-of-2.shard")));
+    let mine = text(&read_file(folder.join("parts/1-of-2.shard")));
     for (word, from, to) in [("version", env!("CARGO_PKG_VERSION"), "0.0.1"), ("model", "zigzag", "zigzog")] {
         let changed = mine.replacen(&format!("\"{word}\":\"{from}\""), &format!("\"{word}\":\"{to}\""), 1);
         fs::write(folder.join("changed.shard"), &changed).expect("a file");

@@ -16,7 +16,7 @@ pub fn rows() -> Result<Vec<Value>> {
 }
 
 fn row(compiler: &Compiler, bars: usize) -> Result<Value> {
-    let expansion = Expansion::of(&sources::declaration(bars))?;
+    let expansion = Expansion::expand(&sources::declaration(bars))?;
     let library = format!("generated_{bars}");
     compiler.library(&library, &sources::generated(bars, &expansion.text))?;
     let (_, text) = compiler.run(&format!("batch_{bars}"), &sources::batch(bars), &[&library])?;

@@ -22,7 +22,7 @@ pub struct Expansion {
 
 impl Expansion {
     /// Expands it.
-    pub fn of(declaration: &str) -> Result<Self> {
+    pub fn expand(declaration: &str) -> Result<Self> {
         let tokens: TokenStream = declaration.parse().map_err(|error| format!("{error:?}"))?;
         let expansion = expand(tokens.clone());
         let time = |_| {

@@ -38,7 +38,7 @@ const MODULES: [&str; 12] = [
 
 /// One row for each scene.
 pub fn rows() -> Result<Vec<Value>> {
-    let anchored = Anchored::of(&Binary::running()?);
+    let anchored = Anchored::new(&Binary::running()?);
     [
         row(&anchored, "free_bar", &FreeBar::SCENE, 0, by_hand::free_bar::rates),
         row(&anchored, "falling_bar", &FallingBar::SCENE, 0, by_hand::falling_bar::rates),
@@ -117,7 +117,7 @@ fn anchor() {
 }
 
 impl Anchored {
-    fn of(binary: &Binary) -> Self {
+    fn new(binary: &Binary) -> Self {
         let functions = binary.functions();
         let here = functions.iter().find(|function| function.name.contains("6scenes6anchor"));
         let offset = here.map_or(0, |here| (anchor as fn() as usize as u64).wrapping_sub(here.address));

@@ -134,7 +134,7 @@ impl Campaign {
         let mut told = Told { reached: order.from, found: Vec::new(), fates: Fates::new(), ended: false };
         if let Some(out) = child.stdout.take() {
             for line in BufReader::new(out).lines() {
-                match Line::read(&line?) {
+                match Line::parse(&line?) {
                     Some(Line::Reached(seed)) => told.reached = seed,
                     Some(Line::Found(seed, text)) => told.found.push((seed, text)),
                     Some(Line::Fate(count, fate)) => *told.fates.entry(fate).or_default() += count,

@@ -9,7 +9,7 @@ use liftoff_models::models;
 use liftoff_studio::sweep::{Outcome, Sweep, SweepError};
 use liftoff_tests::random::Source;
 
-use crate::expression::told;
+use crate::expression::check_message;
 use crate::{Fate, Finding, Subject};
 
 /// Parts of lines.
@@ -92,14 +92,14 @@ impl Subject for Journals {
         let source = &mut Source::new(seed);
         let mut bytes = self.whole().0.clone();
         if source.chance(0.05) {
-            bytes = (0..source.below(20)).flat_map(|_| source.of(&WORDS).bytes()).collect();
+            bytes = (0..source.below(20)).flat_map(|_| source.choose(&WORDS).bytes()).collect();
         }
         let rows = bytes.iter().position(|&byte| byte == b'\n').map_or(0, |at| at + 1);
-        for _ in 0..source.of(&[0, 1, 1, 2, 3, 10]) {
+        for _ in 0..source.choose(&[0, 1, 1, 2, 3, 10]) {
             // Mostly behind the first line: where that differs the rest is not read.
             let from = if source.chance(0.9) { rows.min(bytes.len()) } else { 0 };
             let at = from + source.below(bytes.len() - from + 1);
-            let to = (at + source.of(&[0, 1, 1, 3, 40])).min(bytes.len());
+            let to = (at + source.choose(&[0, 1, 1, 3, 40])).min(bytes.len());
             match source.below(8) {
                 0 => bytes.truncate(at),
                 1 => _ = bytes.splice(at..to, []),
@@ -109,7 +109,7 @@ impl Subject for Journals {
                 }
                 3..5 => _ = bytes.splice(at..to, [source.below(256) as u8]),
                 5 => _ = bytes.splice(at..to, (b'0' + source.below(10) as u8..=b'9').take(1)),
-                _ => _ = bytes.splice(at..to, source.of(&WORDS).bytes()),
+                _ => _ = bytes.splice(at..to, source.choose(&WORDS).bytes()),
             }
         }
         Bytes(bytes)
@@ -129,7 +129,7 @@ impl Subject for Journals {
                 if left != *bytes {
                     return Err(Finding(format!("refused, and changed: {error}")));
                 }
-                return Ok(vec![told("refused", "", &error.to_string())?]);
+                return Ok(vec![check_message("refused", "", &error.to_string())?]);
             }
         };
         let wrong = table.rows.iter().find(|row| outcomes.get(row.member) != Some(&row.outcome));

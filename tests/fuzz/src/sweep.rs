@@ -7,7 +7,7 @@ use liftoff_models::models;
 use liftoff_studio::sweep::{Sample, Sweep, SweepError};
 use liftoff_tests::random::Source;
 
-use crate::expression::told;
+use crate::expression::check_message;
 use crate::text::hostile;
 use crate::{Fate, Finding, Subject};
 
@@ -116,12 +116,15 @@ impl Subject for Sweeps {
             let most = if ["vary", "observe"].contains(&word) { 3 } else { 2 };
             let whole = || whole.iter().map(|&text| text.to_owned()).collect::<Vec<_>>();
             for _ in 0..source.below(most + 1).max(usize::from(most == 3 && source.chance(0.95))) {
-                let text =
-                    if source.chance(0.5) { source.of(&whole()) } else { hostile(source, &whole(), &WORDS) };
+                let text = if source.chance(0.5) {
+                    source.choose(&whole())
+                } else {
+                    hostile(source, &whole(), &WORDS)
+                };
                 parts.push((word, text));
             }
         }
-        let count = source.of(&[0, 1, 7, 100, 4_000_000, usize::MAX]);
+        let count = source.choose(&[0, 1, 7, 100, 4_000_000, usize::MAX]);
         let seed = source.below(1000) as u64;
         let sample = match source.below(6) {
             0 => Sample::Random { count, seed },
@@ -150,7 +153,7 @@ impl Subject for Sweeps {
             },
             Err(error) => {
                 let written: String = parts.iter().map(|(_, text)| text.as_str()).collect();
-                Ok(vec![told("refused", &written, &error.to_string())?])
+                Ok(vec![check_message("refused", &written, &error.to_string())?])
             }
         }
     }

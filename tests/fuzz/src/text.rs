@@ -14,10 +14,10 @@ const CHARACTERS: [char; 24] = [
 /// A text made of one that makes sense, or of words alone.
 pub(crate) fn hostile(source: &mut Source, whole: &[String], words: &[&str]) -> String {
     if whole.is_empty() || source.chance(0.2) {
-        return (0..source.below(12)).map(|_| source.of(words)).collect();
+        return (0..source.below(12)).map(|_| source.choose(words)).collect();
     }
-    let mut text: Vec<char> = source.of(whole).chars().collect();
-    let changes = source.of(&[0, 1, 1, 2, 2, 3, 6]);
+    let mut text: Vec<char> = source.choose(whole).chars().collect();
+    let changes = source.choose(&[0, 1, 1, 2, 2, 3, 6]);
     for _ in 0..changes {
         let at = source.below(text.len() + 1);
         let to = (at + source.below(8)).min(text.len());
@@ -28,23 +28,23 @@ pub(crate) fn hostile(source: &mut Source, whole: &[String], words: &[&str]) -> 
 
 fn change(text: &mut Vec<char>, part: std::ops::Range<usize>, source: &mut Source, words: &[&str]) {
     match source.below(20) {
-        0..8 => _ = text.splice(part, source.of(words).chars()),
-        8..12 => _ = text.splice(part.start..part.start, source.of(words).chars()),
+        0..8 => _ = text.splice(part, source.choose(words).chars()),
+        8..12 => _ = text.splice(part.start..part.start, source.choose(words).chars()),
         12..15 => _ = text.splice(part, []),
-        15..17 => text.insert(part.start, source.of(&CHARACTERS)),
+        15..17 => text.insert(part.start, source.choose(&CHARACTERS)),
         17 => {
             let copied: Vec<char> = text[part.clone()].to_vec();
             _ = text.splice(part.start..part.start, copied);
         }
         18 => {
             let copies = if source.chance(0.2) { source.below(MANY) } else { source.below(20) };
-            let word: Vec<char> = source.of(words).chars().collect();
+            let word: Vec<char> = source.choose(words).chars().collect();
             _ = text.splice(part, std::iter::repeat_n(word, copies).flatten());
         }
         _ => {
             let levels = if source.chance(0.2) { source.below(MANY) } else { source.below(9) };
             let [open, close] =
-                source.of(&[["(", ")"], ["sin(", ")"], ["-", ""], ["abs(", ""], ["[", "]"], ["(", ""]]);
+                source.choose(&[["(", ")"], ["sin(", ")"], ["-", ""], ["abs(", ""], ["[", "]"], ["(", ""]]);
             let close: Vec<char> = close.repeat(levels).chars().collect();
             text.splice(part.end..part.end, close);
             let open: Vec<char> = open.repeat(levels).chars().collect();

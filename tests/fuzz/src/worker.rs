@@ -53,7 +53,7 @@ impl Line {
     }
 
     /// The line that a worker wrote.
-    pub fn read(text: &str) -> Option<Self> {
+    pub fn parse(text: &str) -> Option<Self> {
         let (word, rest) = text.split_once(' ')?;
         match word {
             "reached" => rest.parse().ok().map(Self::Reached),

@@ -83,7 +83,7 @@ pub fn build(core: Core, mutants: &[Mutant], sample: usize, folder: &Path) -> Bu
         match compiled(core, folder) {
             Ok(binaries) => return Built { binaries, ids },
             Err(errors) => {
-                let at = |(file, range): &(PathBuf, Range<usize>)| schemata.get(file)?.at(range);
+                let at = |(file, range): &(PathBuf, Range<usize>)| schemata.get(file)?.find_mutant(range);
                 let bad: BTreeSet<u32> = errors.places.iter().filter_map(at).collect();
                 assert!(!bad.is_empty(), "errors outside of mutants:\n{}", errors.text);
                 eprintln!("{} of {} do not compile", bad.len(), ids.len());
@@ -100,7 +100,7 @@ fn written(core: Core, mutants: &[Mutant], ids: &[u32], folder: &Path) -> BTreeM
         let mut chosen: Vec<(u32, &Site)> =
             ids.iter().filter(own).map(|&id| (id, &mutants[id as usize].site)).collect();
         chosen.sort_by_key(|(_, site)| (site.range.start, std::cmp::Reverse(site.range.end)));
-        let schema = Schema::of(&text, &chosen);
+        let schema = Schema::new(&text, &chosen);
         write(&folder.join(&file), schema.text.as_bytes());
         (file, schema)
     };
@@ -129,7 +129,7 @@ fn compiled(core: Core, folder: &Path) -> Result<Vec<PathBuf>, Errors> {
             errors.text += message["message"]["rendered"].as_str().unwrap_or_default();
             errors
                 .places
-                .extend(message["message"]["spans"].as_array().into_iter().flatten().filter_map(place));
+                .extend(message["message"]["spans"].as_array().into_iter().flatten().filter_map(parse_span));
         }
     }
     binaries.sort();
@@ -140,7 +140,7 @@ fn compiled(core: Core, folder: &Path) -> Result<Vec<PathBuf>, Errors> {
     }
 }
 
-fn place(span: &Value) -> Option<(PathBuf, Range<usize>)> {
+fn parse_span(span: &Value) -> Option<(PathBuf, Range<usize>)> {
     let byte = |name: &str| span[name].as_u64().map(|byte| byte as usize);
     Some((PathBuf::from(span["file_name"].as_str()?), byte("byte_start")?..byte("byte_end")?))
 }

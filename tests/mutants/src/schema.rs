@@ -15,14 +15,14 @@ pub struct Schema {
 
 impl Schema {
     /// Writes a file with the chosen sites, outermost first, each with its number.
-    pub fn of(source: &str, chosen: &[(u32, &Site)]) -> Self {
+    pub fn new(source: &str, chosen: &[(u32, &Site)]) -> Self {
         let mut schema = Self::default();
         schema.write(source, 0..source.len(), chosen);
         schema
     }
 
     /// The mutant in whose bytes this range of the text lies; the innermost.
-    pub fn at(&self, range: &Range<usize>) -> Option<u32> {
+    pub fn find_mutant(&self, range: &Range<usize>) -> Option<u32> {
         let holds = |place: &Range<usize>| place.start <= range.start && range.end <= place.end;
         let within = self.places.iter().filter(|(_, place)| holds(place));
         within.min_by_key(|(_, place)| place.len()).map(|&(id, _)| id)

@@ -122,7 +122,7 @@ impl Assembly {
             if std::mem::replace(&mut placed[mark.body], true) {
                 continue;
             }
-            self.place(state, mark, position, velocity);
+            self.place_body(state, mark, position, velocity);
             let ends = self.hinges.iter().flat_map(|h| [(h.first, h.second), (h.second, h.first)]);
             for (near, far) in ends.filter(|(near, _)| near.body == mark.body) {
                 known.push((far, self.position(state, near), self.velocity(state, near)));
@@ -131,7 +131,7 @@ impl Assembly {
         placed.iter().all(|&is| is).then_some(())
     }
 
-    fn place(&self, state: &mut State, mark: Mark, position: Vector2<f64>, velocity: Vector2<f64>) {
+    fn place_body(&self, state: &mut State, mark: Mark, position: Vector2<f64>, velocity: Vector2<f64>) {
         let at = 3 * mark.body;
         let arm = self.arm(state, mark);
         let centre = position - arm;

@@ -41,7 +41,7 @@ impl Builder<'_> {
         let first = self.moving();
         let second = match grounds.is_empty() || self.source.chance(0.5) {
             true => self.moving(),
-            false => self.source.of(&grounds),
+            false => self.source.choose(&grounds),
         };
         let ends = [first, second];
         if self.rigid(&ends) {
@@ -103,7 +103,7 @@ impl Builder<'_> {
         if bars.is_empty() || tied {
             return;
         }
-        let bar = self.source.of(&bars);
+        let bar = self.source.choose(&bars);
         // Sevenths: nothing else is drawn there, so that no force acts at the section itself.
         let sevenths = 1 + self.source.below(6) as i32;
         let length = &self.spec.bars[bar].length;

@@ -18,7 +18,7 @@ pub type Places = BTreeMap<String, Place>;
 pub fn assembly(spec: &Spec) -> (Assembly, Places) {
     let names = || spec.figure.keys();
     let marks: BTreeMap<_, Vec<Mark>> = names().map(|name| (name.clone(), marks(spec, name))).collect();
-    let places: Places = names().map(|name| (name.clone(), place(spec, name, &marks[name]))).collect();
+    let places: Places = names().map(|name| (name.clone(), locate(spec, name, &marks[name]))).collect();
     let first = |name: &str| marks[name][0];
     let pin = |name: &String| Pin { at: first(name), ground: vector(&spec.figure[name]) };
     let joined = |all: &Vec<Mark>| {
@@ -42,7 +42,7 @@ pub fn assembly(spec: &Spec) -> (Assembly, Places) {
     (assembly, places)
 }
 
-fn place(spec: &Spec, point: &str, marks: &[Mark]) -> Place {
+fn locate(spec: &Spec, point: &str, marks: &[Mark]) -> Place {
     let free = spec.parts.particles.iter().position(|(name, _)| name == point);
     match (marks.first(), free) {
         (Some(&mark), _) => mark.into(),

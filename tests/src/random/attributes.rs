@@ -41,7 +41,7 @@ impl Builder<'_> {
             (1 | 2, None) | (_, Some(_)) => Gravity::Down(parameters.positive(source, "g")),
             _ => {
                 let x = parameters.positive(source, "g");
-                Gravity::Vector([x, Quantity::literal(source.of(&[-981, -150, 70]))])
+                Gravity::Vector([x, Quantity::literal(source.choose(&[-981, -150, 70]))])
             }
         };
     }
@@ -56,10 +56,10 @@ impl Builder<'_> {
     }
 
     fn pins(&mut self) {
-        let count = self.source.of(&[0, 0, 0, 1, 1, 1, 1, 2, 2]);
+        let count = self.source.choose(&[0, 0, 0, 1, 1, 1, 1, 2, 2]);
         for _ in 0..count {
             let points = self.points();
-            let point = self.source.of(&points);
+            let point = self.source.choose(&points);
             if !self.spec.pins.contains(&point) {
                 self.spec.pins.push(point);
             }
@@ -69,7 +69,7 @@ impl Builder<'_> {
     fn masses(&mut self) {
         for _ in 0..self.source.below(5).saturating_sub(2) {
             let points: Vec<_> = self.spec.figure.keys().cloned().collect();
-            let point = self.source.of(&points);
+            let point = self.source.choose(&points);
             let mass = self.spec.parameters.positive(self.source, "m");
             self.spec.masses.push((point, mass));
         }
@@ -90,7 +90,7 @@ impl Builder<'_> {
                 continue;
             }
             if mirrored && !declared && self.source.chance(0.6) {
-                let line = self.source.of(&["horizontal", "vertical"]);
+                let line = self.source.choose(&["horizontal", "vertical"]);
                 let [first, second] = [a, b].map(|bar| self.angle(bar, Origin::Line(line)));
                 self.spec.ties.push(Tie::Coordinates(first, second));
             } else if alike {
@@ -142,7 +142,7 @@ impl Builder<'_> {
             if points.is_empty() || pinned.contains(&component) || !self.source.chance(0.3) {
                 continue;
             }
-            let point = self.source.of(&points);
+            let point = self.source.choose(&points);
             for (axis, name) in [x, y].into_iter().enumerate() {
                 if self.source.chance(0.7) && self.mirrored != Some(axis) {
                     let (name, point) = (name.to_string(), point.clone());

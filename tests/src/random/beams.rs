@@ -21,7 +21,7 @@ impl Builder<'_> {
             bar.mass = self.spec.parameters.positive(self.source, "m");
         }
         let along = bar.length.scaled(1 + self.source.below(3) as i32, 4);
-        let across = Quantity::literal(self.source.of(&[-90, -40, 50, 120]));
+        let across = Quantity::literal(self.source.choose(&[-90, -40, 50, 120]));
         let at = bar.heading.walk(&self.spec.figure[&bar.from], &along, &across);
         let corner = self.point(at, self.components[&bar.from]);
         bar.corner = Some((corner, [along, across]));
@@ -97,7 +97,7 @@ impl Builder<'_> {
         if candidates.is_empty() {
             return;
         }
-        let (i, j) = self.source.of(&candidates);
+        let (i, j) = self.source.choose(&candidates);
         let (first, second) = (self.spec.bars[i].clone(), self.spec.bars[j].clone());
         let cross = first.heading.p * second.heading.q - first.heading.q * second.heading.p;
         if cross == 0 {

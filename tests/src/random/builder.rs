@@ -40,7 +40,7 @@ pub struct Builder<'a> {
 
 impl<'a> Builder<'a> {
     pub fn new(source: &'a mut Source, vocabulary: Vocabulary) -> Self {
-        let share = source.of(&[0.2, 0.6, 0.9]);
+        let share = source.choose(&[0.2, 0.6, 0.9]);
         let spec = Spec {
             parameters: Parameters { share, ..Parameters::default() },
             gravity: Gravity::None,
@@ -77,7 +77,7 @@ impl<'a> Builder<'a> {
         while self.spec.bars.len() < count {
             let start = self.spec.bars.len();
             let begins = start > 0 && apart == start && self.components.values().all(|&c| c == 0);
-            let at = if begins { self.root(1) } else { self.place() };
+            let at = if begins { self.root(1) } else { self.choose_point() };
             match start {
                 1.. if !begins && self.source.chance(0.06) => self.chain(&at),
                 2.. if !begins && self.source.chance(0.12) => self.parallelogram(),
@@ -103,17 +103,17 @@ impl<'a> Builder<'a> {
     }
 
     /// An existing point, or a new one on a bar.
-    pub(super) fn place(&mut self) -> String {
+    pub(super) fn choose_point(&mut self) -> String {
         let known: Vec<_> = self.spec.figure.keys().cloned().collect();
         let single =
             |&index: &usize| self.spec.bars[index].chain.is_none() && self.spec.bars[index].corner.is_none();
         let bars: Vec<_> = (0..self.spec.bars.len()).filter(single).collect();
         if bars.is_empty() || !self.source.chance(0.2) {
-            let point = self.source.of(&known);
+            let point = self.source.choose(&known);
             self.give(&point);
             return point;
         }
-        let bar = self.source.of(&bars);
+        let bar = self.source.choose(&bars);
         self.spot(bar)
     }
 
@@ -129,7 +129,7 @@ impl<'a> Builder<'a> {
     fn spot(&mut self, index: usize) -> String {
         let bar = self.spec.bars[index].clone();
         let along = bar.length.scaled(1 + self.source.below(3) as i32, 4);
-        let across = self.source.chance(0.3).then(|| Quantity::literal(self.source.of(&[-20, 15, 30])));
+        let across = self.source.chance(0.3).then(|| Quantity::literal(self.source.choose(&[-20, 15, 30])));
         let depth = |across: &Option<Quantity>| across.as_ref().map_or(0.0, |q| q.value);
         let same = |spot: &&Spot| {
             spot.bar == index && spot.along.value == along.value && depth(&spot.across) == depth(&across)
@@ -146,7 +146,7 @@ impl<'a> Builder<'a> {
     }
 
     pub(super) fn heading(&mut self) -> Heading {
-        let (p, q, r) = self.source.of(&HEADINGS);
+        let (p, q, r) = self.source.choose(&HEADINGS);
         let sign = |flip: bool| if flip { -1 } else { 1 };
         let (p, q) = (p * sign(self.source.chance(0.5)), q * sign(self.source.chance(0.5)));
         Heading { p, q, r }
@@ -184,7 +184,7 @@ impl<'a> Builder<'a> {
             (0..bars.len()).find(|&i| bars[i].chain.is_none() && (bars[i].from == at || bars[i].to == at));
         let index = bar.filter(|_| occurs(self.source, self.vocabulary.welds))?;
         let Heading { p, q, r } = self.spec.bars[index].heading;
-        Some(self.source.of(&[(p, q), (-q, p), (-p, -q), (q, -p)])).map(|(p, q)| Heading { p, q, r })
+        Some(self.source.choose(&[(p, q), (-q, p), (-p, -q), (q, -p)])).map(|(p, q)| Heading { p, q, r })
     }
 
     pub(super) fn bar(&mut self, at: &str) {

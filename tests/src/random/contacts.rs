@@ -26,7 +26,7 @@ impl Builder<'_> {
         if free.is_empty() {
             return;
         }
-        let point = self.source.of(&free);
+        let point = self.source.choose(&free);
         let taken = self.spec.supports.iter().any(|support| support.name == point);
         let own = !taken && self.source.chance(0.7);
         let name = if own { point.clone() } else { format!("s{}", self.spec.supports.len()) };
@@ -44,14 +44,14 @@ impl Builder<'_> {
             None => &[0, 1, 2, 3],
         };
         let (source, parameters) = (&mut *self.source, &mut self.spec.parameters);
-        match source.of(kinds) {
+        match source.choose(kinds) {
             0 => Shape::Floor(None),
             1 => Shape::Floor(Some(parameters.signed(source, "h"))),
             2 => {
                 let at = parameters.signed(source, "h");
                 let off = self.spec.figure[point][0].nominal - at.nominal;
                 let said = off.abs() < 0.05 || source.chance(0.5);
-                let side = if said { source.of(&[-1.0, 1.0]) } else { off.signum() };
+                let side = if said { source.choose(&[-1.0, 1.0]) } else { off.signum() };
                 Shape::Wall { at, side, said }
             }
             _ => {

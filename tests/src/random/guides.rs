@@ -49,7 +49,7 @@ impl Builder<'_> {
             let firsts: Vec<_> = (0..second).filter(|&first| self.stands(first, second).is_some()).collect();
             let chance = self.vocabulary.welds;
             if !firsts.is_empty() && occurs(self.source, 4.0 * chance) {
-                let first = self.source.of(&firsts);
+                let first = self.source.choose(&firsts);
                 let quarters = self.stands(first, second).unwrap_or(0);
                 let said = self.source.chance(0.3);
                 self.spec.parts.welds.push(Weld { first, second: Some(second), quarters, said });
@@ -97,7 +97,7 @@ impl Builder<'_> {
     /// A bar whose direction is neither declared from a line nor held, so that its turns are counted.
     pub(super) fn free_bar(&mut self) -> Option<usize> {
         let bars: Vec<_> = (0..self.spec.bars.len()).filter(|&bar| !self.is_held(bar)).collect();
-        (!bars.is_empty()).then(|| self.source.of(&bars))
+        (!bars.is_empty()).then(|| self.source.choose(&bars))
     }
 
     fn particle(&mut self, at: [Quantity; 2]) -> String {
@@ -118,7 +118,7 @@ impl Builder<'_> {
         let fixed =
             |point: &String| self.spec.pins.contains(point) || self.spec.parts.grounds.contains(point);
         let points: Vec<_> = self.points().into_iter().filter(|point| !fixed(point)).collect();
-        if points.is_empty() { self.points()[0].clone() } else { self.source.of(&points) }
+        if points.is_empty() { self.points()[0].clone() } else { self.source.choose(&points) }
     }
 
     fn slider(&mut self) {
@@ -143,7 +143,7 @@ impl Builder<'_> {
                 if bars.is_empty() {
                     return;
                 }
-                let bar = self.source.of(&bars);
+                let bar = self.source.choose(&bars);
                 (self.on_axis(bar, track), Track::Bar(bar))
             }
         };

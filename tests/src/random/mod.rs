@@ -74,7 +74,7 @@ pub fn sample(seed: u64) -> Sample {
 pub fn sample_of(seed: u64, vocabulary: Vocabulary) -> Sample {
     let mut source = Source::new(seed);
     loop {
-        let candidate = Sample::of(&attributes::spec(&mut source, vocabulary));
+        let candidate = Sample::from_spec(&attributes::spec(&mut source, vocabulary));
         if candidate.is_sound(&mut source) {
             return candidate;
         }
@@ -82,11 +82,11 @@ pub fn sample_of(seed: u64, vocabulary: Vocabulary) -> Sample {
 }
 
 impl Sample {
-    fn of(spec: &Spec) -> Self {
+    fn from_spec(spec: &Spec) -> Self {
         let (assembly, points) = assemble::assembly(spec);
         let bases = bases(&assembly);
         let bound = !(assembly.ties.is_empty() && assembly.sliders.is_empty() && assembly.drives.is_empty());
-        let symmetry = Symmetry::of(spec, &points);
+        let symmetry = Symmetry::detect(spec, &points);
         let free = if symmetry.is_some() { 1 } else { bases.len() };
         let particles = bases.iter().filter(|base| matches!(base, Place::Particle(_))).count();
         let declared = spec.coordinates.iter().map(|declared| {

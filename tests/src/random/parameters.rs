@@ -62,7 +62,7 @@ impl Parameters {
         let old = |(name, _): &&(String, f64)| name.trim_end_matches(char::is_numeric) == prefix;
         let known: Vec<_> = self.fields.iter().filter(old).cloned().collect();
         let (name, value) = if !known.is_empty() && source.chance(0.5) {
-            source.of(&known)
+            source.choose(&known)
         } else {
             self.fields.push((format!("{prefix}{}", known.len() + 1), source.range(0.5, 2.0)));
             self.fields[self.fields.len() - 1].clone()

@@ -39,7 +39,7 @@ impl Source {
     }
 
     /// One element of a slice that is not empty.
-    pub fn of<T: Clone>(&mut self, from: &[T]) -> T {
+    pub fn choose<T: Clone>(&mut self, from: &[T]) -> T {
         from[self.below(from.len())].clone()
     }
 }

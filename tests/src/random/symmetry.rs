@@ -17,7 +17,7 @@ pub struct Symmetry {
 
 impl Symmetry {
     /// The symmetry of a spec, if it has one.
-    pub fn of(spec: &Spec, places: &Places) -> Option<Self> {
+    pub fn detect(spec: &Spec, places: &Places) -> Option<Self> {
         let mirror = spec.mirror.clone()?;
         let Place::Body(root) = places[&mirror.root] else { return None };
         let pinned = spec.pins.contains(&mirror.root);

@@ -1,7 +1,7 @@
 //! Bodies that strike bodies: balls in a row, dominoes.
 
 use super::common::run;
-use super::{CLOSE, at, pose};
+use super::{CLOSE, evaluate_output, pose};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use liftoff::prelude::*;
 use liftoff_compiled::*;
@@ -93,7 +93,7 @@ three!(ByPoisson, poisson);
 fn struck<M: BarSystem>(model: &M) -> [f64; 3] {
     let places = [("x_A", 0.0), ("x_B", 0.2), ("x_C", 0.4), ("x_A'", 3.0), ("x_B'", 0.0), ("x_C'", 0.0)];
     let run = run(model, pose(&places), &["t = 0.1"]);
-    ["x_A'", "x_B'", "x_C'"].map(|rate| at(&run, rate, 0.05))
+    ["x_A'", "x_B'", "x_C'"].map(|rate| evaluate_output(&run, rate, 0.05))
 }
 
 /// Of three that touch both laws give −1/3, 2/3, 2/3.
@@ -120,7 +120,7 @@ fn dominoes_halve_their_rate() {
     let middle = |phi: f64| 0.5 * (h * phi.cos() + w * phi.sin());
     let inertia = m * (w * w + h * h) / 3.0;
     let rate = (2.0 * m * g * (middle(lean) - middle(struck)) / inertia).sqrt();
-    assert_relative_eq!(at(&run, "phi'", first.t.next_down()), -rate, max_relative = CLOSE);
+    assert_relative_eq!(evaluate_output(&run, "phi'", first.t.next_down()), -rate, max_relative = CLOSE);
     assert_relative_eq!(first["phi'"], -0.5 * rate, max_relative = CLOSE);
     assert_relative_eq!(first["psi'"], -0.5 * rate, max_relative = CLOSE);
 }
@@ -134,9 +134,9 @@ fn all_dominoes_fall() {
     assert_eq!(impacts.map(|e| e.supports[0]).collect::<Vec<_>>(), ["C", "G", "L", "Q"]);
     let end = run.end_time();
     for angle in ["phi", "psi", "chi", "theta"] {
-        assert!(at(&run, angle, end) < -1.2);
-        assert_abs_diff_eq!(at(&run, &format!("{angle}'"), end), 0.0, epsilon = 1e-9);
+        assert!(evaluate_output(&run, angle, end) < -1.2);
+        assert_abs_diff_eq!(evaluate_output(&run, &format!("{angle}'"), end), 0.0, epsilon = 1e-9);
     }
-    let lost = at(&run, "V", 0.0) - at(&run, "V", end);
-    assert_relative_eq!(at(&run, "D", end), lost, max_relative = 1e-8);
+    let lost = evaluate_output(&run, "V", 0.0) - evaluate_output(&run, "V", end);
+    assert_relative_eq!(evaluate_output(&run, "D", end), lost, max_relative = 1e-8);
 }

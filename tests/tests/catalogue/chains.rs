@@ -1,7 +1,7 @@
 //! Two and more bars without a loop.
 
 use super::common::run;
-use super::{CLOSE, at, pose};
+use super::{CLOSE, evaluate_output, pose};
 use approx::assert_abs_diff_eq;
 use core::f64::consts::{FRAC_PI_2, PI};
 use liftoff::prelude::*;
@@ -13,11 +13,15 @@ fn a_frame_reaches_the_floor() {
     let start = 80.0_f64.to_radians();
     let run = run(&AFrame { m: 1.0, l: 1.0, g: 1.0 }, Pose::at("phi", start), &["phi = 0"]);
     assert_abs_diff_eq!(run.end_time(), a_frame::time(start, 0.0), epsilon = CLOSE);
-    assert_abs_diff_eq!(at(&run, "y'", run.end_time()).abs(), a_frame::landing_speed(start), epsilon = CLOSE);
+    assert_abs_diff_eq!(
+        evaluate_output(&run, "y'", run.end_time()).abs(),
+        a_frame::landing_speed(start),
+        epsilon = CLOSE
+    );
     let least = run.extrema(&Output::parse(AFrame::LAYOUT, "N(A)").unwrap());
     let least = least.iter().find(|e| e.minimum).unwrap();
     assert_abs_diff_eq!(least.value, a_frame::least_reaction(start), epsilon = CLOSE);
-    assert_abs_diff_eq!(at(&run, "sin(phi)", least.t), start.sin() / 3.0, epsilon = CLOSE);
+    assert_abs_diff_eq!(evaluate_output(&run, "sin(phi)", least.t), start.sin() / 3.0, epsilon = CLOSE);
 }
 
 /// The table has eight digits.
@@ -44,7 +48,7 @@ fn double_pendulum_has_its_modes() {
         let quarter = FRAC_PI_2 / square.sqrt();
         let run = run(&model, start, &[&format!("t = {quarter}")]);
         for name in ["phi_1", "phi_2"] {
-            assert_abs_diff_eq!(at(&run, name, quarter) / amplitude, 0.0, epsilon = CLOSE);
+            assert_abs_diff_eq!(evaluate_output(&run, name, quarter) / amplitude, 0.0, epsilon = CLOSE);
         }
     }
 }

@@ -1,7 +1,7 @@
 //! One bar falls on floors and walls.
 
 use super::common::{kinds, run};
-use super::{CLOSE, at};
+use super::{CLOSE, evaluate_output};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use core::f64::consts::FRAC_PI_2;
 use liftoff::prelude::*;
@@ -20,7 +20,7 @@ fn ladder_leaves_the_wall() {
     let theta = ladder::leaving_angle(start);
     assert_abs_diff_eq!(open.state[0], theta, epsilon = CLOSE);
     assert_abs_diff_eq!(open.t, ladder::time(start, theta), epsilon = CLOSE);
-    let (floor, drift) = (at(&run, "N(A)", open.t), at(&run, "vx(B)", open.t));
+    let (floor, drift) = (evaluate_output(&run, "N(A)", open.t), evaluate_output(&run, "vx(B)", open.t));
     assert_abs_diff_eq!(floor, 0.25, epsilon = CLOSE);
     assert!(drift.abs() < CLOSE, "B still touches the wall: {drift}");
     assert_abs_diff_eq!(run.end_time() - open.t, ladder::free_time(start, 0.0), epsilon = CLOSE);
@@ -28,7 +28,11 @@ fn ladder_leaves_the_wall() {
     assert_abs_diff_eq!(omega, -ladder::free_rate_squared(start, 0.0).sqrt(), epsilon = CLOSE);
     for theta in [0.6, 0.3] {
         let t = open.t + ladder::free_time(start, theta);
-        assert_abs_diff_eq!(at(&run, "N(A)", t), ladder::free_floor_reaction(start, theta), epsilon = CLOSE);
+        assert_abs_diff_eq!(
+            evaluate_output(&run, "N(A)", t),
+            ladder::free_floor_reaction(start, theta),
+            epsilon = CLOSE
+        );
     }
 }
 
@@ -39,7 +43,7 @@ fn rod_topples_without_lifting() {
         run(&RodOnFloor { m: 1.0, l: 1.0, g: 1.0 }, Pose::at("phi", start).with("x", 0.0), &["phi = pi/2"]);
     assert_eq!(kinds(&run), [(EventKind::Start, vec![]), (EventKind::Stop, vec![])]);
     assert_abs_diff_eq!(run.end_time(), rod_on_floor::time(start, FRAC_PI_2), epsilon = CLOSE);
-    let rate = at(&run, "phi'", run.end_time());
+    let rate = evaluate_output(&run, "phi'", run.end_time());
     assert_relative_eq!(rate * rate, rod_on_floor::rate_squared(start, FRAC_PI_2), max_relative = CLOSE);
     let least = run.extrema(&Output::parse(RodOnFloor::LAYOUT, "N(A)").unwrap());
     let least = least.iter().filter(|e| e.minimum).map(|e| e.value).fold(f64::INFINITY, f64::min);
@@ -64,9 +68,9 @@ fn toppling_rod_does_not_lift() {
     assert_abs_diff_eq!(run.end_time(), toppling_rod::time(start, FRAC_PI_2), epsilon = CLOSE);
     for theta in [0.2, 0.5, 0.9, 1.2, 1.3, 1.5] {
         let t = toppling_rod::time(start, theta);
-        assert_abs_diff_eq!(at(&run, "phi", t), theta, epsilon = CLOSE);
-        assert_abs_diff_eq!(at(&run, "N(A)", t), toppling_rod::reaction(theta), epsilon = CLOSE);
-        assert_abs_diff_eq!(at(&run, "R(A)", t), toppling_rod::friction(theta), epsilon = CLOSE);
+        assert_abs_diff_eq!(evaluate_output(&run, "phi", t), theta, epsilon = CLOSE);
+        assert_abs_diff_eq!(evaluate_output(&run, "N(A)", t), toppling_rod::reaction(theta), epsilon = CLOSE);
+        assert_abs_diff_eq!(evaluate_output(&run, "R(A)", t), toppling_rod::friction(theta), epsilon = CLOSE);
     }
 }
 

@@ -1,7 +1,7 @@
 //! Dry friction: sticking, slipping, Painlevé's rod, and steps of a wheel without a rim.
 
 use super::common::{kinds, prepared, run};
-use super::{CLOSE, at, pose};
+use super::{CLOSE, evaluate_output, pose};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use core::f64::consts::{FRAC_PI_3, PI};
 use liftoff::prelude::*;
@@ -54,21 +54,25 @@ fn a_block_on_a_belt_sticks_and_slips() {
         assert_abs_diff_eq!(stick.t - slip.t, slide, epsilon = CLOSE);
         assert_abs_diff_eq!(slip.reactions[0].friction.unwrap(), mu * weight, epsilon = CLOSE);
         assert_abs_diff_eq!(
-            at(&run, "v(P)", 0.5 * (slip.t + stick.t)) + w,
-            at(&run, "x'", 0.5 * (slip.t + stick.t)),
+            evaluate_output(&run, "v(P)", 0.5 * (slip.t + stick.t)) + w,
+            evaluate_output(&run, "x'", 0.5 * (slip.t + stick.t)),
             epsilon = CLOSE
         );
     }
     // A slide takes μ m g times its way along the belt, which the belt's work pays.
     let way = w * slide + 2.0 * (mu_s - mu) * weight / k;
-    let lost = at(&run, "D", sticks[0].t) - at(&run, "D", slips[0].t);
+    let lost = evaluate_output(&run, "D", sticks[0].t) - evaluate_output(&run, "D", slips[0].t);
     assert_abs_diff_eq!(lost, mu * weight * way, epsilon = CLOSE);
-    let carried = |from: f64, to: f64| integral(|t| w * at(&run, "R(P)", t), from, to);
+    let carried = |from: f64, to: f64| integral(|t| w * evaluate_output(&run, "R(P)", t), from, to);
     let work = carried(0.0, slips[0].t.next_down()) + carried(slips[0].t, sticks[0].t.next_down());
-    let gained = at(&run, "E + D", sticks[0].t) - at(&run, "E + D", 0.0);
+    let gained = evaluate_output(&run, "E + D", sticks[0].t) - evaluate_output(&run, "E + D", 0.0);
     assert_abs_diff_eq!(gained, work, epsilon = CLOSE);
-    assert_abs_diff_eq!(at(&run, "R(P)", 0.5 * slips[0].t), k * w * 0.5 * slips[0].t, epsilon = CLOSE);
-    assert_eq!(at(&run, "mu(P)", 0.5 * slips[0].t), mu_s);
+    assert_abs_diff_eq!(
+        evaluate_output(&run, "R(P)", 0.5 * slips[0].t),
+        k * w * 0.5 * slips[0].t,
+        epsilon = CLOSE
+    );
+    assert_eq!(evaluate_output(&run, "mu(P)", 0.5 * slips[0].t), mu_s);
 }
 
 /// On a belt at rest it is the oscillator of entry 18: each amplitude about ∓F/k is less by 2F/k, and the rest comes after
@@ -112,8 +116,8 @@ fn a_toppling_rod_slips_at_known_angles() {
         let run = run(&rod, pose(&[("phi", 0.1), ("phi'", rate), ("x'", 0.0)]), &["phi = pi/2"]);
         let slip = of_kind(&run, EventKind::Slip)[0];
         assert_abs_diff_eq!(slip["phi"], toppling_rod::slip_angle(mu).unwrap(), epsilon = CLOSE);
-        let [normal, friction] = ["N(A)", "R(A)"].map(|force| at(&run, force, 0.9 * slip.t));
-        let phi = at(&run, "phi", 0.9 * slip.t);
+        let [normal, friction] = ["N(A)", "R(A)"].map(|force| evaluate_output(&run, force, 0.9 * slip.t));
+        let phi = evaluate_output(&run, "phi", 0.9 * slip.t);
         assert_abs_diff_eq!(normal, toppling_rod::reaction(phi), epsilon = CLOSE);
         assert_abs_diff_eq!(friction, toppling_rod::friction(phi), epsilon = CLOSE);
     }
@@ -182,7 +186,8 @@ fn a_wheel_without_a_rim_tends_to_its_steady_rate() {
     let impacts = of_kind(&run, EventKind::Impact);
     assert!(impacts.len() > 8 && of_kind(&run, EventKind::Slip).is_empty(), "{:?}", kinds(&run));
     let after: Vec<f64> = impacts.iter().map(|impact| impact["phi'"]).collect();
-    let before: Vec<f64> = impacts.iter().map(|impact| at(&run, "phi'", impact.t.next_down())).collect();
+    let before: Vec<f64> =
+        impacts.iter().map(|impact| evaluate_output(&run, "phi'", impact.t.next_down())).collect();
     for (after, before) in after.iter().zip(&before) {
         assert_abs_diff_eq!(after / before, eta, epsilon = CLOSE);
     }
@@ -208,7 +213,7 @@ fn a_woodpecker_pecks_in_equal_turns() {
     assert_relative_eq!(last[0], before[0], max_relative = 1e-6);
     assert_relative_eq!(last[1], before[1], max_relative = 1e-6);
     let [old, new] = [pecks[pecks.len() - 2].t, pecks[pecks.len() - 1].t];
-    let lost = at(&run, "D", new) - at(&run, "D", old);
+    let lost = evaluate_output(&run, "D", new) - evaluate_output(&run, "D", old);
     assert_relative_eq!(lost, -(3e-4 + 4.5e-3) * 9.81 * last[1], max_relative = 1e-3);
     let since = pecks[pecks.len() - 2].t;
     let turn: Vec<(EventKind, Vec<&str>)> = run

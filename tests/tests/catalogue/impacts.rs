@@ -1,7 +1,7 @@
 //! Impacts, blows and what ends in rest.
 
 use super::common::{kinds, prepared, run};
-use super::{CLOSE, at, pose};
+use super::{CLOSE, evaluate_output, pose};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use liftoff::prelude::*;
 use liftoff_compiled::*;
@@ -55,8 +55,8 @@ fn a_bouncing_ball_comes_to_rest() {
         let run = run(&BouncingBall { m: 3.0, g: 1.0, e }, start, &[&until]);
         let settle = run.events().iter().find(|event| event.kind == EventKind::Settle).unwrap();
         assert_abs_diff_eq!(settle.t, rest, epsilon = CLOSE);
-        assert_abs_diff_eq!(at(&run, "N(P)", rest + 0.5), 3.0, epsilon = CLOSE);
-        assert_eq!(at(&run, "y", rest + 0.5), 0.0);
+        assert_abs_diff_eq!(evaluate_output(&run, "N(P)", rest + 0.5), 3.0, epsilon = CLOSE);
+        assert_eq!(evaluate_output(&run, "y", rest + 0.5), 0.0);
     }
 }
 
@@ -69,12 +69,12 @@ fn a_rocking_block_loses_the_rate_of_housner() {
         let first = impacts(&run)[0];
         assert_eq!(first.supports, ["B"]);
         let before = rocking_block::rate_squared(b, h, g, start, 0.0).sqrt();
-        assert_abs_diff_eq!(at(&run, "phi'", first.t * (1.0 - 1e-15)), -before, epsilon = CLOSE);
+        assert_abs_diff_eq!(evaluate_output(&run, "phi'", first.t * (1.0 - 1e-15)), -before, epsilon = CLOSE);
         let after = -before * rocking_block::rate_kept(b, h);
         assert_abs_diff_eq!(first.state[3], after, epsilon = CLOSE);
         let open = first.state[3] < 0.0;
-        assert!(open && at(&run, "gap(A)", first.t + 0.05) > 0.0, "it rocks on B");
-        assert_abs_diff_eq!(at(&run, "gap(B)", first.t + 0.05), 0.0, epsilon = CLOSE);
+        assert!(open && evaluate_output(&run, "gap(A)", first.t + 0.05) > 0.0, "it rocks on B");
+        assert_abs_diff_eq!(evaluate_output(&run, "gap(B)", first.t + 0.05), 0.0, epsilon = CLOSE);
     }
 }
 
@@ -85,7 +85,7 @@ fn a_squat_block_lies_down() {
     let run = run(&model, Pose::at("phi", 0.1), &["t = 1"]);
     assert_eq!(impacts(&run).len(), 1);
     for output in ["phi", "phi'", "phi''"] {
-        assert_abs_diff_eq!(at(&run, output, 1.0), 0.0, epsilon = 1e-14);
+        assert_abs_diff_eq!(evaluate_output(&run, output, 1.0), 0.0, epsilon = 1e-14);
     }
 }
 
@@ -98,15 +98,19 @@ fn a_struck_chain_whips() {
     let [far, struck] = struck_chain::rates(blow, m, l);
     let after = 0.5 + 1e-15;
     assert_eq!(kinds(&run)[1], (EventKind::Impulse, vec![]));
-    assert_abs_diff_eq!(at(&run, "vy(C)", after), struck_chain::struck_end(blow, m), epsilon = CLOSE);
-    assert_abs_diff_eq!(at(&run, "alpha'", after), far, epsilon = CLOSE);
-    assert_abs_diff_eq!(at(&run, "beta'", after), struck, epsilon = CLOSE);
+    assert_abs_diff_eq!(
+        evaluate_output(&run, "vy(C)", after),
+        struck_chain::struck_end(blow, m),
+        epsilon = CLOSE
+    );
+    assert_abs_diff_eq!(evaluate_output(&run, "alpha'", after), far, epsilon = CLOSE);
+    assert_abs_diff_eq!(evaluate_output(&run, "beta'", after), struck, epsilon = CLOSE);
     // the far bar has its momentum from the hinge alone
-    let momentum = 0.5 * m * (at(&run, "vy(A)", after) + at(&run, "vy(B)", after));
+    let momentum = 0.5 * m * (evaluate_output(&run, "vy(A)", after) + evaluate_output(&run, "vy(B)", after));
     assert_abs_diff_eq!(momentum, -struck_chain::inner_impulse(blow), epsilon = CLOSE);
     for t in [0.6, 1.0] {
-        assert_abs_diff_eq!(at(&run, "py", t), blow, epsilon = CLOSE);
-        assert_abs_diff_eq!(at(&run, "px", t), 0.0, epsilon = CLOSE);
-        assert_abs_diff_eq!(at(&run, "Lz", t), 2.0 * l * blow, epsilon = CLOSE);
+        assert_abs_diff_eq!(evaluate_output(&run, "py", t), blow, epsilon = CLOSE);
+        assert_abs_diff_eq!(evaluate_output(&run, "px", t), 0.0, epsilon = CLOSE);
+        assert_abs_diff_eq!(evaluate_output(&run, "Lz", t), 2.0 * l * blow, epsilon = CLOSE);
     }
 }

@@ -1,7 +1,7 @@
 //! Loads, rigid bodies, welds and torsion springs in motions that have closed forms.
 
 use super::common::run;
-use super::{CLOSE, at, pose};
+use super::{CLOSE, evaluate_output, pose};
 use approx::assert_abs_diff_eq;
 use core::f64::consts::PI;
 use liftoff::prelude::*;
@@ -30,8 +30,12 @@ fn a_throw_with_drag() {
     let (time, fall) = (m / c, m * g / c);
     for t in [0.3, 1.0, 2.0] {
         let gone = -(-t / time).exp_m1();
-        assert_abs_diff_eq!(at(&run, "x", t), v * time * gone, epsilon = CLOSE);
-        assert_abs_diff_eq!(at(&run, "y", t), (v + fall) * time * gone - fall * t, epsilon = CLOSE);
+        assert_abs_diff_eq!(evaluate_output(&run, "x", t), v * time * gone, epsilon = CLOSE);
+        assert_abs_diff_eq!(
+            evaluate_output(&run, "y", t),
+            (v + fall) * time * gone - fall * t,
+            epsilon = CLOSE
+        );
     }
 }
 
@@ -60,11 +64,11 @@ fn a_balance_under_a_growing_couple() {
     let run = run(&Balance { m, l, k, a, c, f }, pose(&[("phi", 1.0), ("phi'", f / k)]), &["t = 5"]);
     for t in [0.5, 2.0, 5.0] {
         let [x, v] = oscillator::released(inertia, c, k, t).map(|part| (1.0 - a + shift) * part);
-        assert_abs_diff_eq!(at(&run, "phi", t), a + f * t / k - shift + x, epsilon = CLOSE);
+        assert_abs_diff_eq!(evaluate_output(&run, "phi", t), a + f * t / k - shift + x, epsilon = CLOSE);
         let rate = f / k + v;
-        assert_abs_diff_eq!(at(&run, "phi'", t), rate, epsilon = CLOSE);
+        assert_abs_diff_eq!(evaluate_output(&run, "phi'", t), rate, epsilon = CLOSE);
         let torque = -k * (f * t / k - shift + x) - c * rate;
-        assert_abs_diff_eq!(at(&run, "torque(OA)", t), torque, epsilon = CLOSE);
+        assert_abs_diff_eq!(evaluate_output(&run, "torque(OA)", t), torque, epsilon = CLOSE);
     }
 }
 
@@ -87,7 +91,7 @@ fn a_spring_whose_ends_meet() {
     let start = pose(&[("x", 0.0), ("y", 0.0), ("x'", 2.0), ("y'", 0.0)]);
     let run = run(&Drawn { m: 1.0, k: 4.0 }, start, &["t = 2"]);
     for t in [0.0, 0.5, 2.0] {
-        assert_abs_diff_eq!(at(&run, "x", t), (2.0 * t).sin(), epsilon = CLOSE);
+        assert_abs_diff_eq!(evaluate_output(&run, "x", t), (2.0 * t).sin(), epsilon = CLOSE);
     }
 }
 
@@ -115,8 +119,8 @@ fn a_torsion_spring_between_two_references() {
     let (k, a) = (3.0, 4.5);
     let run = run(&Wound { m: 1.2, l: 0.8, k, a }, pose(&[("phi", 0.1), ("psi", 0.2)]), &["t = 0.5"]);
     for t in [0.0, 0.5] {
-        let wound = 1.5 * PI + at(&run, "psi", t) - at(&run, "phi", t) - a;
-        assert_abs_diff_eq!(at(&run, "torque(OA, PB)", t), -k * wound, epsilon = CLOSE);
+        let wound = 1.5 * PI + evaluate_output(&run, "psi", t) - evaluate_output(&run, "phi", t) - a;
+        assert_abs_diff_eq!(evaluate_output(&run, "torque(OA, PB)", t), -k * wound, epsilon = CLOSE);
     }
 }
 
@@ -152,8 +156,8 @@ fn a_torsion_spring_from_a_bar_that_lies() {
     let frequency = (3.0 * k / (m * l * l)).sqrt();
     for t in [0.0, 0.4, 1.0] {
         let wound = (2.0 - PI - a) * (frequency * t).cos();
-        assert_abs_diff_eq!(at(&run, "psi", t), PI + a + wound, epsilon = CLOSE);
-        assert_abs_diff_eq!(at(&run, "torque(OA, OB)", t), -k * wound, epsilon = CLOSE);
+        assert_abs_diff_eq!(evaluate_output(&run, "psi", t), PI + a + wound, epsilon = CLOSE);
+        assert_abs_diff_eq!(evaluate_output(&run, "torque(OA, OB)", t), -k * wound, epsilon = CLOSE);
     }
 }
 
@@ -177,7 +181,11 @@ struct Motor {
 fn a_motor_between_two_references() {
     let start = pose(&[("phi", 0.1), ("psi", 0.1), ("phi'", 0.0), ("psi'", 0.4)]);
     let run = run(&Motor { m: 1.2, l: 0.8, w: 0.4 }, start, &["t = 0.5"]);
-    assert_abs_diff_eq!(at(&run, "psi", 0.5) - at(&run, "phi", 0.5), 0.2, epsilon = CLOSE);
+    assert_abs_diff_eq!(
+        evaluate_output(&run, "psi", 0.5) - evaluate_output(&run, "phi", 0.5),
+        0.2,
+        epsilon = CLOSE
+    );
 }
 
 /// Two bars welded at a right angle.
@@ -231,7 +239,7 @@ fn rigid_pendulums_have_their_periods() {
 fn a_walking_frame_comes_to_stand() {
     let (m, l, a, k, c, g) = (10.0, 1.0, 0.75_f64.atan(), 400.0, 20.0, 9.81);
     let run = run(&Walker { m, l, a, k, c, g }, Pose::nominal(), &["t = 20"]);
-    let end = |output: &str| at(&run, output, 20.0);
+    let end = |output: &str| evaluate_output(&run, output, 20.0);
     assert_abs_diff_eq!(end("T"), 0.0, epsilon = CLOSE);
     let half = 0.8 * m * g;
     for foot in ["N(P)", "N(Q)"] {

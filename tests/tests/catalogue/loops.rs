@@ -1,7 +1,7 @@
 //! Closed loops.
 
 use super::common::run;
-use super::{CLOSE, at, pose};
+use super::{CLOSE, evaluate_output, pose};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use core::f64::consts::{FRAC_PI_2, PI};
 use liftoff::method::Dop853;
@@ -17,7 +17,7 @@ fn a_parallelogram_swings_like_a_pendulum() {
         let run = run(&model, Pose::at("phi", amplitude), &["phi = 0"]);
         let square = parallelogram::frequency_squared(m, c, 1.0, 9.81);
         assert_abs_diff_eq!(4.0 * run.end_time(), parallelogram::period(square, amplitude), epsilon = CLOSE);
-        assert_abs_diff_eq!(at(&run, "tilt", run.end_time()), 0.0, epsilon = CLOSE);
+        assert_abs_diff_eq!(evaluate_output(&run, "tilt", run.end_time()), 0.0, epsilon = CLOSE);
     }
 }
 
@@ -30,11 +30,15 @@ fn a_slider_crank_follows_its_drive() {
     for t in [0.0, 0.3, 0.9, 1.6, 2.0] {
         let phi = 4.0 * t;
         let [x, v, a] = linkage.piston(phi);
-        assert_abs_diff_eq!(at(&run, "phi", t), phi, epsilon = CLOSE);
-        assert_abs_diff_eq!(at(&run, "x(B)", t), x, epsilon = CLOSE);
-        assert_abs_diff_eq!(at(&run, "vx(B)", t), 4.0 * v, epsilon = CLOSE);
-        assert_abs_diff_eq!(at(&run, "ax(B)", t), 16.0 * a, epsilon = CLOSE);
-        assert_abs_diff_eq!(at(&run, "drive(phi)", t), linkage.torque(phi, 4.0), epsilon = CLOSE);
+        assert_abs_diff_eq!(evaluate_output(&run, "phi", t), phi, epsilon = CLOSE);
+        assert_abs_diff_eq!(evaluate_output(&run, "x(B)", t), x, epsilon = CLOSE);
+        assert_abs_diff_eq!(evaluate_output(&run, "vx(B)", t), 4.0 * v, epsilon = CLOSE);
+        assert_abs_diff_eq!(evaluate_output(&run, "ax(B)", t), 16.0 * a, epsilon = CLOSE);
+        assert_abs_diff_eq!(
+            evaluate_output(&run, "drive(phi)", t),
+            linkage.torque(phi, 4.0),
+            epsilon = CLOSE
+        );
     }
 }
 
@@ -50,10 +54,10 @@ fn a_quick_return_follows_its_drive() {
         // ψ′ = (x y′ − y x′)/ρ², x y′ − y x′ = r² + h r sin φ
         let turn = (r * r + h * r * sin) / square;
         let bend = (h * r * cos - turn * 2.0 * h * r * cos) / square;
-        assert_abs_diff_eq!(at(&run, "psi", t), y.atan2(x), epsilon = CLOSE);
-        assert_abs_diff_eq!(at(&run, "psi'", t), omega * turn, epsilon = CLOSE);
+        assert_abs_diff_eq!(evaluate_output(&run, "psi", t), y.atan2(x), epsilon = CLOSE);
+        assert_abs_diff_eq!(evaluate_output(&run, "psi'", t), omega * turn, epsilon = CLOSE);
         let torque = b * l * l / 3.0 * omega * omega * turn * bend;
-        assert_abs_diff_eq!(at(&run, "drive(phi)", t), torque, epsilon = CLOSE);
+        assert_abs_diff_eq!(evaluate_output(&run, "drive(phi)", t), torque, epsilon = CLOSE);
     }
 }
 
@@ -73,7 +77,7 @@ fn the_squeezer_starts_where_published() {
         assert_abs_diff_eq!(*found, expected, epsilon = 1e-14);
     }
     for (output, expected) in ["beta''", "theta''"].iter().zip(squeezer::START_ACCELERATIONS) {
-        assert_relative_eq!(at(&run, output, 0.0), expected, max_relative = 1e-11);
+        assert_relative_eq!(evaluate_output(&run, output, 0.0), expected, max_relative = 1e-11);
     }
 }
 
@@ -122,10 +126,10 @@ fn the_car_axis_ends_where_published() {
     let run = run(&model, Pose::nominal(), &["t = 3"]);
     let outputs = ["x(L)", "y(L)", "x(R)", "y(R)", "vx(L)", "vy(L)", "vx(R)", "vy(R)"];
     for (output, expected) in outputs.iter().zip(car_axis::PUBLISHED) {
-        assert_abs_diff_eq!(at(&run, output, 3.0), expected, epsilon = CLOSE);
+        assert_abs_diff_eq!(evaluate_output(&run, output, 3.0), expected, epsilon = CLOSE);
     }
     let force = -car_axis::MULTIPLIER * model.k * model.l;
-    assert_relative_eq!(at(&run, "slider(L)", 3.0), force, max_relative = 1e-9);
+    assert_relative_eq!(evaluate_output(&run, "slider(L)", 3.0), force, max_relative = 1e-9);
 }
 
 /// Ten seconds, ten passes through the level position, where every loop is singular: angle and rate are those of the
@@ -139,14 +143,14 @@ fn a_row_of_loops_passes_its_singular_positions() {
     for half in 1..=9 {
         let t = 0.5 * f64::from(half) * turn;
         if t < 10.0 {
-            assert_abs_diff_eq!(at(&run, "phi", t), PI * f64::from(half), epsilon = CLOSE);
+            assert_abs_diff_eq!(evaluate_output(&run, "phi", t), PI * f64::from(half), epsilon = CLOSE);
         }
     }
     for t in [2.5, 5.0, 7.5, 10.0] {
-        let phi = at(&run, "phi", t);
-        assert_relative_eq!(at(&run, "phi'", t), rate(phi), max_relative = CLOSE);
+        let phi = evaluate_output(&run, "phi", t);
+        assert_relative_eq!(evaluate_output(&run, "phi'", t), rate(phi), max_relative = CLOSE);
         for output in ["psi_b", "psi_d", "phi_c - phi", "phi_e - phi"] {
-            assert_abs_diff_eq!(at(&run, output, t), 0.0, epsilon = CLOSE);
+            assert_abs_diff_eq!(evaluate_output(&run, output, t), 0.0, epsilon = CLOSE);
         }
     }
 }

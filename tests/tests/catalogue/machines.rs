@@ -1,7 +1,7 @@
 //! What walks and throws.
 
 use super::common::{kinds, prepared};
-use super::{CLOSE, at, pose};
+use super::{CLOSE, evaluate_output, pose};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use core::f64::consts::{FRAC_PI_2, PI};
 use liftoff::prelude::*;
@@ -104,7 +104,11 @@ fn jansens_leg_steps_along_the_ground() {
         let phi = 0.1 * f64::from(k);
         for (name, place) in jansen::NAMES.iter().zip(jansen::places(phi)) {
             for (axis, expected) in ["x", "y"].iter().zip(place) {
-                assert_abs_diff_eq!(at(&run, &format!("{axis}({name})"), phi), u * expected, epsilon = CLOSE);
+                assert_abs_diff_eq!(
+                    evaluate_output(&run, &format!("{axis}({name})"), phi),
+                    u * expected,
+                    epsilon = CLOSE
+                );
             }
         }
     }
@@ -118,7 +122,7 @@ fn jansens_leg_steps_along_the_ground() {
     let step = 1e-4;
     let moment = rho * u * u * g * (jansen::lift(step) - jansen::lift(-step)) / (2.0 * step);
     // Central differences are within step² of the third derivative; the crank's rate adds ω² times inertias.
-    assert_relative_eq!(at(&slow, "drive(phi)", 0.0), moment, max_relative = 1e-6);
+    assert_relative_eq!(evaluate_output(&slow, "drive(phi)", 0.0), moment, max_relative = 1e-6);
 }
 
 /// Each half swing is that of a damped oscillator about 0, or about push/k while the escapement pushes.

@@ -23,7 +23,7 @@ use liftoff::prelude::*;
 const CLOSE: f64 = 1e-10;
 
 /// An output at a time.
-fn at(run: &Trajectory, output: &str, t: f64) -> f64 {
+fn evaluate_output(run: &Trajectory, output: &str, t: f64) -> f64 {
     run.value(&Output::parse(run.layout(), output).unwrap(), t)
 }
 

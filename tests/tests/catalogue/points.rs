@@ -1,7 +1,7 @@
 //! Particles: on springs, outside and inside circles, between lines.
 
 use super::common::{kinds, run};
-use super::{CLOSE, at, pose};
+use super::{CLOSE, evaluate_output, pose};
 use approx::assert_abs_diff_eq;
 use core::f64::consts::PI;
 use liftoff::prelude::*;
@@ -18,9 +18,13 @@ fn a_mass_on_a_spring_follows_the_damped_oscillator() {
         let run = run(&SpringPendulum { m, k, l, c, g }, pose(&[("x", 0.0), ("y", rest + 0.2)]), &["t = 3"]);
         for t in [0.5, 1.7, 3.0] {
             let [x, v] = oscillator::released(m, c, k, t).map(|part| 0.2 * part);
-            assert_abs_diff_eq!(at(&run, "y", t), rest + x, epsilon = CLOSE);
-            assert_abs_diff_eq!(at(&run, "y'", t), v, epsilon = CLOSE);
-            assert_abs_diff_eq!(at(&run, "force(OP)", t), k * (rest - l + x) + c * v, epsilon = CLOSE);
+            assert_abs_diff_eq!(evaluate_output(&run, "y", t), rest + x, epsilon = CLOSE);
+            assert_abs_diff_eq!(evaluate_output(&run, "y'", t), v, epsilon = CLOSE);
+            assert_abs_diff_eq!(
+                evaluate_output(&run, "force(OP)", t),
+                k * (rest - l + x) + c * v,
+                epsilon = CLOSE
+            );
         }
     }
 }
@@ -30,9 +34,13 @@ fn a_swinging_spring_keeps_its_energy() {
     let model = SpringPendulum { m: 1.0, k: 30.0, l: 1.0, c: 0.0, g: 9.81 };
     let run = run(&model, pose(&[("x", 0.9), ("y", 0.4)]), &["t = 10"]);
     for t in [2.0, 5.0, 10.0] {
-        assert_abs_diff_eq!(at(&run, "E", t), at(&run, "E", 0.0), epsilon = CLOSE);
+        assert_abs_diff_eq!(evaluate_output(&run, "E", t), evaluate_output(&run, "E", 0.0), epsilon = CLOSE);
         // no couple acts about O but that of the weight
-        assert_abs_diff_eq!(at(&run, "x * py + y * px", t), at(&run, "Lz", t), epsilon = CLOSE);
+        assert_abs_diff_eq!(
+            evaluate_output(&run, "x * py + y * px", t),
+            evaluate_output(&run, "Lz", t),
+            epsilon = CLOSE
+        );
     }
 }
 
@@ -50,8 +58,8 @@ fn a_marble_leaves_the_ball_at_two_thirds() {
     assert_abs_diff_eq!(open.t, ring::outer_time(start, leaving), epsilon = CLOSE);
     for theta in [0.2_f64, 0.5, 0.8] {
         let t = ring::outer_time(start, theta);
-        assert_abs_diff_eq!(at(&run, "x", t), theta.sin(), epsilon = CLOSE);
-        assert_abs_diff_eq!(at(&run, "N(P)", t), ring::outer_reaction(theta), epsilon = CLOSE);
+        assert_abs_diff_eq!(evaluate_output(&run, "x", t), theta.sin(), epsilon = CLOSE);
+        assert_abs_diff_eq!(evaluate_output(&run, "N(P)", t), ring::outer_reaction(theta), epsilon = CLOSE);
     }
 }
 
@@ -72,8 +80,12 @@ fn a_marble_loops_or_falls_off_the_ring() {
     assert_eq!(kinds(&fast), [(EventKind::Start, vec![]), (EventKind::Stop, vec![])]);
     for theta in [0.6, 2.0, PI] {
         let t = ring::inner_time(speed, theta);
-        assert_abs_diff_eq!(at(&fast, "x", t), theta.sin(), epsilon = CLOSE);
-        assert_abs_diff_eq!(at(&fast, "N(P)", t), ring::inner_reaction(speed, theta), epsilon = CLOSE);
+        assert_abs_diff_eq!(evaluate_output(&fast, "x", t), theta.sin(), epsilon = CLOSE);
+        assert_abs_diff_eq!(
+            evaluate_output(&fast, "N(P)", t),
+            ring::inner_reaction(speed, theta),
+            epsilon = CLOSE
+        );
     }
 }
 
@@ -101,10 +113,10 @@ fn a_bead_slides_along_its_slot_and_flies_across() {
     let at_rest = [("x", below[0]), ("y", below[1])];
     let slide = run(&Bead { m, a, w, g }, pose(&at_rest), &["t = 1"]);
     let travel = 0.5 * g * sin;
-    assert_abs_diff_eq!(at(&slide, "x", 1.0), below[0] + travel * cos, epsilon = CLOSE);
-    assert_abs_diff_eq!(at(&slide, "y", 1.0), below[1] - travel * sin, epsilon = CLOSE);
-    assert_abs_diff_eq!(at(&slide, "N(P_lower)", 0.5), m * g * cos, epsilon = CLOSE);
-    assert_eq!(at(&slide, "N(P_upper)", 0.5), 0.0);
+    assert_abs_diff_eq!(evaluate_output(&slide, "x", 1.0), below[0] + travel * cos, epsilon = CLOSE);
+    assert_abs_diff_eq!(evaluate_output(&slide, "y", 1.0), below[1] - travel * sin, epsilon = CLOSE);
+    assert_abs_diff_eq!(evaluate_output(&slide, "N(P_lower)", 0.5), m * g * cos, epsilon = CLOSE);
+    assert_eq!(evaluate_output(&slide, "N(P_upper)", 0.5), 0.0);
 
     let speed = 3.0;
     let thrown = [at_rest, [("x'", speed * sin), ("y'", speed * cos)]].concat();

@@ -1,7 +1,7 @@
 //! Threads and supports at rest, and what happens when one is taken away.
 
 use super::common::{kinds, prepared};
-use super::{CLOSE, at, pose};
+use super::{CLOSE, evaluate_output, pose};
 use approx::assert_abs_diff_eq;
 use liftoff::LoggedDecision;
 use liftoff::prelude::*;
@@ -19,13 +19,13 @@ fn the_thread_of_fig_1b_bears_the_bars_until_it_is_cut() {
         let [outer, inner] = zigzag_thread::reactions(m1, m2, g);
         for t in [0.0, 0.3] {
             assert_abs_diff_eq!(
-                at(&run, "N(BD)", t),
+                evaluate_output(&run, "N(BD)", t),
                 zigzag_thread::tension(m1, m2, g, phi),
                 epsilon = CLOSE
             );
-            assert_abs_diff_eq!(at(&run, "N(A)", t), outer, epsilon = CLOSE);
-            assert_abs_diff_eq!(at(&run, "N(C)", t), inner, epsilon = CLOSE);
-            assert_abs_diff_eq!(at(&run, "phi_inner", t), phi, epsilon = CLOSE);
+            assert_abs_diff_eq!(evaluate_output(&run, "N(A)", t), outer, epsilon = CLOSE);
+            assert_abs_diff_eq!(evaluate_output(&run, "N(C)", t), inner, epsilon = CLOSE);
+            assert_abs_diff_eq!(evaluate_output(&run, "phi_inner", t), phi, epsilon = CLOSE);
         }
         let [last, other] = [run.events().last().unwrap().kind, run.events()[2].kind];
         assert_eq!((other, last), (EventKind::Open, EventKind::Close));
@@ -72,8 +72,12 @@ fn a_support_vanishes() {
         let run = prepared(&model, start, &["t = 0.6"]).release("Q", 0.5).unwrap().run().unwrap();
         let release = &run.events()[1];
         assert_eq!((release.kind, &release.supports[..], release.t), (EventKind::Release, &["Q"][..], 0.5));
-        assert_abs_diff_eq!(at(&run, "N(P)", 0.25), 0.5, epsilon = 1e-14);
-        assert_abs_diff_eq!(at(&run, "N(P)", 0.5), vanishing_support::reaction(d, 1.0), epsilon = 1e-14);
+        assert_abs_diff_eq!(evaluate_output(&run, "N(P)", 0.25), 0.5, epsilon = 1e-14);
+        assert_abs_diff_eq!(
+            evaluate_output(&run, "N(P)", 0.5),
+            vanishing_support::reaction(d, 1.0),
+            epsilon = 1e-14
+        );
     }
 }
 
@@ -88,7 +92,7 @@ fn three_supports_bear_a_rod_in_many_ways() {
         "{:?}",
         run.log()
     );
-    let reactions = |t| ["N(A)", "N(C)", "N(B)"].map(|output| at(&run, output, t));
+    let reactions = |t| ["N(A)", "N(C)", "N(B)"].map(|output| evaluate_output(&run, output, t));
     let [a, c, b] = reactions(0.25);
     assert!(a >= 0.0 && b >= 0.0 && c >= 0.0);
     assert_abs_diff_eq!(a + b + c, 2.0 * 9.81, epsilon = 1e-13);
@@ -98,6 +102,6 @@ fn three_supports_bear_a_rod_in_many_ways() {
         assert_abs_diff_eq!(*found, expected, epsilon = 1e-13);
     }
     for output in ["phi", "y", "phi''", "ay(C)"] {
-        assert_eq!(at(&run, output, 1.0), 0.0, "{output}");
+        assert_eq!(evaluate_output(&run, output, 1.0), 0.0, "{output}");
     }
 }

@@ -50,7 +50,7 @@ fn draw(source: &mut Source, symbols: &[(Math, f64)], depth: usize) -> (Math, f6
                 Math::Number { numerator: numerator as u128, denominator: denominator as u128 },
                 numerator as f64 / denominator as f64,
             ),
-            false => source.of(symbols),
+            false => source.choose(symbols),
         };
     }
     let kind = source.below(7);

@@ -105,7 +105,7 @@ fn value(expression: &Expr, variables: &Variables) -> Value {
             variables.get(&name).unwrap_or_else(|| panic!("no {name}")).clone()
         }
         Expr::Field(field) => of(&field.base).field(&member(&field.member)).clone(),
-        Expr::Index(at) => of(&at.expr).many()[place(&at.index)].clone(),
+        Expr::Index(at) => of(&at.expr).many()[parse_index(&at.index)].clone(),
         Expr::Struct(fields) => {
             let named = fields
                 .fields
@@ -136,7 +136,7 @@ fn value(expression: &Expr, variables: &Variables) -> Value {
     }
 }
 
-fn place(index: &Expr) -> usize {
+fn parse_index(index: &Expr) -> usize {
     let Expr::Lit(syn::ExprLit { lit: Lit::Int(digits), .. }) = index else {
         panic!("never emitted: {index:?}")
     };

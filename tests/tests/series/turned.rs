@@ -27,7 +27,7 @@ fn angle(source: &mut Source) -> &'static str {
         "alpha + gamma",
         "alpha - 0.2",
     ];
-    source.of(&angles)
+    source.choose(&angles)
 }
 
 /// A declaration, and the values of its parameters.

@@ -3,7 +3,7 @@
 use super::Runs;
 use crate::paper::ReportError;
 use crate::paper::figure::{CaptionedFigure, against_phi, decimals};
-use crate::paper::reading::at;
+use crate::paper::reading::evaluate_output;
 use liftoff_studio::picture::curve;
 use liftoff_studio::plot::{Axis, Chart, Colour, Curve, Figure, Mark};
 use std::f64::consts::FRAC_PI_3;
@@ -26,7 +26,7 @@ impl Runs {
 
     fn reaction(&self) -> Result<CaptionedFigure, ReportError> {
         let points = curve(&self.held, ["phi", "N(P)"], self.held.interval())?;
-        let phi = self.opening().map(|t| at(&self.fall, "phi", t)).transpose()?;
+        let phi = self.opening().map(|t| evaluate_output(&self.fall, "phi", t)).transpose()?;
         let mark = |phi: f64| Mark { at: [phi, 0.0], label: format!("φ₁ = {phi:.6}") };
         let chart = Chart {
             x: Axis::linear("φ, rad", [0.0, FRAC_PI_3]).with_ticks([0.0, 0.25, 0.5, 0.75, 1.0]),
@@ -54,8 +54,8 @@ impl Runs {
             title: "Fig. 4",
             caption: format!(
                 "Angular velocity and angular acceleration of a bar in free fall: {} rad/s and {} rad/s² at φ₁.",
-                decimals(at(&self.fall, "phi'", flight[0])?, 4),
-                decimals(at(&self.fall, "phi''", flight[0])?, 4),
+                decimals(evaluate_output(&self.fall, "phi'", flight[0])?, 4),
+                decimals(evaluate_output(&self.fall, "phi''", flight[0])?, 4),
             ),
             svg: self.falling(flight, outputs)?,
         })
@@ -68,8 +68,8 @@ impl Runs {
             title: "Fig. 5",
             caption: format!(
                 "Velocity and acceleration of the hinge D in free fall, downward: {} m/s and {} m/s² at φ₁.",
-                decimals(at(&self.fall, "-vy(D)", flight[0])?, 4),
-                decimals(at(&self.fall, "-ay(D)", flight[0])?, 4),
+                decimals(evaluate_output(&self.fall, "-vy(D)", flight[0])?, 4),
+                decimals(evaluate_output(&self.fall, "-ay(D)", flight[0])?, 4),
             ),
             svg: self.falling(flight, outputs)?,
         })

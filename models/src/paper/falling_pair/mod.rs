@@ -8,7 +8,7 @@ mod positions;
 use super::ReportError;
 use super::printed::GRAVITY;
 use super::quantity::Quantity;
-use super::reading::{at, events_of, range};
+use super::reading::{evaluate_output, events_of, range};
 use crate::models;
 use liftoff::prelude::*;
 use liftoff_studio::run_spec::{RunSpec, named};
@@ -56,7 +56,7 @@ impl Runs {
         let fall = &self.fall;
         let open = self.opening();
         let [start, end] = fall.interval();
-        let opened = |output| open.map(|t| at(fall, output, t)).transpose();
+        let opened = |output| open.map(|t| evaluate_output(fall, output, t)).transpose();
         let ends = range(fall, "y(B)", [start, end])?;
         let degrees = fall.function("phi * 180 / pi")?;
         let in_flight = |open: f64| degrees(end) - degrees(open);
@@ -79,13 +79,13 @@ impl Runs {
                 "omega_end",
                 "angular velocity as the bars meet",
                 "sqrt(g/l)",
-                Some(at(fall, "phi'", end)? / (self.g / self.l).sqrt()),
+                Some(evaluate_output(fall, "phi'", end)? / (self.g / self.l).sqrt()),
             ),
             number(
                 "travel_D",
                 "travel of the hinge until the bars meet",
                 "l",
-                Some(-at(fall, "y(D)", end)? / self.l),
+                Some(-evaluate_output(fall, "y(D)", end)? / self.l),
             ),
             number("height_ends", "height of the path of A and B", "l", Some((ends[1] - ends[0]) / self.l)),
         ])

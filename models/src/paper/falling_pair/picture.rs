@@ -4,7 +4,7 @@ use super::Runs;
 use super::positions::BARS;
 use crate::paper::ReportError;
 use crate::paper::figure::decimals;
-use crate::paper::reading::{at, places, time_of};
+use crate::paper::reading::{evaluate_output, places, time_of};
 use liftoff_studio::picture::curve;
 use liftoff_studio::plot::{Axis, Chart, Colour, Curve, Figure, Label, Mark, Stroke, Superposition};
 
@@ -30,7 +30,7 @@ impl Runs {
     fn fallen(&self, open: f64) -> Result<Superposition, ReportError> {
         let mut superposition = self.positions([open, self.fall.interval()[1]])?;
         let bars = places(&self.fall, &BARS, open)?;
-        let text = format!("lift-off at φ₁ = {}°", decimals(at(&self.fall, DEGREES, open)?, 2));
+        let text = format!("lift-off at φ₁ = {}°", decimals(evaluate_output(&self.fall, DEGREES, open)?, 2));
         superposition.labels = vec![Label { at: [0.0, bars[2][1]], text, offset: (0, -8) }];
         superposition.strokes.push(Stroke::solid(bars, Colour::Black, 1.0, 3));
         Ok(superposition)
@@ -40,9 +40,9 @@ impl Runs {
     fn through_zero(&self, open: f64) -> Result<Chart, ReportError> {
         let held = &self.held;
         let [start, end] = held.interval();
-        let phi = at(&self.fall, DEGREES, open)?;
+        let phi = evaluate_output(&self.fall, DEGREES, open)?;
         let zero = time_of(held, DEGREES, phi, [start, end])?;
-        let last = at(held, DEGREES, end)?;
+        let last = evaluate_output(held, DEGREES, end)?;
         let pushing = curve(held, [DEGREES, SHARE], [start, zero])?;
         let pulling = curve(held, [DEGREES, SHARE], [zero, end])?;
         let label = format!("lift-off: N = 0 at φ₁ = {}°", decimals(phi, 2));

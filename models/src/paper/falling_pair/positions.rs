@@ -3,7 +3,7 @@
 use super::Runs;
 use crate::paper::ReportError;
 use crate::paper::figure::{CaptionedFigure, decimals, path, superposed};
-use crate::paper::reading::{at, equal_steps, places, range};
+use crate::paper::reading::{equal_steps, evaluate_output, places, range};
 use crate::paper::scheme::arc;
 use liftoff_studio::plot::{Axis, Colour, Figure, Label, LegendLine, Stroke, Superposition};
 
@@ -20,7 +20,7 @@ impl Runs {
         strokes.push(line(vec![[-self.l / 2.0, 0.0], centre, hinge], Colour::Green, 1));
         strokes.push(line(vec![hinge, [0.0, 0.0]], Colour::Green, 1));
         strokes.push(line(bars.clone(), Colour::Blue, 3));
-        let phi = at(&self.fall, "phi", open)?;
+        let phi = evaluate_output(&self.fall, "phi", open)?;
         let level = [hinge[0] + 0.5 * self.l, hinge[1]];
         strokes.push(line(vec![hinge, level], Colour::Black, 1));
         strokes.push(arc(hinge, [0.0, phi], 0.25 * self.l));
@@ -60,7 +60,7 @@ impl Runs {
 
     /// The point of bar AD's plane at rest: v = ω k × r about it.
     fn centre(&self, t: f64) -> Result<[f64; 2], ReportError> {
-        let value = |output| at(&self.fall, output, t);
+        let value = |output| evaluate_output(&self.fall, output, t);
         let along = [value("x(D)")? - value("x(A)")?, value("y(D)")? - value("y(A)")?];
         let turn = [value("vx(D)")? - value("vx(A)")?, value("vy(D)")? - value("vy(A)")?];
         let omega = (along[0] * turn[1] - along[1] * turn[0]) / (along[0] * along[0] + along[1] * along[1]);
@@ -97,7 +97,7 @@ impl Runs {
             superposition.strokes.push(path(&self.fall, point, self.fall.interval(), Colour::Green)?);
         }
         self.measure(&mut superposition, flight[1])?;
-        let [first, last] = flight.map(|t| at(&self.fall, "phi", t));
+        let [first, last] = flight.map(|t| evaluate_output(&self.fall, "phi", t));
         let step = ((last? - first?) / 10.0).to_degrees();
         let sheet =
             Figure { description: "Superposed positions of the falling pair".into(), size: (560, 690) };

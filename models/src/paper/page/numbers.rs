@@ -22,7 +22,7 @@ impl Page<'_> {
 
     /// In the paper's layout, print above computation.
     fn table1(&self) -> String {
-        let table = Table1::of(self.rows, self.tables);
+        let table = Table1::from_rows(self.rows, self.tables);
         let mut html = String::from(
             "<div class=table><table>\n<caption>Table 1. Values of the angles φ*, φ₁, φ₂ and of μ(φ*, λ): the least total reaction, \
              lift-off, B and D on the floor. In grey as printed.</caption>\n<thead><tr><th class=word>λ",

@@ -4,7 +4,7 @@ use super::{REACTION, Runs};
 use crate::paper::ReportError;
 use crate::paper::figure::{CaptionedFigure, against_phi, decimals, superposed};
 use crate::paper::printed::GRAVITY;
-use crate::paper::reading::{at, equal_steps, range};
+use crate::paper::reading::{equal_steps, evaluate_output, range};
 use liftoff_studio::picture::curve;
 use liftoff_studio::plot::{Axis, Chart, Colour, Curve, Figure, Mark, Stroke, Superposition};
 use std::f64::consts::FRAC_PI_2;
@@ -59,7 +59,7 @@ impl Runs {
                  <i>g</i> = {GRAVITY} m/s²: {} rad/s as all bars lie level (printed, ten times it: 63.798), least angular \
                  acceleration {} rad/s² (printed: −50.618).",
                 self.ratio.1,
-                decimals(at(&self.level, &rate, level)?, 4),
+                decimals(evaluate_output(&self.level, &rate, level)?, 4),
                 decimals(range(&self.flight, &acceleration, flight)?[0], 3),
             ),
             svg: self.in_flight(flight, [("|φ̇|, rad/s", &rate), ("φ̈, rad/s²", &acceleration)])?,
@@ -76,7 +76,7 @@ impl Runs {
                 "Velocity and acceleration of C in flight, downward, λ = {}, <i>l</i> = 1 m, \
                  <i>g</i> = {GRAVITY} m/s²: {} m/s² as B and D reach the floor (printed: 20.321).",
                 self.ratio.1,
-                decimals(at(&self.flight, &acceleration, flight[1])?, 3),
+                decimals(evaluate_output(&self.flight, &acceleration, flight[1])?, 3),
             ),
             svg: self.in_flight(flight, [("v of C, m/s", &velocity), ("a of C, m/s²", &acceleration)])?,
         })
@@ -110,7 +110,7 @@ impl Runs {
                  the floor. Right: the rise of C, and of A and E with it: {} <i>l</i> as all bars lie level (printed: 0.03 <i>l</i>), \
                  {} <i>l</i> at most (printed: 0.033 <i>l</i>).",
                 self.ratio.1,
-                decimals(at(&self.flight, "y(C)", self.level.interval()[1])?, 4),
+                decimals(evaluate_output(&self.flight, "y(C)", self.level.interval()[1])?, 4),
                 decimals(range(&self.flight, "y(C)", flight)?[1], 4),
             ),
             svg: sheet.beside(560, &superposition, &self.rise(flight)?),
@@ -121,7 +121,8 @@ impl Runs {
         let points = curve(&self.flight, ["phi", "y(C)"], flight)?;
         let [level, touch] = [self.level.interval()[1], flight[1]];
         let mark = |t: f64| -> Result<Mark, ReportError> {
-            let [phi, rise] = [at(&self.flight, "phi", t)?, at(&self.flight, "y(C)", t)?];
+            let [phi, rise] =
+                [evaluate_output(&self.flight, "phi", t)?, evaluate_output(&self.flight, "y(C)", t)?];
             Ok(Mark { at: [phi, rise], label: format!("{} l", decimals(rise, 4)) })
         };
         Ok(Chart {

@@ -4,7 +4,7 @@ pub mod figures;
 
 use super::ReportError;
 use super::quantity::Quantity;
-use super::reading::{at, coordinate, events_of, extrema, range};
+use super::reading::{coordinate, evaluate_output, events_of, extrema, range};
 use crate::models;
 use liftoff::Extremum;
 use liftoff::prelude::*;
@@ -121,7 +121,7 @@ impl Runs {
             Quantity::number(format!("fig1b.{id}[{}]", self.ratio.0), MODEL, quantity, unit, value)
         };
         let least = self.least()?;
-        let star = least.as_ref().map(|least| at(&self.held, "phi", least.t)).transpose()?;
+        let star = least.as_ref().map(|least| evaluate_output(&self.held, "phi", least.t)).transpose()?;
         let [lift_off, touch_down] = match self.event(EventKind::Touch) {
             Some(_) => ["angle where N touches zero", "the same: N only touches zero, no flight"],
             None => ["angle at lift-off", "angle as B and D reach the floor"],
@@ -149,20 +149,22 @@ impl Runs {
     ) -> Result<Vec<Quantity>, ReportError> {
         let level = self.level.interval()[1];
         let over = |output| self.interval().map(|flight| range(&self.flight, output, flight)).transpose();
-        let touch = |output| self.interval().map(|flight| at(&self.flight, output, flight[1])).transpose();
+        let touch = |output| {
+            self.interval().map(|flight| evaluate_output(&self.flight, output, flight[1])).transpose()
+        };
         Ok(vec![
             number(
                 "rise_flat",
                 "rise of C as all bars lie level",
                 "l",
-                Some(at(&self.level, "y(C)", level)?),
+                Some(evaluate_output(&self.level, "y(C)", level)?),
             ),
             number("rise_max", "greatest rise of C in flight", "l", over("y(C)")?.map(|[_, high]| high)),
             number(
                 "omega_flat",
                 "angular velocity as all bars lie level",
                 "sqrt(g/l)",
-                Some(at(&self.level, "phi'", level)?),
+                Some(evaluate_output(&self.level, "phi'", level)?),
             ),
             number(
                 "alpha_min",

@@ -5,7 +5,7 @@ use crate::models;
 use crate::paper::ReportError;
 use crate::paper::figure::decimals;
 use crate::paper::published::Runs;
-use crate::paper::reading::at;
+use crate::paper::reading::evaluate_output;
 
 /// One mass ratio both ways.
 #[derive(Clone, PartialEq, Debug)]
@@ -56,8 +56,9 @@ impl Run {
         };
         let spec = spec(self.ratio.1, tolerance)?.hold(&["A", "C", "E"]);
         let held = models().find(MODEL)?.run(&spec.until(&format!("phi_inner = {phi1}")))?;
-        let reaction =
-            |support: &str| at(&held, &format!("N({support}) / ((m1 + m2) * g)"), held.interval()[1]);
+        let reaction = |support: &str| {
+            evaluate_output(&held, &format!("N({support}) / ((m1 + m2) * g)"), held.interval()[1])
+        };
         Ok(Some(format!(
             "Watched one by one at λ = {ratio}, the first support to open is {first}, at φ = {phi:.6}, and the next are \
              {second}, at φ<sub>inner</sub> = {inner:.6}; the paper watches only the total, which vanishes at \

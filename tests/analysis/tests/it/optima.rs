@@ -35,7 +35,7 @@ struct Stone {
     g: f64,
 }
 
-fn told<E: ToString>(error: E) -> String {
+fn error_text<E: ToString>(error: E) -> String {
     error.to_string()
 }
 
@@ -51,8 +51,9 @@ fn started(name: &str, value: f64) -> Variable {
 fn quarter(variable: Variable, bounds: Option<[f64; 2]>) -> Result<Best, OptimumError> {
     let simulate = |d: &[f64]| {
         let body = Body { m: 2.0, d: d[0], i: 0.03, g: 9.81 };
-        let simulation = Simulation::new(&body).map_err(told)?.start(Pose::at("phi", 1.0)).map_err(told)?;
-        simulation.until("phi = 0").map_err(told)
+        let simulation =
+            Simulation::new(&body).map_err(error_text)?.start(Pose::at("phi", 1.0)).map_err(error_text)?;
+        simulation.until("phi = 0").map_err(error_text)
     };
     let model = |parameters: &[Dual4]| Ok(varied::<Body>(parameters));
     let variables = vec![Free { variable, bounds }];
@@ -97,9 +98,9 @@ type Read<'a> = (Place, Option<&'a str>, bool);
 /// From x = 0 and y with these rates.
 fn stone(rates: [f64; 2], e: f64, (place, output, greatest): Read<'_>) -> Result<Best, OptimumError> {
     let simulate = |u: &[f64]| {
-        let simulation = Simulation::new(&Stone { m: 1.0, e, g: 10.0 }).map_err(told)?;
+        let simulation = Simulation::new(&Stone { m: 1.0, e, g: 10.0 }).map_err(error_text)?;
         let start = Pose::at("x", 0.0).with("y", 1.0).with("x'", u[0]).with("y'", u[1]);
-        Ok(simulation.start(start).map_err(told)?.limit(0.8))
+        Ok(simulation.start(start).map_err(error_text)?.limit(0.8))
     };
     let model = |parameters: &[Dual4]| Ok(varied::<Stone>(parameters));
     let output = output.map(|text| Output::parse(Stone::LAYOUT, text).unwrap());

@@ -29,7 +29,7 @@ impl Case {
         for &moment in moments {
             let readings: Vec<_> =
                 outputs.iter().map(|output| Reading { moment, output: Some(output) }).collect();
-            let found = self.read(&run, &readings).unwrap_or_else(|error| panic!("{error}"));
+            let found = self.replay(&run, &readings).unwrap_or_else(|error| panic!("{error}"));
             for (output, found) in outputs.iter().zip(found) {
                 let exact = self.by_differences(output, moment);
                 let largest = exact.iter().fold(1.0, |most: f64, x| most.max(x.abs()));
@@ -42,7 +42,7 @@ impl Case {
         }
     }
 
-    fn read(&self, run: &Trajectory, readings: &[Reading<'_>]) -> Result<Vec<Dual4>, ReplayError> {
+    fn replay(&self, run: &Trajectory, readings: &[Reading<'_>]) -> Result<Vec<Dual4>, ReplayError> {
         let seed = |i: usize| core::array::from_fn(|k| if self.parameters[k] == i { 1.0 } else { 0.0 });
         let parameters: Vec<Dual4> =
             run.parameters().iter().enumerate().map(|(i, &value)| Dual4::new(value, seed(i))).collect();
@@ -97,8 +97,8 @@ fn outputs_of_chains_that_lift_off() {
     let output = run.output("phi_inner").unwrap();
     let at = |t: f64| Reading { moment: Moment::Time(t), output: Some(&output) };
     let [late, soon] = [0.5, 0.2].map(at);
-    let found = case.read(&run, &[late, soon]).unwrap();
-    let [a, b] = [case.read(&run, &[late]).unwrap()[0], case.read(&run, &[soon]).unwrap()[0]];
+    let found = case.replay(&run, &[late, soon]).unwrap();
+    let [a, b] = [case.replay(&run, &[late]).unwrap()[0], case.replay(&run, &[soon]).unwrap()[0]];
     assert!((found[0].value() - a.value()).abs() + (found[1].value() - b.value()).abs() < 1e-10);
 }
 

@@ -31,14 +31,14 @@ struct Case<M> {
 }
 
 impl<M: BarSystem> Case<M> {
-    fn at(&self, k: usize, value: f64) -> Simulation {
+    fn with_value(&self, k: usize, value: f64) -> Simulation {
         let mut values: Vec<f64> = self.values.iter().map(|(_, value)| *value).collect();
         values[k] = value;
         (self.simulate)(&(self.model)(&values), &values)
     }
 
     fn run(&self) -> Trajectory {
-        self.at(0, self.values[0].1).run().unwrap_or_else(|error| panic!("{error}"))
+        self.with_value(0, self.values[0].1).run().unwrap_or_else(|error| panic!("{error}"))
     }
 
     fn variables(&self) -> Vec<Variable> {
@@ -52,7 +52,7 @@ impl<M: BarSystem> Case<M> {
         self.values.iter().map(variable).collect()
     }
 
-    fn place(&self, variable: &Variable) -> usize {
+    fn find_index(&self, variable: &Variable) -> usize {
         self.values.iter().position(|(name, _)| *name == variable.name).unwrap()
     }
 
@@ -62,7 +62,9 @@ impl<M: BarSystem> Case<M> {
             |parameters| Ok(varied::<M>(parameters)),
             &self.variables(),
             |variable, value| {
-                self.at(self.place(variable), value).start_state().map_err(|error| error.to_string())
+                self.with_value(self.find_index(variable), value)
+                    .start_state()
+                    .map_err(|error| error.to_string())
             },
         )
     }
@@ -74,7 +76,7 @@ impl<M: BarSystem> Case<M> {
         let (mut times, mut end) = (vec![0.0; run.events().len()], vec![0.0; run.final_state().len()]);
         for (at, weight) in [(1.0, 45.0), (2.0, -9.0), (3.0, 1.0)] {
             for sign in [1.0, -1.0] {
-                let simulation = self.at(k, variable.value + sign * at * h);
+                let simulation = self.with_value(k, variable.value + sign * at * h);
                 let moved = simulation.run().unwrap_or_else(|error| panic!("{error}"));
                 let on =
                     |values: &[f64]| values.iter().map(|&x| DoubleDouble::from_f64(x)).collect::<Vec<_>>();

@@ -63,7 +63,7 @@ fn length(compiler: &Compiler, bars: usize) -> Result<Vec<Value>> {
 }
 
 fn variants(bars: usize) -> Result<Vec<Variant>> {
-    let expansion = Expansion::of(&sources::declaration(bars))?;
+    let expansion = Expansion::expand(&sources::declaration(bars))?;
     let mut variants = vec![Variant {
         name: "generated",
         source: sources::generated(bars, &expansion.text),

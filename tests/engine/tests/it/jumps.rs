@@ -29,7 +29,7 @@ fn dropped(until: &[&str]) -> Trajectory {
     until.iter().fold(simulation, |run, text| run.until(text).unwrap()).run().unwrap()
 }
 
-fn told(run: &Trajectory) -> Vec<(EventKind, &'static str)> {
+fn list_events(run: &Trajectory) -> Vec<(EventKind, &'static str)> {
     run.events().iter().map(|event| (event.kind, event.supports.first().copied().unwrap_or(""))).collect()
 }
 
@@ -45,7 +45,7 @@ fn what_an_impact_makes_true_comes_at_once() {
         all.sort_by_key(|(kind, name)| (format!("{kind:?}"), *name));
         all
     };
-    assert_eq!(sorted(told(&run)), sorted(expected), "{:?}", run.events());
+    assert_eq!(sorted(list_events(&run)), sorted(expected), "{:?}", run.events());
     let at = |k: usize| run.events()[k].t;
     assert!([1, 2, 3].iter().all(|&k| (at(k) - 1.0).abs() < 1e-11), "{:?}", run.events());
     assert!([4, 5].iter().all(|&k| (at(k) - 2.0).abs() < 1e-10), "{:?}", run.events());
@@ -82,5 +82,5 @@ fn what_rounding_leaves_is_not_met() {
     let ball = Ball { e: 0.0, ..BALL };
     let start = Pose::at("x", 0.0).with("y", 1.0).with("x'", 0.3);
     let run = Simulation::new(&ball).unwrap().start(start).unwrap().limit(3.0).run().unwrap();
-    assert!(told(&run).iter().all(|(kind, _)| *kind != EventKind::Arm), "{:?}", run.events());
+    assert!(list_events(&run).iter().all(|(kind, _)| *kind != EventKind::Arm), "{:?}", run.events());
 }

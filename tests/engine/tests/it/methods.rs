@@ -32,7 +32,7 @@ fn each_method_finds_the_lift_off() {
 }
 
 /// What integrates the pair's first phase.
-fn told(method: impl Method, form: Form, tolerance: f64) -> &'static str {
+fn find_method(method: impl Method, form: Form, tolerance: f64) -> &'static str {
     let pair = PairOnCorners { m: 1.0, l: 1.0, g: 9.81 };
     let simulation = Simulation::new(&pair).unwrap().method(method).tolerance(tolerance).form(form);
     let run = simulation.start(Pose::at("phi", 0.1)).unwrap().limit(0.1).run().unwrap();
@@ -41,12 +41,12 @@ fn told(method: impl Method, form: Form, tolerance: f64) -> &'static str {
 
 #[test]
 fn a_segment_tells_what_integrates_it() {
-    assert_eq!(told(Taylor, Form::Closed, 1e-8), "taylor");
-    assert_eq!(told(Taylor, Form::Projected, 1e-8), "dop853");
-    assert_eq!(told(Auto, Form::Closed, 1e-8), "taylor");
-    assert_eq!(told(Auto, Form::Projected, 1e-8), "dop853");
-    assert_eq!(told(Auto, Form::Projected, 1e-4), "tsit5");
-    assert_eq!(told(Gauss, Form::Projected, 1e-8), "gauss");
+    assert_eq!(find_method(Taylor, Form::Closed, 1e-8), "taylor");
+    assert_eq!(find_method(Taylor, Form::Projected, 1e-8), "dop853");
+    assert_eq!(find_method(Auto, Form::Closed, 1e-8), "taylor");
+    assert_eq!(find_method(Auto, Form::Projected, 1e-8), "dop853");
+    assert_eq!(find_method(Auto, Form::Projected, 1e-4), "tsit5");
+    assert_eq!(find_method(Gauss, Form::Projected, 1e-8), "gauss");
     let damped = SpringPendulum { m: 1.0, k: 1e6, l: 1.0, c: 2e3, g: 1.0 };
     let run = Simulation::new(&damped).unwrap().limit(1e-3).run().unwrap();
     assert_eq!(run.segments()[0].choice.method, "radau");

@@ -66,7 +66,7 @@ fn expression(tokens: &mut Vec<String>, at: usize, source: &mut Source) {
         &["-", "-", "-", "?"],
         &["?", ".", "sqrt", "(", ")", ".", "sin", "(", ")"],
     ];
-    let form = source.of(&forms);
+    let form = source.choose(&forms);
     let written = form.iter().map(|token| if *token == "?" { inner.clone() } else { (*token).to_owned() });
     tokens.splice(at..=at, written.collect::<Vec<_>>());
 }
@@ -75,7 +75,7 @@ fn expression(tokens: &mut Vec<String>, at: usize, source: &mut Source) {
 fn wrapped(tokens: &mut Vec<String>, part: Range<usize>, source: &mut Source) {
     let levels = if source.chance(0.2) { source.below(MANY) } else { 1 + source.below(5) };
     let [open, close] =
-        source.of(&[["(", ")"], ["[", "]"], ["{", "}"], ["sqrt (", ")"], ["sin (", ")"], ["- (", ")"]]);
+        source.choose(&[["(", ")"], ["[", "]"], ["{", "}"], ["sqrt (", ")"], ["sin (", ")"], ["- (", ")"]]);
     let end = part.end;
     tokens.splice(end..end, std::iter::repeat_n(close.to_owned(), levels));
     let opening = open.split(' ').map(str::to_owned);
@@ -86,7 +86,7 @@ fn wrapped(tokens: &mut Vec<String>, part: Range<usize>, source: &mut Source) {
 /// The same tokens again and again, perhaps in a sum.
 fn repeated(tokens: &mut Vec<String>, part: Range<usize>, source: &mut Source) {
     let copies = if source.chance(0.3) { source.below(MANY) } else { source.below(40) };
-    let between = source.of(&["+", ",", "", "*", "-"]);
+    let between = source.choose(&["+", ",", "", "*", "-"]);
     let mut one = tokens[part.clone()].to_vec();
     if !between.is_empty() {
         one.push(between.to_owned());

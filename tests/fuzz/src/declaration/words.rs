@@ -180,10 +180,10 @@ const MARKS: [&str; 30] = [
 /// Any token.
 pub(super) fn word(source: &mut Source) -> String {
     match source.below(8) {
-        0..3 => source.of(&WORDS),
-        3..5 => source.of(&NUMBERS),
-        5..7 => source.of(&NAMES),
-        _ => source.of(&MARKS),
+        0..3 => source.choose(&WORDS),
+        3..5 => source.choose(&NUMBERS),
+        5..7 => source.choose(&NAMES),
+        _ => source.choose(&MARKS),
     }
     .to_owned()
 }
@@ -192,7 +192,7 @@ pub(super) fn word(source: &mut Source) -> String {
 pub(super) fn term(source: &mut Source) -> String {
     let words =
         ["sin", "cos", "sqrt", "tan", "pi", "t", "m", "l", "g", "+", "-", "*", "/", "rate", "x", "powi", "."];
-    if source.chance(0.3) { source.of(&NUMBERS).to_owned() } else { source.of(&words).to_owned() }
+    if source.chance(0.3) { source.choose(&NUMBERS).to_owned() } else { source.choose(&words).to_owned() }
 }
 
 /// A struct with arbitrary tokens in attributes, or tokens alone.
@@ -204,7 +204,7 @@ pub(super) fn arbitrary(source: &mut Source) -> Vec<String> {
     let mut tokens = Vec::new();
     for _ in 0..1 + source.below(6) {
         tokens.extend(["#", "["].map(str::to_owned));
-        tokens.push(source.of(&WORDS[..26]).to_owned());
+        tokens.push(source.choose(&WORDS[..26]).to_owned());
         tokens.push("(".to_owned());
         tokens.extend((0..source.below(12)).map(|_| word(source)));
         tokens.extend([")", "]"].map(str::to_owned));

@@ -13,9 +13,9 @@ pub(super) fn condition(layout: &Layout, source: &mut Source) -> String {
     let left = sum(layout, source, 3);
     match source.below(5) {
         0 => left,
-        1 => format!("{left} < {}", source.of(&NUMBERS)),
+        1 => format!("{left} < {}", source.choose(&NUMBERS)),
         2 => format!("{left} > {}", sum(layout, source, 2)),
-        _ => format!("{left} = {}", source.of(&NUMBERS)),
+        _ => format!("{left} = {}", source.choose(&NUMBERS)),
     }
 }
 
@@ -29,20 +29,20 @@ fn sum(layout: &Layout, source: &mut Source, depth: usize) -> String {
         1 => format!("{a} - {}", sum(layout, source, depth - 1)),
         2 | 3 => format!("({a})*({})", sum(layout, source, depth - 1)),
         4 => format!("({a})/({})", sum(layout, source, depth - 1)),
-        5 => format!("({a})^{}", source.of(&["2", "3", "0.5", "(-1)", "8"])),
+        5 => format!("({a})^{}", source.choose(&["2", "3", "0.5", "(-1)", "8"])),
         6 => format!("-({a})"),
-        7 => format!("{}*({a})", source.of(&NUMBERS)),
-        8 => format!("1/(1 + ({}*({a}))^2)", source.of(&NUMBERS)),
+        7 => format!("{}*({a})", source.choose(&NUMBERS)),
+        8 => format!("1/(1 + ({}*({a}))^2)", source.choose(&NUMBERS)),
         9 => format!("sqrt({a})"),
         10 => format!("abs({a})"),
-        11 => format!("tan({}*({a}))", source.of(&NUMBERS)),
+        11 => format!("tan({}*({a}))", source.choose(&NUMBERS)),
         12 => format!("cos({a})"),
-        _ => format!("sin({}*({a}))", source.of(&NUMBERS)),
+        _ => format!("sin({}*({a}))", source.choose(&NUMBERS)),
     }
 }
 
 fn leaf(layout: &Layout, source: &mut Source) -> String {
-    let coordinate = source.of(layout.coordinates).name;
+    let coordinate = source.choose(layout.coordinates).name;
     let supports: Vec<&str> = layout.contacts.iter().map(|contact| contact.label).collect();
     match source.below(12) {
         0..3 => coordinate.to_owned(),
@@ -50,12 +50,14 @@ fn leaf(layout: &Layout, source: &mut Source) -> String {
         5 => format!("{coordinate}''"),
         6 => "t".to_owned(),
         7 if !layout.points.is_empty() => {
-            let what = source.of(&["x", "y", "vx", "vy", "ax", "ay"]);
-            format!("{what}({})", source.of(layout.points))
+            let what = source.choose(&["x", "y", "vx", "vy", "ax", "ay"]);
+            format!("{what}({})", source.choose(layout.points))
         }
-        8 if !supports.is_empty() => format!("{}({})", source.of(&["N", "gap"]), source.of(&supports)),
-        9 if !layout.parameters.is_empty() => source.of(layout.parameters).to_owned(),
-        10 => source.of(&["E", "T", "V"]).to_owned(),
-        _ => source.of(&NUMBERS).to_owned(),
+        8 if !supports.is_empty() => {
+            format!("{}({})", source.choose(&["N", "gap"]), source.choose(&supports))
+        }
+        9 if !layout.parameters.is_empty() => source.choose(layout.parameters).to_owned(),
+        10 => source.choose(&["E", "T", "V"]).to_owned(),
+        _ => source.choose(&NUMBERS).to_owned(),
     }
 }

@@ -173,25 +173,25 @@ impl Subject for Expressions {
                 let _ = (formula.value(&[0.25, 2.0]), formula.value(&[]));
                 "formula"
             }
-            Err(error) => told("no formula", text, &error.to_string())?,
+            Err(error) => check_message("no formula", text, &error.to_string())?,
         });
         fate.push(match Output::parse(run.layout(), text) {
             Ok(output) => {
                 let _ = (run.value(&output, 0.0), run.range(&output));
                 "output"
             }
-            Err(error) => told("no output", text, &error.to_string())?,
+            Err(error) => check_message("no output", text, &error.to_string())?,
         });
         fate.push(match Condition::parse(run.layout(), text) {
             Ok(_) => ended(model, text)?,
-            Err(error) => told("no condition", text, &error.to_string())?,
+            Err(error) => check_message("no condition", text, &error.to_string())?,
         });
         Ok(fate)
     }
 }
 
 /// One line that says something, but for the ends of lines in what it quotes.
-pub(crate) fn told(fate: &'static str, text: &str, error: &str) -> Result<&'static str, Finding> {
+pub(crate) fn check_message(fate: &'static str, text: &str, error: &str) -> Result<&'static str, Finding> {
     if error.trim().is_empty() || error.contains('\n') && !text.contains('\n') {
         return Err(Finding(format!("the error {error:?} is no line")));
     }
@@ -208,7 +208,7 @@ fn ended(model: &Entry, text: &str) -> Result<&'static str, Finding> {
     let (fate, events) = match simulation.budget(budget).run() {
         Ok(run) => ("condition that ran", run.events().to_vec()),
         Err(error) => {
-            told("", text, &error.to_string())?;
+            check_message("", text, &error.to_string())?;
             ("condition that stopped", error.trajectory().events().to_vec())
         }
     };

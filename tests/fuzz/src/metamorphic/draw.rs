@@ -34,7 +34,7 @@ fn symmetric(source: &mut Source) -> Scene {
             let free: Vec<String> =
                 half.points.keys().filter(|name| !half.is_fixed(name) && !on_line(name)).cloned().collect();
             if source.chance(0.3) && !free.is_empty() {
-                let end = source.of(&free);
+                let end = source.choose(&free);
                 // Its ends may meet: with a length of its own its force would turn round there.
                 let length = 0.0;
                 let name = "between".to_owned();
@@ -58,11 +58,11 @@ struct Draft<'a> {
 impl<'a> Draft<'a> {
     fn draw(source: &'a mut Source, is_half: bool) -> Self {
         // Few have equations of their own, since to derive them takes longer than to run them.
-        let sets = source.of(&[2, 2, 2, 64]);
+        let sets = source.choose(&[2, 2, 2, 64]);
         let scene = Scene { limit: short(source, 0.6, 2.5), sets, ..Scene::default() };
         let mut draft = Self { source, scene, is_half, is_loop: false };
         draft.gravity();
-        let bodies = draft.source.of(&[1, 1, 1, 2, 2, 2, 3, 3, 4]);
+        let bodies = draft.source.choose(&[1, 1, 1, 2, 2, 2, 3, 3, 4]);
         if !is_half && draft.source.chance(0.12) {
             let position = [short(draft.source, -0.5, 0.5), short(draft.source, 0.0, 1.0)];
             draft.particle(position);
@@ -80,7 +80,7 @@ impl<'a> Draft<'a> {
     }
 
     fn gravity(&mut self) {
-        let g = self.source.of(&[9.81, 9.81, 10.0, 3.7, 1.0]);
+        let g = self.source.choose(&[9.81, 9.81, 10.0, 3.7, 1.0]);
         self.scene.gravity = match self.source.below(12) {
             0 => [0.0; 2],
             1 if !self.is_half => [short(self.source, -3.0, 3.0), -g],
@@ -159,7 +159,7 @@ impl<'a> Draft<'a> {
             let known: Vec<String> = self.scene.points.keys().cloned().collect();
             let at = match self.scene.bodies.is_empty() || self.source.chance(0.25) {
                 true => root.clone(),
-                false => self.source.of(&known),
+                false => self.source.choose(&known),
             };
             self.body(&at, is_moving);
         }
@@ -197,9 +197,9 @@ impl<'a> Draft<'a> {
         if self.source.chance(0.25) {
             let spot = self.point(start.position, start.velocity);
             let across = if self.source.chance(0.5) { short(self.source, -0.3, 0.3) } else { 0.0 };
-            spots.push((spot, [length * self.source.of(&[0.25, 0.5, 0.75]), across]));
+            spots.push((spot, [length * self.source.choose(&[0.25, 0.5, 0.75]), across]));
         }
-        let look = self.source.of(&[Look::Bar, Look::Bar, Look::Body]);
+        let look = self.source.choose(&[Look::Bar, Look::Bar, Look::Body]);
         self.scene.bodies.push(Body {
             name: format!("b{k}"),
             mass,
@@ -219,7 +219,7 @@ impl<'a> Draft<'a> {
     /// Now and then a multiple of a quarter turn, or the direction of the body before.
     fn angle(&mut self) -> f64 {
         match self.source.below(8) {
-            0 => self.source.of(&[0.0, FRAC_PI_2, -FRAC_PI_2, PI]),
+            0 => self.source.choose(&[0.0, FRAC_PI_2, -FRAC_PI_2, PI]),
             1 if !self.scene.bodies.is_empty() => -self.scene.bodies[0].angle,
             _ => short(self.source, -3.1, 3.1),
         }
@@ -229,7 +229,7 @@ impl<'a> Draft<'a> {
     fn free_point(&mut self) -> Option<String> {
         let free = self.scene.points.keys().filter(|name| !self.scene.is_fixed(name)).cloned();
         let free: Vec<String> = free.collect();
-        (!free.is_empty()).then(|| self.source.of(&free))
+        (!free.is_empty()).then(|| self.source.choose(&free))
     }
 
     fn ground(&mut self, position: Vector) -> String {
@@ -259,7 +259,7 @@ impl<'a> Draft<'a> {
                 self.stop();
                 self.is_loop = true;
                 let through = self.scene.points[&last].position;
-                let angle = self.source.of(&[0.0, FRAC_PI_2]);
+                let angle = self.source.choose(&[0.0, FRAC_PI_2]);
                 // A bar across its guide is in a singular position.
                 let is_across = (self.scene.bodies[count - 1].angle - angle).cos().abs() < 0.1;
                 if is_across || self.source.chance(0.5) {
@@ -286,16 +286,16 @@ impl<'a> Draft<'a> {
             let at = self.scene.points[&end].position;
             let all: Vec<String> = self.scene.points.keys().cloned().collect();
             let near = |scene: &Scene, other: &str| norm(subtract(scene.points[other].position, at)) < 0.2;
-            let mut other = self.source.of(&all);
+            let mut other = self.source.choose(&all);
             let is_same = |scene: &Scene, other: &str| {
                 scene.bodies_at(other).any(|(k, _)| scene.bodies[k].local(&end).is_some())
             };
             if near(&self.scene, &other) || is_same(&self.scene, &other) {
-                let offset = self.source.of(&[[0.0, 1.0], [1.0, 0.5], [0.8, -0.7], [0.0, -0.9]]);
+                let offset = self.source.choose(&[[0.0, 1.0], [1.0, 0.5], [0.8, -0.7], [0.0, -0.9]]);
                 other = self.ground(add(at, offset));
             }
             let distance = norm(subtract(self.scene.points[&other].position, at));
-            let length = distance * self.source.of(&[1.0, 0.7, 0.9, 1.3]);
+            let length = distance * self.source.choose(&[1.0, 0.7, 0.9, 1.3]);
             let damping = if self.source.chance(0.4) { short(self.source, 0.05, 2.0) } else { 0.0 };
             let name = format!("spring{}", self.scene.springs.len());
             let stiffness = short(self.source, 3.0, 80.0);
@@ -352,9 +352,10 @@ impl<'a> Draft<'a> {
     fn support(&mut self, point: String, shape: Shape) -> Support {
         let friction = self.source.chance(0.4).then(|| {
             let kinetic = short(self.source, 0.05, 0.8);
-            [kinetic, kinetic * self.source.of(&[1.0, 1.0, 1.25])]
+            [kinetic, kinetic * self.source.choose(&[1.0, 1.0, 1.25])]
         });
-        let restitution = if self.source.chance(0.45) { self.source.of(&[0.3, 0.5, 0.8, 1.0]) } else { 0.0 };
+        let restitution =
+            if self.source.chance(0.45) { self.source.choose(&[0.3, 0.5, 0.8, 1.0]) } else { 0.0 };
         let is_rough = friction.is_none() && self.source.chance(0.1);
         let is_line = matches!(shape, Shape::Line { .. });
         let is_belt = is_line && friction.is_some() && !self.is_half && self.source.chance(0.15);
@@ -475,7 +476,7 @@ impl<'a> Draft<'a> {
             return;
         }
         let at = self.scene.points[&end].position;
-        let offset = self.source.of(&[[0.3, 1.0], [0.0, 0.8], [-0.7, 0.6], [0.9, 0.1]]);
+        let offset = self.source.choose(&[[0.3, 1.0], [0.0, 0.8], [-0.7, 0.6], [0.9, 0.1]]);
         let slack = self.gap();
         if slack == 0.0 {
             self.stop();

@@ -157,11 +157,11 @@ pub fn draw_changes(scene: &Scene, source: &mut Source) -> Vec<Change> {
     }
     let shift = [source.range(-3.0, 3.0), source.range(-3.0, 3.0)];
     let angle = match source.below(5) {
-        0 => source.of(&[FRAC_PI_2, PI, -FRAC_PI_2]),
+        0 => source.choose(&[FRAC_PI_2, PI, -FRAC_PI_2]),
         1 => 0.0,
         _ => source.range(-3.1, 3.1),
     };
-    let factor = |source: &mut Source| source.of(&[1.0, 2.0, 0.001, 1000.0, 0.3048, 60.0]);
+    let factor = |source: &mut Source| source.choose(&[1.0, 2.0, 0.001, 1000.0, 0.3048, 60.0]);
     let all = [
         Change::Parameters,
         Change::Looks(seeds[0]),
@@ -299,7 +299,7 @@ fn change_looks(mut scene: Scene, seed: u64) -> Scene {
             true => &[Look::Bar, Look::Body, Look::Masses][..],
             false => &[Look::Bar, Look::Body],
         };
-        body.look = source.of(looks);
+        body.look = source.choose(looks);
     }
     if source.chance(0.7) {
         let corners = std::mem::take(&mut scene.corners);

@@ -102,28 +102,28 @@ pub fn check(scene: &Scene, motion: &Motion) -> Result<(), Finding> {
 }
 
 impl Law<'_> {
-    fn place(&self, row: &Row, point: &str) -> [Vector; 3] {
+    fn locate(&self, row: &Row, point: &str) -> [Vector; 3] {
         let fixed = || [self.scene.points[point].position, [0.0; 2], [0.0; 2]];
         row.points.get(point).copied().unwrap_or_else(fixed)
     }
 
     /// Angular velocity and acceleration of a body, by its ends.
     fn compute_turning(&self, row: &Row, body: &Body) -> [f64; 2] {
-        let [a, b] = [0, 1].map(|k| self.place(row, &body.ends[k]));
+        let [a, b] = [0, 1].map(|k| self.locate(row, &body.ends[k]));
         let arm = subtract(b[0], a[0]);
         let square = dot(arm, arm);
         [1, 2].map(|k| cross(arm, subtract(b[k], a[k])) / square)
     }
 
     fn angle(&self, row: &Row, body: &Body) -> f64 {
-        let [a, b] = [0, 1].map(|k| self.place(row, &body.ends[k])[0]);
+        let [a, b] = [0, 1].map(|k| self.locate(row, &body.ends[k])[0]);
         (b[1] - a[1]).atan2(b[0] - a[0])
     }
 
     /// Position, velocity and acceleration of a place in a body's frame.
     fn place_in_body(&self, row: &Row, body: &Body, local: Vector) -> [Vector; 3] {
-        let a = self.place(row, &body.ends[0]);
-        let e = scale(1.0 / body.length, subtract(self.place(row, &body.ends[1])[0], a[0]));
+        let a = self.locate(row, &body.ends[0]);
+        let e = scale(1.0 / body.length, subtract(self.locate(row, &body.ends[1])[0], a[0]));
         let arm = add(scale(local[0], e), scale(local[1], left(e)));
         let [rate, acceleration] = self.compute_turning(row, body);
         let turned = left(arm);
@@ -135,7 +135,7 @@ impl Law<'_> {
     }
 
     fn find_touch(&self, row: &Row, support: &Support) -> Touch {
-        let [at, velocity, _] = self.place(row, &support.point);
+        let [at, velocity, _] = self.locate(row, &support.point);
         let rim = |normal: Vector| scale(-support.radius, normal);
         let spin = self
             .scene
@@ -160,8 +160,8 @@ impl Law<'_> {
             }
             Shape::Bar { body: k, is_left } => {
                 let body = &self.scene.bodies[*k];
-                let first = self.place(row, &body.ends[0])[0];
-                let e = scale(1.0 / body.length, subtract(self.place(row, &body.ends[1])[0], first));
+                let first = self.locate(row, &body.ends[0])[0];
+                let e = scale(1.0 / body.length, subtract(self.locate(row, &body.ends[1])[0], first));
                 let normal = scale(if *is_left { 1.0 } else { -1.0 }, left(e));
                 let along = dot(e, subtract(at, first));
                 let foot = add(first, scale(along, e));
@@ -197,7 +197,7 @@ impl Law<'_> {
     }
 
     fn push(&self, into: &mut DVector<f64>, row: &Row, point: &str, force: Vector) {
-        self.push_at(into, row, point, (self.place(row, point)[0], force));
+        self.push_at(into, row, point, (self.locate(row, point)[0], force));
     }
 
     /// The same at another place of what a point belongs to.
@@ -215,7 +215,7 @@ impl Law<'_> {
     }
 
     fn measure_guide(&self, row: &Row, point: &str, guide: &Guide) -> (f64, Vector) {
-        let at = self.place(row, point)[0];
+        let at = self.locate(row, point)[0];
         match guide {
             Guide::Line { angle, through } => {
                 let normal = left(direction(*angle));
@@ -238,7 +238,7 @@ impl Law<'_> {
             into[3 * i + 2] += body.inertia * self.compute_turning(row, body)[k - 1];
         }
         for (point, mass) in self.scene.particles.iter().chain(&self.scene.masses) {
-            self.push(&mut into, row, point, scale(*mass, self.place(row, point)[k]));
+            self.push(&mut into, row, point, scale(*mass, self.locate(row, point)[k]));
         }
         into
     }
@@ -254,7 +254,7 @@ impl Law<'_> {
             self.push(&mut into, row, point, scale(*mass, scene.gravity));
         }
         for spring in &scene.springs {
-            let [a, b] = [0, 1].map(|k| self.place(row, &spring.ends[k]));
+            let [a, b] = [0, 1].map(|k| self.locate(row, &spring.ends[k]));
             let arm = subtract(b[0], a[0]);
             let e = scale(1.0 / norm(arm), arm);
             let rate = dot(e, subtract(b[1], a[1]));
@@ -271,7 +271,7 @@ impl Law<'_> {
             power -= torsion.damping * rate * rate;
         }
         for force in &scene.forces {
-            let velocity = self.place(row, &force.point)[1];
+            let velocity = self.locate(row, &force.point)[1];
             let acts = force.until.is_none_or(|until| row.t < until);
             let pushed = scale(if acts { force.wave.value(row.t) } else { 0.0 }, force.along);
             let drag = if acts { force.drag } else { 0.0 };
@@ -324,7 +324,7 @@ impl Law<'_> {
         }
         for (thread, contact) in scene.threads.iter().zip(&row.contacts[scene.supports.len()..]) {
             for ends in thread.path.windows(2) {
-                let arm = subtract(self.place(row, &ends[1])[0], self.place(row, &ends[0])[0]);
+                let arm = subtract(self.locate(row, &ends[1])[0], self.locate(row, &ends[0])[0]);
                 let pull = scale(contact.normal / norm(arm), arm);
                 self.push(&mut into, row, &ends[0], pull);
                 self.push(&mut into, row, &ends[1], scale(-1.0, pull));
@@ -343,7 +343,7 @@ impl Law<'_> {
                     into[3 * first + 2] -= force;
                 }
                 Target::Distance(ends) => {
-                    let arm = subtract(self.place(row, &ends[1])[0], self.place(row, &ends[0])[0]);
+                    let arm = subtract(self.locate(row, &ends[1])[0], self.locate(row, &ends[0])[0]);
                     let push = scale(force / norm(arm), arm);
                     self.push(&mut into, row, &ends[1], push);
                     self.push(&mut into, row, &ends[0], scale(-1.0, push));
@@ -358,7 +358,7 @@ impl Law<'_> {
         let mut columns = Vec::new();
         for point in self.scene.points.keys() {
             let bodies: Vec<usize> = self.scene.bodies_at(point).map(|(k, _)| k).collect();
-            let at = self.place(row, point)[0];
+            let at = self.locate(row, point)[0];
             for force in [[1.0, 0.0], [0.0, 1.0]] {
                 for other in bodies.iter().skip(1) {
                     let mut column = DVector::zeros(self.size());
@@ -433,7 +433,7 @@ impl Law<'_> {
     fn check_joints(&self, row: &Row) -> Result<(), Finding> {
         let (t, bound) = (row.t, MOTION * self.length);
         for pin in &self.scene.pins {
-            let off = norm(subtract(self.place(row, pin)[0], self.scene.points[pin].position));
+            let off = norm(subtract(self.locate(row, pin)[0], self.scene.points[pin].position));
             small(t, off, bound, || format!("pin {pin}"))?;
         }
         for body in &self.scene.bodies {
@@ -442,7 +442,7 @@ impl Law<'_> {
                 .chain(body.spots.iter().map(|(n, at)| (n, *at)))
             {
                 let expected = self.place_in_body(row, body, local);
-                let off = (0..3).map(|k| norm(subtract(self.place(row, name)[k], expected[k])));
+                let off = (0..3).map(|k| norm(subtract(self.locate(row, name)[k], expected[k])));
                 let [off, rate, _] = [0, 1, 2].map(|k| off.clone().nth(k).unwrap_or(0.0));
                 small(t, off, bound, || format!("{name} on {}", body.name))?;
                 small(t, rate, MOTION * self.speed, || format!("velocity of {name} on {}", body.name))?;
@@ -457,7 +457,7 @@ impl Law<'_> {
             let value = match &drive.target {
                 Target::Angle(body) => self.measure_torsion(row, None, *body).0,
                 Target::Between(first, second) => self.measure_torsion(row, Some(*first), *second).0,
-                Target::Distance([a, b]) => norm(subtract(self.place(row, b)[0], self.place(row, a)[0])),
+                Target::Distance([a, b]) => norm(subtract(self.locate(row, b)[0], self.locate(row, a)[0])),
             };
             small(t, value - drive.wave.value(t), MOTION * (1.0 + value.abs()), || "drive".to_owned())?;
         }
@@ -497,7 +497,7 @@ impl Law<'_> {
         for (thread, contact) in self.scene.threads.iter().zip(&row.contacts[self.scene.supports.len()..]) {
             let parts = thread.path.windows(2);
             let long: f64 = parts
-                .map(|ends| norm(subtract(self.place(row, &ends[1])[0], self.place(row, &ends[0])[0])))
+                .map(|ends| norm(subtract(self.locate(row, &ends[1])[0], self.locate(row, &ends[0])[0])))
                 .sum();
             let slack = thread.length - long;
             if slack < -far || (contact.normal != 0.0 && slack > far) {
@@ -614,7 +614,7 @@ impl Law<'_> {
     /// Whether the ends of a spring all but meet: there its force turns round.
     fn has_coiled_spring(&self, row: &Row) -> bool {
         self.scene.springs.iter().any(|spring| {
-            let [a, b] = [0, 1].map(|k| self.place(row, &spring.ends[k])[0]);
+            let [a, b] = [0, 1].map(|k| self.locate(row, &spring.ends[k])[0]);
             norm(subtract(b, a)) < 1e-3 * self.length
         })
     }
@@ -703,7 +703,7 @@ impl Law<'_> {
         for thread in &scene.threads {
             let mut column = DVector::zeros(self.size());
             for ends in thread.path.windows(2) {
-                let arm = subtract(self.place(&before, &ends[1])[0], self.place(&before, &ends[0])[0]);
+                let arm = subtract(self.locate(&before, &ends[1])[0], self.locate(&before, &ends[0])[0]);
                 let pull = scale(1.0 / norm(arm), arm);
                 self.push(&mut column, &before, &ends[0], pull);
                 self.push(&mut column, &before, &ends[1], scale(-1.0, pull));

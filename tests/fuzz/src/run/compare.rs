@@ -35,7 +35,7 @@ pub(super) struct Course {
 
 impl Course {
     /// Events of a run; times t as (t + shift) · unit.
-    pub fn of(run: &Trajectory, unit: f64, shift: f64) -> Self {
+    pub fn from_run(run: &Trajectory, unit: f64, shift: f64) -> Self {
         let place = |t: f64| (t + shift) * unit;
         let told = run.log().iter().filter(|entry| doubtful(&entry.decision)).map(|entry| entry.t);
         let touched = run.events().iter().filter(|event| event.is_undecided()).map(|event| event.t);
@@ -177,7 +177,7 @@ fn doubtful(decision: &LoggedDecision) -> bool {
 /// # Errors
 /// Where they are not.
 pub(super) fn same([one, other]: [&Course; 2], within: f64) -> Result<(), Finding> {
-    parted([one, other], |_| within).map_or(Ok(()), |i| Err(Finding(told([one, other], i))))
+    parted([one, other], |_| within).map_or(Ok(()), |i| Err(Finding(describe_difference([one, other], i))))
 }
 
 /// The first event in which two courses differ by more than this part of the time.
@@ -204,7 +204,7 @@ fn parted([one, other]: [&Course; 2], within: impl Fn(usize) -> f64) -> Option<u
     None
 }
 
-fn told([one, other]: [&Course; 2], i: usize) -> String {
+fn describe_difference([one, other]: [&Course; 2], i: usize) -> String {
     let part = |course: &Course| {
         let events = course.events.iter().skip(i.saturating_sub(1)).take(3);
         let told: Vec<_> =
@@ -235,5 +235,5 @@ pub(super) fn converged(fine: &[Course; 2], known_by: &[[Course; 2]], floor: f64
     if known.is_some_and(|known| i >= known) {
         return Ok(());
     }
-    Err(Finding(told([one, other], i)))
+    Err(Finding(describe_difference([one, other], i)))
 }

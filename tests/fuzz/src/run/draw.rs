@@ -17,7 +17,7 @@ const NEAR: [f64; 4] = [1e-8, -1e-8, 1e-12, -1e-5];
 
 pub(super) fn task(source: &mut Source) -> Task {
     let all: Vec<&'static Entry> = models().iter().collect();
-    let model = source.of(&all);
+    let model = source.choose(&all);
     let mut spec = model.default_run();
     parameters(model.layout(), &mut spec.parameters, source);
     let units = model.units(&RunSpec::with(&[]).parameters_of(&spec)).unwrap_or([1.0; 3]);
@@ -28,7 +28,8 @@ pub(super) fn task(source: &mut Source) -> Task {
     plan(model.layout(), &mut spec, units, source);
     spec.tolerance = digits(10f64.powf(source.range(-13.0, -4.0)));
     let form = if source.chance(0.15) { Form::Projected } else { Form::Closed };
-    let mut task = Task { model, spec, method: source.of(&MethodId::ALL), form, relation: Relation::None };
+    let mut task =
+        Task { model, spec, method: source.choose(&MethodId::ALL), form, relation: Relation::None };
     task.relation = relation::draw(&task, source);
     task
 }
@@ -60,20 +61,20 @@ fn parameters(layout: &Layout, values: &mut Values, source: &mut Source) {
         }
         15..18 => {
             let at = source.below(values.len());
-            values[at].1 *= source.of(&[1e-9, 1e-6, 1e-3, 1e3, 1e6, 1e9]);
+            values[at].1 *= source.choose(&[1e-9, 1e-6, 1e-3, 1e3, 1e6, 1e9]);
         }
         18 => {
             let at = source.below(values.len());
             values[at].1 *= 10f64.powf(source.range(-300.0, 300.0));
         }
-        _ => values.iter_mut().for_each(|(_, value)| *value *= source.of(&[1e-9, 1e-3, 1.0, 1e3, 1e9])),
+        _ => values.iter_mut().for_each(|(_, value)| *value *= source.choose(&[1e-9, 1e-3, 1.0, 1e3, 1e9])),
     }
     for (name, value) in values {
         let ratio = layout.parameters.iter().position(|known| known == name);
         let restitution = ratio.is_some_and(|i| layout.dimensions[i].is_some_and(|d| d.numerators == [0; 3]));
         if restitution && source.chance(0.7) {
             let any = source.unit();
-            *value = source.of(&[0.0, 0.5, 0.999, 1.0, any, any]);
+            *value = source.choose(&[0.0, 0.5, 0.999, 1.0, any, any]);
         }
     }
 }
@@ -87,7 +88,7 @@ fn digits(value: f64) -> f64 {
 fn start(layout: &Layout, values: &mut Values, [length, time, _]: [f64; 3], source: &mut Source) {
     let given = std::mem::take(values);
     let nudged = source.chance(0.2);
-    let share = source.of(&[0.2, 0.6, 1.0]);
+    let share = source.choose(&[0.2, 0.6, 1.0]);
     for coordinate in layout.coordinates {
         let unit = if coordinate.is_angle { 1.0 } else { length };
         let old = given.iter().find(|(name, _)| name == coordinate.name).map(|(_, value)| *value);
@@ -95,7 +96,7 @@ fn start(layout: &Layout, values: &mut Values, [length, time, _]: [f64; 3], sour
             if let Some(old) = old {
                 values.push((
                     coordinate.name.to_owned(),
-                    old + unit * source.of(&[0.0, 1e-8, -1e-8, 0.1, -0.2]),
+                    old + unit * source.choose(&[0.0, 1e-8, -1e-8, 0.1, -0.2]),
                 ));
             }
         } else if source.chance(share) {
@@ -122,10 +123,10 @@ fn position(coordinate: &Coordinate, source: &mut Source) -> f64 {
     } else {
         [0.0, 0.0, 0.5, 1.0, -0.5, 0.1, 2.0, 0.3]
     };
-    let near = source.of(&NEAR);
+    let near = source.choose(&NEAR);
     match source.below(10) {
-        0..4 => source.of(&special),
-        4 => source.of(&special) + near,
+        0..4 => source.choose(&special),
+        4 => source.choose(&special) + near,
         5 => source.range(-30.0, 30.0),
         _ if coordinate.is_angle => source.range(-3.3, 3.3),
         _ => source.range(-1.0, 2.0),
@@ -136,9 +137,9 @@ fn rate(source: &mut Source) -> f64 {
     let any = source.range(-1.0, 1.0);
     match source.below(12) {
         0..3 => 0.0,
-        3 => source.of(&NEAR),
-        4 => source.of(&[1.0, -1.0]),
-        5 => source.of(&[30.0, -100.0, 1e3]),
+        3 => source.choose(&NEAR),
+        4 => source.choose(&[1.0, -1.0]),
+        5 => source.choose(&[30.0, -100.0, 1e3]),
         6..10 => 3.0 * any,
         _ => 10.0 * any,
     }
@@ -146,7 +147,7 @@ fn rate(source: &mut Source) -> f64 {
 
 /// When it ends, and what is done to it.
 fn plan(layout: &'static Layout, spec: &mut RunSpec, [length, time, mass]: [f64; 3], source: &mut Source) {
-    spec.limit = Some(digits(time * source.of(&[0.5, 2.0, 5.0, 10.0])));
+    spec.limit = Some(digits(time * source.choose(&[0.5, 2.0, 5.0, 10.0])));
     if source.chance(0.7) {
         spec.until.clear();
     }
@@ -155,15 +156,15 @@ fn plan(layout: &'static Layout, spec: &mut RunSpec, [length, time, mass]: [f64;
     }
     let supports: Vec<&str> = layout.contacts.iter().flat_map(|contact| contact.supports).copied().collect();
     if !supports.is_empty() && source.chance(0.05) {
-        spec.hold.push(source.of(&supports).to_owned());
+        spec.hold.push(source.choose(&supports).to_owned());
     }
     if !supports.is_empty() && source.chance(0.05) {
-        spec.release.push((source.of(&supports).to_owned(), digits(time * source.range(0.0, 3.0))));
+        spec.release.push((source.choose(&supports).to_owned(), digits(time * source.range(0.0, 3.0))));
     }
     if !layout.points.is_empty() && source.chance(0.05) {
         let unit = mass * length / time;
-        let impulse = [source.range(-2.0, 2.0), source.of(&[0.0, 1.0, -1.0])].map(|p| digits(p * unit));
+        let impulse = [source.range(-2.0, 2.0), source.choose(&[0.0, 1.0, -1.0])].map(|p| digits(p * unit));
         let at = digits(time * source.range(0.0, 3.0));
-        spec.impulses.push(PointImpulse { point: source.of(layout.points).to_owned(), impulse, at });
+        spec.impulses.push(PointImpulse { point: source.choose(layout.points).to_owned(), impulse, at });
     }
 }

@@ -43,14 +43,14 @@ impl Subject for Runs {
     fn details(&self, task: &Task) -> String {
         match task.simulation().map(|simulation| simulation.run()) {
             Err(error) => format!("refused: {error}"),
-            Ok(Ok(run)) => told(&run),
-            Ok(Err(error)) => format!("{}{}", told(error.trajectory()), error.cause()),
+            Ok(Ok(run)) => describe_run(&run),
+            Ok(Err(error)) => format!("{}{}", describe_run(error.trajectory()), error.cause()),
         }
     }
 }
 
 /// Its events, phases and decisions, and its audit.
-fn told(run: &Trajectory) -> String {
+fn describe_run(run: &Trajectory) -> String {
     let events =
         run.events().iter().map(|event| format!("{event}\n    t = {:?}, {:?}\n", event.t, event.state));
     let segments = run.segments();

@@ -74,8 +74,8 @@ pub(super) fn draw(task: &Task, source: &mut Source) -> Relation {
     let spec = &task.spec;
     let free = spec.until.is_empty() && spec.cut.is_empty();
     let alone = free && spec.release.is_empty() && spec.impulses.is_empty();
-    let other = source.of(&MethodId::ALL);
-    let power = [0; 3].map(|_: i32| source.of(&[-30, -10, 0, 2, 30]));
+    let other = source.choose(&MethodId::ALL);
+    let power = [0; 3].map(|_: i32| source.choose(&[-30, -10, 0, 2, 30]));
     if !free || task.is_wild() {
         return Relation::None;
     }
@@ -123,14 +123,17 @@ pub(super) fn check(task: &Task, run: &Trajectory) -> Result<Fate, Finding> {
         let other = other.until(known).united(within);
         Some(paired([course(&task, &run).united(within), other]))
     };
-    let (Some(known), Some(coarse)) = (ways(task.at(fine)), ways(task.at(fine * COARSER))) else {
+    let (Some(known), Some(coarse)) =
+        (ways(task.with_tolerance(fine)), ways(task.with_tolerance(fine * COARSER)))
+    else {
         return seen("not compared: a second tolerance is refused or stops");
     };
     let floor = FLOOR.max(AGREED * fine);
     let by_tolerance = converged(&known, slice::from_ref(&coarse), floor);
     by_tolerance
         .or_else(|_| {
-            let rounded = [1.0, -1.0].into_iter().filter_map(|sign| ways(task.at(fine).rounded(sign)));
+            let rounded =
+                [1.0, -1.0].into_iter().filter_map(|sign| ways(task.with_tolerance(fine).rounded(sign)));
             converged(&known, &iter::once(coarse).chain(rounded).collect::<Vec<_>>(), floor)
         })
         .map(|()| vec![word(task.relation)])
@@ -141,7 +144,7 @@ fn refusal(task: &Task, powers: [i32; 3]) -> String {
     let Some(spec) = in_units(task, powers.map(|power| 2f64.powi(power))) else {
         return "a dimension has another power than halves".to_owned();
     };
-    match task.of(spec).simulation().map(|simulation| simulation.run()) {
+    match task.with_spec(spec).simulation().map(|simulation| simulation.run()) {
         Err(error) => error.to_string(),
         Ok(Err(error)) => error.cause().to_string(),
         Ok(Ok(_)) => "not a second time".to_owned(),
@@ -170,7 +173,7 @@ fn reads_time(layout: &Layout) -> bool {
 
 /// What of a run has a counterpart in the other one.
 fn course(task: &Task, run: &Trajectory) -> Course {
-    let whole = Course::of(run, 1.0, 0.0);
+    let whole = Course::from_run(run, 1.0, 0.0);
     match task.relation {
         Relation::Split(part) => whole.after(part * run.end_time()),
         Relation::Halves => whole.nameless(),
@@ -186,22 +189,22 @@ fn other_way(task: &Task, run: &Trajectory) -> Option<Course> {
     };
     match task.relation {
         Relation::None => None,
-        Relation::Method(method) => Some(Course::of(&Task { method, ..task.clone() }.run()?, 1.0, 0.0)),
-        Relation::Form => Some(Course::of(&Task { form, ..task.clone() }.run()?, 1.0, 0.0)),
+        Relation::Method(method) => Some(Course::from_run(&Task { method, ..task.clone() }.run()?, 1.0, 0.0)),
+        Relation::Form => Some(Course::from_run(&Task { form, ..task.clone() }.run()?, 1.0, 0.0)),
         Relation::Units(powers) => {
             let units = powers.map(|power| 2f64.powi(power));
-            Some(Course::of(&task.of(in_units(task, units)?).run()?, 1.0 / units[1], 0.0))
+            Some(Course::from_run(&task.with_spec(in_units(task, units)?).run()?, 1.0 / units[1], 0.0))
         }
         Relation::Split(part) => {
             let at = part * run.end_time();
             let limit = task.spec.limit.map(|limit| limit - at);
             let start = named(task, run, &run.state(at));
             let rest = RunSpec { start, limit, energy_of: Vec::new(), ..task.spec.clone() };
-            let rest = task.of(rest).run()?;
-            let course = Course::of(&rest, 1.0, at).after(at);
+            let rest = task.with_spec(rest).run()?;
+            let course = Course::from_run(&rest, 1.0, at).after(at);
             Some(if closes_alike(run, &rest, at) { course } else { course.until(at) })
         }
-        Relation::Halves => Some(Course::of(&both_halves(task, run)?.run()?, 1.0, 0.0).nameless()),
+        Relation::Halves => Some(Course::from_run(&both_halves(task, run)?.run()?, 1.0, 0.0).nameless()),
     }
 }
 

@@ -165,7 +165,7 @@ fn energy(task: &Task, run: &Trajectory) -> Result<(), Finding> {
     let error = run.tolerance().max(1e-12) * (10.0 + run.statistics().steps as f64);
     let impacts = run.events().len() as f64;
     let (mut least, mut largest) = (f64::INFINITY, 0.0_f64);
-    let gains = told(run);
+    let gains = list_energy_gains(run);
     for t in times(run) {
         let told: f64 = gains.iter().filter(|(at, _)| *at <= t).map(|(_, energy)| energy).sum();
         let [t_energy, v_energy] = [&kinetic, &potential].map(|output| run.value(output, t));
@@ -185,7 +185,7 @@ fn energy(task: &Task, run: &Trajectory) -> Result<(), Finding> {
 }
 
 /// What the laws of impact have gained, and when, by the events' notes.
-fn told(run: &Trajectory) -> Vec<(f64, f64)> {
+fn list_energy_gains(run: &Trajectory) -> Vec<(f64, f64)> {
     let gains = run.events().iter().filter_map(|event| match event.note {
         Some(Note::EnergyGained(energy)) => Some((event.t, energy)),
         _ => None,

@@ -66,7 +66,7 @@ impl Task {
     }
 
     /// The same at another tolerance.
-    pub fn at(&self, tolerance: f64) -> Self {
+    pub fn with_tolerance(&self, tolerance: f64) -> Self {
         Self { spec: self.spec.clone().tolerance(tolerance), ..self.clone() }
     }
 
@@ -80,7 +80,7 @@ impl Task {
     }
 
     /// Another run by the same options.
-    pub fn of(&self, spec: RunSpec) -> Self {
+    pub fn with_spec(&self, spec: RunSpec) -> Self {
         Self { spec, ..self.clone() }
     }
 }

@@ -75,12 +75,16 @@ impl Tool {
     fn on_pendulum(&self, tolerance: f64) -> WorkPrecisionRow {
         let (end, microseconds) = timed(|| (self.pendulum)(tolerance));
         let error = end.map(|end| state_error(&end));
-        told(WorkPrecisionRow::peer(("double-pendulum", self.name, tolerance), [error, None], microseconds))
+        add_reason(WorkPrecisionRow::peer(
+            ("double-pendulum", self.name, tolerance),
+            [error, None],
+            microseconds,
+        ))
     }
 
     fn on_pair(&self, pair: Pair, tolerance: f64) -> WorkPrecisionRow {
         let (times, microseconds) = timed(|| pair(tolerance));
-        told(WorkPrecisionRow::peer(
+        add_reason(WorkPrecisionRow::peer(
             ("falling-pair", self.name, tolerance),
             [None, times.map(event_error)],
             microseconds,
@@ -88,7 +92,7 @@ impl Tool {
     }
 }
 
-fn told(mut row: WorkPrecisionRow) -> WorkPrecisionRow {
+fn add_reason(mut row: WorkPrecisionRow) -> WorkPrecisionRow {
     if row.state_error.or(row.event_error).is_none() {
         row.reason = Some("it failed or found no event".into());
     }

@@ -1,10 +1,10 @@
 //! Equilibria, modes of vibration, derivatives.
 
-use crate::program::{errors, place, run, told};
+use crate::program::{errors, run, run_program, temporary_path};
 use serde_json::Value;
 
 fn json(arguments: &[&str]) -> Value {
-    serde_json::from_str(&told(arguments)).expect("JSON")
+    serde_json::from_str(&run_program(arguments)).expect("JSON")
 }
 
 /// A plank on three feet, its centre of mass above the middle one.
@@ -49,17 +49,17 @@ struct Falling {
 
 #[test]
 fn equilibria_are_told_with_their_loads() {
-    let file = place("plank.rs");
+    let file = temporary_path("plank.rs");
     std::fs::write(&file, PLANK).expect("a file");
     let name = file.to_str().expect("a name");
-    let text = told(&["equilibrium", name]);
+    let text = run_program(&["equilibrium", name]);
     assert!(text.contains("A, B, C closed, neutral") && text.contains("N(B) = 0 … 20.0000"), "{text}");
     let found = json(&["equilibrium", name, "--json"]);
     let most = |k: usize| found[0]["loads"][k]["normal"][1].as_f64().expect("a force");
     assert!((0..3).all(|k| (most(k) - [10.0, 20.0, 10.0][k]).abs() < 1e-9), "{found}");
     // Its legs stand upright at one place.
-    assert!(told(&["equilibrium", "trestle"]).contains("A, B closed, unstable"));
-    let file = place("falling.rs");
+    assert!(run_program(&["equilibrium", "trestle"]).contains("A, B closed, unstable"));
+    let file = temporary_path("falling.rs");
     std::fs::write(&file, FALLING).expect("a file");
     let name = file.to_str().expect("a name");
     assert!(errors(&run(&["equilibrium", name])).contains("no equilibrium found"));
@@ -91,7 +91,7 @@ struct Bar {
 
 #[test]
 fn derivatives_are_told_through_events() {
-    let file = place("bar.rs");
+    let file = temporary_path("bar.rs");
     std::fs::write(&file, BAR).expect("a file");
     let name = file.to_str().expect("a name");
     let command = |more: &[&'static str]| [&["sensitivity", name, "--start", "y=0.8"], more].concat();
@@ -108,7 +108,7 @@ fn derivatives_are_told_through_events() {
     let similar = total(&[("l", 0.5), ("y", 0.8), ("g", 10.0)]);
     assert!(similar.abs() < 1e-10 * t, "{similar:e}");
     assert!(total(&[("m", 1.5)]).abs() < 1e-10 * t && total(&[("e", 1.0)]).abs() < 1e-10 * t);
-    let text = told(&command(&["--start", "phi=0.3", "--limit", "0.3", "--of", "m", "--of", "y"]));
+    let text = run_program(&command(&["--start", "phi=0.3", "--limit", "0.3", "--of", "m", "--of", "y"]));
     assert!(text.contains("d/dm") && text.contains("phi'"), "{text}");
     let refused = |more: &[&'static str]| errors(&run(&command(more)));
     assert!(refused(&["--of", "mass"]).contains("neither a parameter nor given at the start"));
@@ -118,7 +118,7 @@ fn derivatives_are_told_through_events() {
 
 #[test]
 fn a_load_is_told_that_opens_a_foot() {
-    let file = place("loaded.rs");
+    let file = temporary_path("loaded.rs");
     std::fs::write(&file, LOADED).expect("a file");
     let name = file.to_str().expect("a name");
     // Moments about B: p c = m g (l/2 − c), c from B outward to C.
@@ -129,7 +129,7 @@ fn a_load_is_told_that_opens_a_foot() {
     let expected = 2.0 * 10.0 * 0.5 / 1.0;
     let value = found["value"].as_f64().expect("a load");
     assert!((value / expected - 1.0).abs() < 1e-10 && found["end"] == "A opens", "{found}");
-    let text = told(&["equilibrium", name, "--load", "p=5"]);
+    let text = run_program(&["equilibrium", name, "--load", "p=5"]);
     assert!(text.contains("p may go as far as it is followed"), "{text}");
     assert!(errors(&run(&["equilibrium", name, "--load", "q"])).contains("no parameter `q`"));
 }
@@ -185,7 +185,7 @@ struct Juggled {
 
 #[test]
 fn orbits_are_told_and_followed() {
-    let file = place("juggled.rs");
+    let file = temporary_path("juggled.rs");
     std::fs::write(&file, JUGGLED).expect("a file");
     let name = file.to_str().expect("a name");
     let command = |more: &[&'static str]| {
@@ -197,7 +197,7 @@ fn orbits_are_told_and_followed() {
     // The product of both multipliers is e².
     let product = part(0, 0) * part(1, 0) - part(0, 1) * part(1, 1);
     assert!((product - 0.36).abs() < 1e-9, "{orbit}");
-    assert!(told(&command(&[])).contains("multipliers: "));
+    assert!(run_program(&command(&[])).contains("multipliers: "));
     // The fold at a ω = (g π/ω)(1 − e)/(1 + e).
     let branch = json(&command(&["--continue", "a=0.01", "--json"]));
     let mut orbits = branch["orbits"].as_array().expect("orbits").iter();
@@ -213,7 +213,7 @@ fn orbits_are_told_and_followed() {
 
 #[test]
 fn optima_are_told() {
-    let file = place("juggled_optimum.rs");
+    let file = temporary_path("juggled_optimum.rs");
     std::fs::write(&file, JUGGLED).expect("a file");
     let name = file.to_str().expect("a name");
     let command = |more: &[&'static str]| {
@@ -224,8 +224,8 @@ fn optima_are_told() {
     let found = json(&command(&[&thrown[..], &["--json"]].concat()));
     let v = found["variables"]["y'"]["value"].as_f64().expect("a number");
     assert!((v - (4.5 * 0.81 - 0.9) / 0.9).abs() < 1e-6, "{found}");
-    assert!(told(&command(&thrown)).contains("converged after"));
-    let heavy = told(&command(&["--vary", "g=8:9.5", "--of", "first impact"]));
+    assert!(run_program(&command(&thrown)).contains("converged after"));
+    let heavy = run_program(&command(&["--vary", "g=8:9.5", "--of", "first impact"]));
     assert!(heavy.contains("at its bound") && heavy.contains("first impact: "), "{heavy}");
     let refused = |more: &[&'static str]| errors(&run(&command(more)));
     assert!(refused(&["--vary", "g=9:8", "--of", "end y"]).contains("a lower and a greater bound"));
@@ -238,7 +238,7 @@ fn optima_are_told() {
 
 #[test]
 fn boundaries_are_told() {
-    let file = place("juggled_boundary.rs");
+    let file = temporary_path("juggled_boundary.rs");
     std::fs::write(&file, JUGGLED).expect("a file");
     let name = file.to_str().expect("a name");
     // On a floor at rest the ball has struck at the end where g t²/2 > y.
@@ -254,7 +254,7 @@ fn boundaries_are_told() {
         let [g, y] = [0, 1].map(|k| point[k].as_f64().expect("a number"));
         assert!((y / (0.125 * g) - 1.0).abs() < 1e-8, "{point}");
     }
-    assert!(points.len() > 10 && told(&command(&[])).contains("none"));
+    assert!(points.len() > 10 && run_program(&command(&[])).contains("none"));
     assert!(errors(&run(&["boundary", name, "--vary", "g=8:12"])).contains("two varied names"));
 }
 
@@ -297,7 +297,7 @@ struct Pendulums {
 /// Swinging in parallel, which the mirror leaves out, ω² = 3g/2l; against each other, ω² = 3g/2l + 6k/m, damped by 3c/m.
 #[test]
 fn a_mirrored_model_is_unfolded() {
-    let file = place("pendulums.rs");
+    let file = temporary_path("pendulums.rs");
     std::fs::write(&file, PENDULUMS).expect("a file");
     let name = file.to_str().expect("a name");
     let parts = json(&["linearise", name, "--unfold", "--json"]);
@@ -314,12 +314,12 @@ fn a_mirrored_model_is_unfolded() {
     assert!(near(-decay, 0.75) && near(square, swing + 90.0) && near(image, 1.0), "{parts}");
     let (decay, square, image) = mode("antisymmetric");
     assert!(near(decay, 0.0) && near(square, swing) && near(image, -1.0), "{parts}");
-    let text = told(&["linearise", name, "--unfold"]);
+    let text = run_program(&["linearise", name, "--unfold"]);
     let [symmetric, antisymmetric] = ["symmetric\n  ", "\nantisymmetric\n  "].map(|head| text.find(head));
     assert!(symmetric == Some(0) && antisymmetric > symmetric && !text.contains("grows"), "{text}");
-    let picture = place("pendulums.svg");
+    let picture = temporary_path("pendulums.svg");
     let path = picture.to_str().expect("a name");
-    assert_eq!(told(&["linearise", name, "--unfold", "--svg", path]), "");
+    assert_eq!(run_program(&["linearise", name, "--unfold", "--svg", path]), "");
     let svg = std::fs::read_to_string(&picture).expect("a picture");
     // Two points of the ground stand, two swing, in each of two modes.
     assert!(svg.contains(">symmetric: ") && svg.contains(">antisymmetric: "), "{svg:.400}");
@@ -327,7 +327,8 @@ fn a_mirrored_model_is_unfolded() {
     assert!(errors(&run(&["linearise", name, "--svg", "modes.png"])).contains("name the file modes.svg"));
     assert!(errors(&run(&["linearise", "trestle", "--unfold"])).contains("`Trestle` has no mirror"));
     // Upright both fall, and neither motion waits for the other.
-    let upright = told(&["linearise", name, "--unfold", "--start", "phi=pi", "--set", "k=0", "--set", "c=0"]);
+    let upright =
+        run_program(&["linearise", name, "--unfold", "--start", "phi=pi", "--set", "k=0", "--set", "c=0"]);
     assert!(
         upright.contains("the antisymmetric motion grows 1.00000 times as fast as the symmetric one"),
         "{upright}"

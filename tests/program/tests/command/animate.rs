@@ -1,12 +1,13 @@
 //! The page of a motion.
 
-use crate::program::{errors, place, run, told};
+use crate::program::{errors, run, run_program, temporary_path};
 
 #[test]
 fn a_motion_becomes_a_page_of_its_own() {
-    let file = place("motion.html");
+    let file = temporary_path("motion.html");
     let path = file.to_str().expect("UTF-8");
-    let said = told(&["animate", "trestle", "--until", "t = 0.5", "--output", "N(A) / p", "--out", path]);
+    let said =
+        run_program(&["animate", "trestle", "--until", "t = 0.5", "--output", "N(A) / p", "--out", path]);
     let page = std::fs::read_to_string(&file).expect("a page");
     std::fs::remove_file(&file).expect("removed");
     assert_eq!(said.trim_end(), path);

@@ -131,7 +131,7 @@ fn a_time_that_the_run_does_not_reach_is_an_error_behind_the_table() {
 
 #[test]
 fn rows_of_another_tool_that_are_none_are_refused_before_anything_runs() {
-    let path = crate::program::place("peers.csv");
+    let path = crate::program::temporary_path("peers.csv");
     for (text, told) in [
         (
             "scene,tolerance,error,end_error,microseconds\ntrestle,1e-6,1e-320,1e300,10\n",

@@ -1,13 +1,13 @@
 //! Scripts for shells: they can be read, and know the names of this program's models.
 
-use crate::program::told;
+use crate::program::run_program;
 use std::io::Write;
 use std::process::{Command, Stdio};
 
 #[test]
 fn every_shell_is_told_commands_options_models_and_methods() {
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
-        let script = told(&["completions", shell]);
+        let script = run_program(&["completions", shell]);
         // The scripts of the last two complete no values.
         let names = ["precision", "energy-of", "trestle", "dop853"];
         let known = if ["powershell", "elvish"].contains(&shell) { &names[..2] } else { &names[..] };
@@ -25,7 +25,7 @@ fn shells_can_read_their_scripts() {
             eprintln!("not tested: there is no {shell}");
             continue;
         };
-        let script = told(&["completions", shell]);
+        let script = run_program(&["completions", shell]);
         let mut input = reader.stdin.take().expect("a pipe");
         input.write_all(script.as_bytes()).expect("written");
         drop(input);
@@ -36,7 +36,7 @@ fn shells_can_read_their_scripts() {
 
 #[test]
 fn bash_completes_a_model() {
-    let script = told(&["completions", "bash"]);
+    let script = run_program(&["completions", "bash"]);
     let ask = "COMP_WORDS=(trestle run trest); COMP_CWORD=2; COMP_LINE='trestle run trest'; COMP_POINT=17\n\
                _trestle trestle trest run; echo \"${COMPREPLY[@]}\"\n";
     let Ok(output) = Command::new("bash").arg("-c").arg(script + "\n" + ask).output() else {

@@ -1,6 +1,6 @@
 //! When runs end that no limit is given for.
 
-use crate::program::{place, told};
+use crate::program::{run_program, temporary_path};
 use serde_json::Value;
 
 /// A ball that flies freely.
@@ -19,10 +19,11 @@ struct Flying {
 }";
 
 fn events(more: &[&str]) -> Vec<Value> {
-    let file = place("flying.rs");
+    let file = temporary_path("flying.rs");
     std::fs::write(&file, BALL).expect("a file");
     let name = file.to_str().expect("a name");
-    let found: Value = serde_json::from_str(&told(&[&["run", name, "--json"], more].concat())).expect("JSON");
+    let found: Value =
+        serde_json::from_str(&run_program(&[&["run", name, "--json"], more].concat())).expect("JSON");
     found["events"].as_array().expect("events").clone()
 }
 

@@ -1,6 +1,6 @@
 //! Files are written whole or not at all, whichever command writes them.
 
-use crate::program::{command, errors, place, run, told};
+use crate::program::{command, errors, run, run_program, temporary_path};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
@@ -30,7 +30,7 @@ fn writers() -> Vec<(Vec<&'static str>, &'static str)> {
 
 /// An empty folder of a test's own.
 fn folder(name: &str) -> PathBuf {
-    let folder = place(name);
+    let folder = temporary_path(name);
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder).expect("a folder");
     folder
@@ -132,11 +132,11 @@ fn an_error_that_cannot_be_told_keeps_its_code() {
     assert_eq!(code(&["run"]), Some(2));
     assert_eq!(code(&["run", MODEL, "--csv", "/dev/null/at/all.csv"]), Some(1));
     assert_eq!(code(&["run", MODEL, "--start", "alpha=-1", "--start", "beta=-1", "--limit", "0.1"]), Some(0));
-    let mistakes = place("mistakes.rs");
+    let mistakes = temporary_path("mistakes.rs");
     fs::write(&mistakes, "#[derive(BarSystem)] struct None { }").expect("a file");
     assert_eq!(code(&["explain", mistakes.to_str().expect("UTF-8")]), Some(1));
     fs::remove_file(mistakes).expect("removed");
-    assert!(!told(&["list"]).is_empty() && run(&["list"]).status.success());
+    assert!(!run_program(&["list"]).is_empty() && run(&["list"]).status.success());
 }
 
 /// Two sweeps at once: one has the journal, the other is refused, and the table is as if it had been alone.

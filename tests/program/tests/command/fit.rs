@@ -1,6 +1,6 @@
 //! Fits to tables and event times.
 
-use crate::program::{errors, place, run, told};
+use crate::program::{errors, run, run_program, temporary_path};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
@@ -31,7 +31,10 @@ struct Files {
 
 impl Files {
     fn new(name: &str, table: &str) -> Self {
-        let files = Self { model: place(&format!("{name}.rs")), table: place(&format!("{name}.csv")) };
+        let files = Self {
+            model: temporary_path(&format!("{name}.rs")),
+            table: temporary_path(&format!("{name}.csv")),
+        };
         std::fs::write(&files.model, BALL).expect("a file");
         std::fs::write(&files.table, table).expect("a file");
         files
@@ -43,7 +46,7 @@ impl Files {
     }
 
     fn json(&self, more: &[&str]) -> Value {
-        serde_json::from_str(&told(&[&self.command(more)[..], &["--json"]].concat())).expect("JSON")
+        serde_json::from_str(&run_program(&[&self.command(more)[..], &["--json"]].concat())).expect("JSON")
     }
 
     /// The error, of one line with this exit code.
@@ -91,7 +94,7 @@ fn parameters_and_starts_are_found_from_a_table() {
     assert!((value(&timed, "g") - 10.0).abs() < 1e-8 && timed["freedom"] == 6, "{timed}");
     let typed = files.json(&[&vary[..], &["--of", "y", "--event", "first impact=0.4 +- 0.001"]].concat());
     assert_eq!(typed, timed);
-    let text = told(&files.command(&["--vary", "e", "--vary", "y", "--set", "g=10", "--of", "y"]));
+    let text = run_program(&files.command(&["--vary", "e", "--vary", "y", "--set", "g=10", "--of", "y"]));
     for part in ["standard error", "correlation", "8 values", "6 degrees of freedom", "converged after"] {
         assert!(text.contains(part), "{part}: {text}");
     }
@@ -104,10 +107,10 @@ fn event_times_alone_give_as_many_values() {
     let name = files.model.to_str().expect("a name");
     let command = ["fit", name, "--vary", "g", "--vary", "e", "--limit", "3", "--until", "t = 3"];
     let events = ["--event", "first impact=0.4", "--event", "t of 2nd impact=0.96"];
-    let text = told(&[&command[..], &events].concat());
+    let text = run_program(&[&command[..], &events].concat());
     assert!(text.contains("no degree of freedom is left") && !text.contains("correlation"), "{text}");
     let found: Value =
-        serde_json::from_str(&told(&[&command[..], &events, &["--json"]].concat())).expect("JSON");
+        serde_json::from_str(&run_program(&[&command[..], &events, &["--json"]].concat())).expect("JSON");
     assert!((value(&found, "g") - 12.5).abs() < 1e-9 && (value(&found, "e") - 0.7).abs() < 1e-10, "{found}");
     assert!(found["estimates"]["g"]["interval"].is_null(), "{found}");
     // No ball takes 5 s where runs end after 3 s.

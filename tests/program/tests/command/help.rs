@@ -1,10 +1,10 @@
 //! Help: examples that can be run, exit codes, no version that is not the program's own.
 
-use crate::program::{errors, run, told};
+use crate::program::{errors, run, run_program};
 
 /// The lines of examples in the help of a command, without the program's name.
 fn examples(command: &str) -> Vec<String> {
-    let help = told(&[command, "--help"]);
+    let help = run_program(&[command, "--help"]);
     let (_, examples) = help.split_once("Examples:\n").unwrap_or_else(|| panic!("{command} has examples"));
     examples.lines().filter_map(|line| line.strip_prefix("  trestle ")).map(str::to_owned).collect()
 }
@@ -21,7 +21,7 @@ fn words(line: &str) -> Vec<String> {
 
 #[test]
 fn every_command_has_examples() {
-    let help = told(&["--help"]);
+    let help = run_program(&["--help"]);
     let (_, commands) = help.split_once("Commands:\n").expect("commands");
     let commands = commands.lines().take_while(|line| !line.is_empty());
     // What a description has on further lines stands further in.
@@ -47,9 +47,9 @@ fn examples_of_quick_commands_run_as_they_stand() {
 
 #[test]
 fn help_tells_the_exit_codes_and_is_what_an_empty_command_line_prints() {
-    let help = told(&["--help"]);
+    let help = run_program(&["--help"]);
     assert!(help.contains("Exit codes: 0 done; 1 failed") && help.contains("130"), "{help}");
-    assert_eq!(told(&[]), help);
+    assert_eq!(run_program(&[]), help);
 }
 
 #[test]

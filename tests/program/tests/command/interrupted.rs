@@ -1,7 +1,7 @@
 //! Ctrl-C keeps what is done.
 #![cfg(unix)]
 
-use crate::program::{command, errors, place};
+use crate::program::{command, errors, temporary_path};
 use std::process::{Child, Command, Output, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
@@ -29,7 +29,7 @@ fn interrupted(arguments: &[&str]) -> Output {
 
 #[test]
 fn a_run_prints_and_writes_the_motion_so_far() {
-    let file = place("motion.csv");
+    let file = temporary_path("motion.csv");
     let path = file.to_str().expect("UTF-8");
     let endless = ["run", "trestle", "--until", "t = 1e7", "--limit", "1e8", "--csv", path];
     let output = interrupted(&endless);
@@ -84,7 +84,7 @@ struct Endless {
 /// What takes minutes ends at once, whatever part of it is going on.
 #[test]
 fn reports_and_stability_end_within_a_second() {
-    let directory = place("left");
+    let directory = temporary_path("left");
     std::fs::create_dir_all(&directory).expect("made");
     let file = directory.join("endless.rs");
     std::fs::write(&file, ENDLESS).expect("written");

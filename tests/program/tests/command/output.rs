@@ -1,15 +1,15 @@
 //! What a run tells: events, outputs, tables.
 
-use crate::program::{errors, place, run, told};
+use crate::program::{errors, run, run_program, temporary_path};
 use serde_json::Value;
 
 fn json(arguments: &[&str]) -> Value {
-    serde_json::from_str(&told(arguments)).expect("JSON")
+    serde_json::from_str(&run_program(arguments)).expect("JSON")
 }
 
 #[test]
 fn the_models_are_listed() {
-    let text = told(&["list"]);
+    let text = run_program(&["list"]);
     assert!(text.starts_with("trestle            A folding trestle"), "{text}");
     assert!(text.contains(
         "parameters m = 6, p = 70, l = 2, g = 9.81; coordinates alpha, beta, x, y; supports A | B"
@@ -22,15 +22,15 @@ fn the_models_are_listed() {
 
 #[test]
 fn equations_and_modes_are_told() {
-    assert!(told(&["explain", "trestle"]).contains("T = "));
-    assert!(told(&["modes", "trestle"]).contains("on A, B"));
+    assert!(run_program(&["explain", "trestle"]).contains("T = "));
+    assert!(run_program(&["modes", "trestle"]).contains("on A, B"));
 }
 
 /// Half the weight bears on each foot of a ladder that is as it stands.
 #[test]
 fn outputs_are_told_at_events_and_times() {
     let run = ["run", "trestle", "--until", "t = 0.5", "--output", "N(A)", "--output", "y(C)/l"];
-    let table = told(&[&run[..], &["--at", "0.3", "--every", "0.25s"]].concat());
+    let table = run_program(&[&run[..], &["--at", "0.3", "--every", "0.25s"]].concat());
     let lines: Vec<Vec<&str>> = table.lines().map(|line| line.split_whitespace().collect()).collect();
     assert_eq!(lines[0], ["t", "event", "N(A)", "y(C)/l"]);
     let column = |k: usize| lines[1..].iter().map(move |line| line[k]).collect::<Vec<_>>();
@@ -62,9 +62,11 @@ fn numbers_that_are_rounding_are_zero_in_json_too() {
 
 #[test]
 fn a_table_has_the_outputs_and_times_asked_for() {
-    let file = place("outputs.csv");
+    let file = temporary_path("outputs.csv");
     let path = file.to_str().expect("UTF-8");
-    told(&["run", "trestle", "--until", "t = 0.5", "--every", "0.1", "--output", "E/p", "--csv", path]);
+    run_program(&[
+        "run", "trestle", "--until", "t = 0.5", "--every", "0.1", "--output", "E/p", "--csv", path,
+    ]);
     let written = std::fs::read_to_string(&file).expect("a table");
     std::fs::remove_file(&file).expect("removed");
     let mut lines = written.lines();
@@ -92,13 +94,13 @@ struct Ball { #[value(1)] m: f64, #[value(0.5)] e: f64, #[value(2)] g: f64 }";
 /// Files and JSON have two rows at an impact, before it and after it.
 #[test]
 fn both_sides_of_an_impact_are_written() {
-    let [model, file] = ["ball.rs", "ball.csv"].map(place);
+    let [model, file] = ["ball.rs", "ball.csv"].map(temporary_path);
     std::fs::write(&model, BALL).expect("a file");
     let [path, table] = [&model, &file].map(|path| path.to_str().expect("UTF-8"));
     for asked in [&["run", path, "--csv", table][..], &["run", path, "--every", "0.5", "--csv", table]] {
         // D is known only at the end of the run: other rows, the same two.
         for more in [&[][..], &["--output", "D"]] {
-            told(&[asked, more].concat());
+            run_program(&[asked, more].concat());
             let written = std::fs::read_to_string(&file).expect("a table");
             let rows: Vec<Vec<f64>> = written
                 .lines()
@@ -123,7 +125,7 @@ fn both_sides_of_an_impact_are_written() {
     assert!(
         run["events"][0].get("before").is_none() && run["samples"].as_array().is_some_and(|s| s.len() == 2)
     );
-    let printed = told(&["run", path, "--output", "y'"]);
+    let printed = run_program(&["run", path, "--output", "y'"]);
     let rows: Vec<Vec<&str>> = printed.lines().map(|line| line.split_whitespace().collect()).collect();
     assert_eq!(rows[2], ["1.000000", "before", "-2.000000"], "{printed}");
     assert_eq!(rows[3], ["1.000000", "P", "impact", "1.000000"], "{printed}");
@@ -144,9 +146,9 @@ fn a_table_is_the_same_whether_the_motion_is_kept() {
         "0.3",
     ];
     let whole = ["run", "trestle", "--limit", "3", "--every", "0.01"];
-    assert_eq!(told(&times).lines().count(), 9);
+    assert_eq!(run_program(&times).lines().count(), 9);
     for (asked, rows) in [(&times[..], 9), (&whole[..], 50)] {
-        let (table, kept) = (told(asked), told(&[asked, &["--audit"]].concat()));
+        let (table, kept) = (run_program(asked), run_program(&[asked, &["--audit"]].concat()));
         assert!(table.lines().count() >= rows && kept.starts_with(&table), "{table}{kept}");
     }
 }
@@ -154,16 +156,16 @@ fn a_table_is_the_same_whether_the_motion_is_kept() {
 /// The rows of every multiple are in the file alone.
 #[test]
 fn what_a_file_has_is_not_printed_too() {
-    let file = place("filed.csv");
+    let file = temporary_path("filed.csv");
     let asked = ["run", "trestle", "--until", "t = 0.5", "--every", "0.1", "--at", "0.05"];
-    let printed = told(&[&asked[..], &["--csv", file.to_str().expect("UTF-8")]].concat());
+    let printed = run_program(&[&asked[..], &["--csv", file.to_str().expect("UTF-8")]].concat());
     let written = std::fs::read_to_string(&file).expect("a file");
     std::fs::remove_file(&file).expect("removed");
     let times = |text: &str, by: &[char]| -> Vec<f64> {
         text.lines().filter_map(|line| line.trim().split(by).next()?.parse().ok()).collect()
     };
     assert_eq!(times(&printed, &[' ']), [0.0, 0.05, 0.5]);
-    let (filed, all) = (times(&written, &[',']), times(&told(&asked), &[' ']));
+    let (filed, all) = (times(&written, &[',']), times(&run_program(&asked), &[' ']));
     // The digits of a table.
     let is_same = filed.len() == all.len() && filed.iter().zip(&all).all(|(a, b)| (a - b).abs() < 1e-7);
     assert!(is_same, "{filed:?} {all:?}");
@@ -182,8 +184,8 @@ fn units_and_methods_are_heeded() {
 /// What a run takes where nothing is said can be looked up before it is made.
 #[test]
 fn defaults_are_told_by_list_and_help() {
-    let listed = told(&["list", "trestle"]);
-    let helped = told(&["run", "trestle", "--help"]);
+    let listed = run_program(&["list", "trestle"]);
+    let helped = run_program(&["run", "trestle", "--help"]);
     for text in [&listed, &helped] {
         for part in ["m = 6, p = 70, l = 2, g = 9.81", "the nominal figure", "y(C) = 0", "1e-12"] {
             assert!(text.contains(part), "{part}: {text}");
@@ -194,7 +196,7 @@ fn defaults_are_told_by_list_and_help() {
     let limit = models[0]["default_run"]["limit"].as_f64().expect("a time");
     assert!((limit - 1000.0 * (2.0f64 / 9.81).sqrt()).abs() < 1e-9, "{limit}");
     assert_eq!(models[0]["default_run"]["until"][0], "y(C) = 0");
-    assert!(!told(&["run", "--help"]).contains("y(C) = 0"));
+    assert!(!run_program(&["run", "--help"]).contains("y(C) = 0"));
 }
 
 #[test]
@@ -227,8 +229,8 @@ fn what_is_hardly_meant_is_noted() {
 /// Its top stays above its start: what its coordinate has is rounding.
 #[test]
 fn rounding_is_printed_as_zero() {
-    let table = told(&["run", "trestle", "--limit", "0.5", "--every", "0.1"]);
-    let events = told(&["run", "trestle"]);
+    let table = run_program(&["run", "trestle", "--limit", "0.5", "--every", "0.1"]);
+    let events = run_program(&["run", "trestle"]);
     for text in [&table, &events] {
         assert!(!["e-16", "e-17", "e-18", "e-15", "e-3"].iter().any(|tiny| text.contains(tiny)), "{text}");
     }
@@ -236,7 +238,7 @@ fn rounding_is_printed_as_zero() {
 
 #[test]
 fn a_small_sweep_shows_its_members() {
-    let text = told(&[
+    let text = run_program(&[
         "sweep",
         "trestle",
         "--vary",
@@ -251,6 +253,7 @@ fn a_small_sweep_shows_its_members() {
     let lines: Vec<Vec<&str>> = text.lines().map(|line| line.split_whitespace().collect()).collect();
     assert_eq!(lines[1], ["p", "end", "end", "y(C)/l"], "{text}");
     assert_eq!((lines[2][0], lines[3][0], lines[2][1]), ("1", "2", "end"), "{text}");
-    let large = told(&["sweep", "trestle", "--vary", "p=1:70:30", "--observe", "end", "--limit", "0.01"]);
+    let large =
+        run_program(&["sweep", "trestle", "--vary", "p=1:70:30", "--observe", "end", "--limit", "0.01"]);
     assert_eq!(large.lines().count(), 3, "{large}");
 }

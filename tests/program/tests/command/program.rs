@@ -18,7 +18,7 @@ pub fn run(arguments: &[&str]) -> Output {
 }
 
 /// What it prints if all goes well.
-pub fn told(arguments: &[&str]) -> String {
+pub fn run_program(arguments: &[&str]) -> String {
     let output = run(arguments);
     assert!(output.status.success(), "{arguments:?}: {}", errors(&output));
     String::from_utf8(output.stdout).expect("UTF-8")
@@ -29,6 +29,6 @@ pub fn errors(output: &Output) -> String {
 }
 
 /// A place for a file or directory of one test.
-pub fn place(name: &str) -> PathBuf {
+pub fn temporary_path(name: &str) -> PathBuf {
     std::env::temp_dir().join(format!("liftoff-program-{}-{name}", std::process::id()))
 }

@@ -1,10 +1,10 @@
 //! A page of all that there is to know of a model.
 
-use crate::program::{errors, place, run};
+use crate::program::{errors, run, temporary_path};
 
 #[test]
 fn a_report_is_one_page_that_needs_nothing_beside_itself_and_an_index() {
-    let directory = place("report");
+    let directory = temporary_path("report");
     let output = run(&["report", "trestle", "--out", directory.to_str().expect("UTF-8")]);
     let [page, index] = ["trestle", "index"]
         .map(|name| std::fs::read_to_string(directory.join(format!("{name}.html"))).expect("a page"));

@@ -1,11 +1,11 @@
 //! Five things asked of a model's default run.
 
-use crate::program::{place, run};
+use crate::program::{run, temporary_path};
 use serde_json::Value;
 
 #[test]
 fn a_users_model_is_judged_and_written_on_a_page() {
-    let directory = place("stability");
+    let directory = temporary_path("stability");
     let out = directory.to_str().expect("UTF-8");
     let output = run(&["stability", "trestle", "--short", "--json", "--out", out]);
     let page = std::fs::read_to_string(directory.join("stability.html")).expect("a page");
@@ -27,7 +27,7 @@ fn a_users_model_is_judged_and_written_on_a_page() {
 
 #[test]
 fn a_group_can_be_asked_for_alone() {
-    let directory = place("energy");
+    let directory = temporary_path("energy");
     let output = run(&["stability", "energy", "--out", directory.to_str().expect("UTF-8")]);
     std::fs::remove_dir_all(&directory).expect("removed");
     let text = String::from_utf8_lossy(&output.stdout);
