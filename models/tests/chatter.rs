@@ -12,7 +12,7 @@ fn chatter_dies_at_every_tolerance() {
     let entry = models().find("zigzag-thread").unwrap();
     let model = entry.model(&entry.default_run().parameters).unwrap();
     for tolerance in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14] {
-        let start = Pose::at("phi_inner", angle).with("phi_outer", angle).with("y", 0.0).with("y'", -0.03);
+        let start = Pose::new("phi_inner", angle).with("phi_outer", angle).with("y", 0.0).with("y'", -0.03);
         let run = Simulation::new(model.clone()).unwrap().tolerance(tolerance).start(start).unwrap();
         let run = run.limit(0.6).run().unwrap();
         assert!(run.events().len() < 500, "{tolerance:e}: {}", run.events().len());

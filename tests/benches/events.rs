@@ -17,11 +17,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut words = std::env::args().skip(1).filter(|word| !word.starts_with('-'));
     let Some(impacts) = words.next_back().map(|word| word.parse()).transpose()? else { return Ok(()) };
     let ball = BouncingBall { m: 1.0, g: 9.81, e: 1.0 };
-    let from_rest = Pose::at("y", 1.0).with("x", 0.0);
+    let from_rest = Pose::new("y", 1.0).with("x", 0.0);
     // On both feet A and F, it turns about A.
     let wheel = RimlessWheel { m: 1.0, j: 0.1, l: 1.0, gamma: 0.2, mu: 1.5, g: 9.81 };
     let (sin, cos) = (-0.2 - PI / 3.0).sin_cos();
-    let rolling = Pose::at("phi", -0.2).with("phi'", -2.0).with("x'", -2.0 * sin).with("y'", 2.0 * cos);
+    let rolling = Pose::new("phi", -0.2).with("phi'", -2.0).with("x'", -2.0 * sin).with("y'", 2.0 * cos);
     for tolerance in [1e-9, 1e-14] {
         measure("bouncing-ball", tolerance, &simulation(&ball, &from_rest, tolerance)?, impacts);
     }

@@ -83,7 +83,7 @@ fn energy(run: &Trajectory, t: f64) -> f64 {
 /// φ and φ̇ after two seconds against an equation by hand, at rest from φ = 1. Both err by less than 1e-12 a step, some
 /// hundred steps of which grow no faster than t.
 fn swings<M: BarSystem>(model: &M, acceleration: impl Fn(f64) -> f64) {
-    let run = ran(model, Taylor, Pose::at("phi", 1.0), "t = 2");
+    let run = ran(model, Taylor, Pose::new("phi", 1.0), "t = 2");
     let expected = swung(acceleration);
     for (x, y) in run.final_state().iter().zip(expected) {
         assert!((x - y).abs() < 1e-9, "{x} for {y}");
@@ -129,7 +129,7 @@ fn swung(acceleration: impl Fn(f64) -> f64) -> [f64; 2] {
 #[test]
 fn a_foot_slides_down_a_slope_without_events() {
     let model = Sliding { m: 1.3, l: 0.7, a: 0.3, g: G };
-    let start = || Pose::at("phi", 1.2).with("x", 0.0).with("y", 0.0);
+    let start = || Pose::new("phi", 1.2).with("x", 0.0).with("y", 0.0);
     let runs = [ran(&model, Taylor, start(), "t = 0.3"), ran(&model, Dop853, start(), "t = 0.3")];
     for run in &runs {
         let kinds: Vec<EventKind> = run.events().iter().map(|event| event.kind).collect();
@@ -145,7 +145,7 @@ fn a_foot_slides_down_a_slope_without_events() {
 fn a_rimless_wheel_strikes_the_slope_where_it_is() {
     let (a, b) = (0.1, 0.8);
     let model = Wheel { m: 1.3, l: 0.7, a, b, g: G };
-    let start = Pose::at("phi", 0.0).with("phi'", -1.0).with("x", 0.0).with("y", 0.0);
+    let start = Pose::new("phi", 0.0).with("phi'", -1.0).with("x", 0.0).with("y", 0.0);
     let simulation = Simulation::new(&model).unwrap().tolerance(1e-12).method(Taylor).start(start).unwrap();
     let run = simulation.stop_at_impacts().limit(2.0).run().unwrap();
     let strike = run.events().iter().find(|event| event.kind == EventKind::Close).unwrap();

@@ -52,7 +52,7 @@ fn rolling(method: impl Method, tolerance: f64, far: f64) -> Trajectory {
     let wheel = RimlessWheel { m: 1.0, j: 0.1, l: 1.0, gamma: GAMMA, mu: 1.5, g: 9.81 };
     let ([x, y], rate) = (on_slope(far), -2.0);
     let (sin, cos) = (-GAMMA - core::f64::consts::FRAC_PI_3).sin_cos();
-    let start = Pose::at("phi", -GAMMA).with("x", x - cos).with("y", y - sin);
+    let start = Pose::new("phi", -GAMMA).with("x", x - cos).with("y", y - sin);
     let start = start.with("phi'", rate).with("x'", rate * sin).with("y'", -rate * cos);
     run(Simulation::new(&wheel).unwrap().start(start).unwrap().limit(5.0), method, tolerance, far)
 }
@@ -101,7 +101,7 @@ fn bounces(method: &(impl Method + Clone)) {
             let what = || format!("{} {tolerance:e} {far:e} {phi}", method.name());
             let [x, y] = on_slope(far);
             let start =
-                Pose::at("phi", phi).with("x", x).with("y", y + 1.0).with("phi'", spin).with("x'", 1.0);
+                Pose::new("phi", phi).with("x", x).with("y", y + 1.0).with("phi'", spin).with("x'", 1.0);
             let simulation = Simulation::new(&block).unwrap().start(start).unwrap().limit(4.0);
             let run = run(simulation, method.clone(), tolerance, far);
             let [before, end] = [3.5, 4.0].map(|t| run.state(t));
@@ -130,7 +130,7 @@ fn a_block_is_put_on_its_slope_however_far() {
     let block = Block { m: 1.0, b: 0.6, gamma: GAMMA, mu: 0.1, e: 0.4, g: 9.81 };
     for (far, is_whole) in [1e2, 1e6, 1e9].into_iter().flat_map(|far| [(far, false), (far, true)]) {
         let [x, y] = on_slope(far);
-        let start = Pose::at("x", x);
+        let start = Pose::new("x", x);
         let start = if is_whole { start.with("y", y).with("phi", -GAMMA) } else { start };
         let simulation = Simulation::new(&block).unwrap().start(start).unwrap();
         let start = simulation.start_state().unwrap();

@@ -134,7 +134,7 @@ fn own_code_and_the_masked_kernel_run_alike() {
     use liftoff::prelude::*;
 
     fn events<M: BarSystem>(model: &M) -> Vec<(EventKind, f64)> {
-        let run = Simulation::new(model).map(|s| s.start(Pose::at("phi", 1.2)).expect("a start"));
+        let run = Simulation::new(model).map(|s| s.start(Pose::new("phi", 1.2)).expect("a start"));
         let run = run.expect("a model").until("phi = 0").expect("a condition").run().expect("a run");
         run.events().iter().map(|event| (event.kind, event.t)).collect()
     }

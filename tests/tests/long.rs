@@ -127,7 +127,7 @@ fn chains_and_a_tree() {
 #[test]
 fn a_chain_keeps_its_energy() {
     let model = Twelve { m: 1.0, l: 1.0, g: 1.0 };
-    let start = || Pose::at(Twelve::LAYOUT.coordinates[0].name, 0.3);
+    let start = || Pose::new(Twelve::LAYOUT.coordinates[0].name, 0.3);
     let prepared = || Simulation::new(&model).unwrap().tolerance(1e-12).start(start()).unwrap().limit(5.0);
     let energy = Output::parse(Twelve::LAYOUT, "T + V").unwrap();
     for run in [prepared().method(Taylor).run().unwrap(), prepared().method(Dop853).run().unwrap()] {

@@ -22,20 +22,21 @@ fn energy_is_kept_in_smooth_phases() {
     }
     let g = 9.81;
     let pair = FallingPair { m: 1.0, l: 1.0, g };
-    assert!(drift(&run(&pair, Pose::at("phi", 0.1), &["phi = pi/2"])) < 1e-12);
+    assert!(drift(&run(&pair, Pose::new("phi", 0.1), &["phi = pi/2"])) < 1e-12);
     let chain = DoublePendulum { m: 1.0, l: 1.0, g };
-    assert!(drift(&run(&chain, Pose::at("phi_1", 2.0).with("phi_2", 1.0), &["t = 2"])) < 1e-12);
+    assert!(drift(&run(&chain, Pose::new("phi_1", 2.0).with("phi_2", 1.0), &["t = 2"])) < 1e-12);
     let zigzag = Zigzag { m1: 0.5, m2: 0.5, l: 1.0, g };
-    assert!(drift(&run(&zigzag, Pose::at("phi_inner", 1.5).with("phi_outer", 1.5), &[])) < 1e-12);
+    assert!(drift(&run(&zigzag, Pose::new("phi_inner", 1.5).with("phi_outer", 1.5), &[])) < 1e-12);
 }
 
 /// The mirrored model is a substitution into the full one: the same events at the same states.
 #[test]
 fn mirrored_and_full_agree() {
     let (m1, m2, l, g) = (0.5, 0.5, 1.0, 9.81);
-    let half = run(&Zigzag { m1, m2, l, g }, Pose::at("phi_inner", 1.5).with("phi_outer", 1.5), &[]);
-    let pose =
-        ["phi_ab", "phi_bc", "phi_cd", "phi_de"].iter().fold(Pose::at("x", 0.0), |p, name| p.with(name, 1.5));
+    let half = run(&Zigzag { m1, m2, l, g }, Pose::new("phi_inner", 1.5).with("phi_outer", 1.5), &[]);
+    let pose = ["phi_ab", "phi_bc", "phi_cd", "phi_de"]
+        .iter()
+        .fold(Pose::new("x", 0.0), |p, name| p.with(name, 1.5));
     let full = run(&ZigzagFull { m1, m2, l, g }, pose, &[]);
     assert_eq!(kinds(&half), kinds(&full));
     for (a, b) in half.events().iter().zip(full.events()) {
@@ -49,7 +50,7 @@ fn mirrored_and_full_agree() {
 /// Far below, a corner's gap is rounding of a large drop at each half turn: the search for its closing must go on.
 #[test]
 fn a_long_flight_ends() {
-    let run = run(&FallingPair { m: 1.0, l: 1.0, g: 9.81 }, Pose::at("phi", 0.01), &["t = 60"]);
+    let run = run(&FallingPair { m: 1.0, l: 1.0, g: 9.81 }, Pose::new("phi", 0.01), &["t = 60"]);
     assert_eq!(kinds(&run).last(), Some(&(EventKind::Stop, vec![])));
     assert_eq!(run.end_time(), 60.0);
 }
@@ -58,8 +59,8 @@ fn a_long_flight_ends() {
 #[test]
 fn an_energy_level_needs_one_degree_of_freedom() {
     let model = ZigzagFull { m1: 0.5, m2: 0.5, l: 1.0, g: 1.0 };
-    let start = Simulation::new(&model).unwrap().start(Pose::at("phi_ab", 1.5)).unwrap();
-    let error = start.on_energy_of(Pose::at("phi_ab", 1.57)).err().unwrap();
+    let start = Simulation::new(&model).unwrap().start(Pose::new("phi_ab", 1.5)).unwrap();
+    let error = start.on_energy_of(Pose::new("phi_ab", 1.57)).err().unwrap();
     assert!(matches!(error, liftoff::StartError::Degrees { degrees: 3 }), "{error}");
 }
 
@@ -94,7 +95,7 @@ fn bars_fall_through_level_without_an_event() {
     use liftoff::method::MethodId;
     let model = FallingPairFull { m: 1.0, l: 1.0, g: 9.81 };
     let fall = |method: MethodId, tolerance: f64| {
-        let start = Pose::at("phi_left", 0.2).with("phi_right", 0.100_000_01).with("phi_left'", 0.0);
+        let start = Pose::new("phi_left", 0.2).with("phi_right", 0.100_000_01).with("phi_left'", 0.0);
         let run = Simulation::new(&model).unwrap().start(start).unwrap();
         run.method(method).tolerance(tolerance).limit(0.63).run().unwrap()
     };

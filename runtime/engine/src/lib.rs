@@ -24,7 +24,7 @@
 //! }
 //!
 //! let ladder = Ladder { m: 1.0, l: 2.0, g: 9.81 };
-//! let run = Simulation::new(&ladder)?.start(Pose::at("phi", 1.3))?.until("phi = 0")?.run()?;
+//! let run = Simulation::new(&ladder)?.start(Pose::new("phi", 1.3))?.until("phi = 0")?.run()?;
 //! let leaves = &run.events()[1];
 //! assert_eq!((leaves.kind, &leaves.supports[..]), (EventKind::Open, &["B"][..]));
 //! // sin φ = ⅔ sin φ₀, and the floor bears a quarter of the weight.

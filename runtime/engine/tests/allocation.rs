@@ -18,13 +18,13 @@ fn run(simulation: Simulation, limit: f64) -> (u64, u64) {
 fn check(method: impl Method + Copy) {
     let pendulum = || {
         let model = DoublePendulum { m: 1.0, l: 1.0, g: 9.81 };
-        let start = Pose::at("a", 2.0).with("b", 1.0);
+        let start = Pose::new("a", 2.0).with("b", 1.0);
         Simulation::new(&model).unwrap().tolerance(1e-9).method(method).start(start).unwrap()
     };
     // With a reaction and the ends of a bar watched, before anything happens.
     let pair = || {
         let model = FallingPair { m: 1.0, l: 1.0, g: 9.81 };
-        let start = Pose::at("phi", 0.001);
+        let start = Pose::new("phi", 0.001);
         Simulation::new(&model).unwrap().tolerance(1e-9).method(method).start(start).unwrap()
     };
     // What steps write is allocated once on each thread, and kept for the next run.
@@ -53,10 +53,10 @@ fn no_run_depends_on_those_before() {
     let end = |tolerance: f64, k: usize| -> Vec<u64> {
         let simulation = if k.is_multiple_of(2) {
             let model = DoublePendulum { m: 1.0, l: 1.0, g: 9.81 };
-            Simulation::new(&model).unwrap().start(Pose::at("a", 2.0).with("b", 1.0)).unwrap().limit(3.0)
+            Simulation::new(&model).unwrap().start(Pose::new("a", 2.0).with("b", 1.0)).unwrap().limit(3.0)
         } else {
             let model = FallingPair { m: 1.0, l: 1.0, g: 9.81 };
-            Simulation::new(&model).unwrap().start(Pose::at("phi", 0.1)).unwrap().limit(1.1)
+            Simulation::new(&model).unwrap().start(Pose::new("phi", 0.1)).unwrap().limit(1.1)
         };
         let run = simulation.tolerance(tolerance).method(Taylor).run().unwrap();
         run.final_state().iter().map(|x| x.to_bits()).collect()

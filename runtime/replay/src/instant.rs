@@ -104,7 +104,7 @@ impl<S: Number> Environment for Instant<'_, S> {
         arithmetic::number(x)
     }
 
-    fn read(&self, variable: Variable) -> Result<S, Unsupported> {
+    fn get_value(&self, variable: Variable) -> Result<S, Unsupported> {
         Ok(match variable {
             Variable::Time => self.t,
             Variable::Coordinate { index, order: 2 } => {

@@ -54,7 +54,7 @@ impl<S: Number> Environment for Kinematic<'_, S> {
         arithmetic::number(x)
     }
 
-    fn read(&self, variable: Variable) -> Result<S, Others> {
+    fn get_value(&self, variable: Variable) -> Result<S, Others> {
         self.value(variable).ok_or(Others)
     }
 

@@ -50,7 +50,7 @@ fn member(i: usize) -> core::result::Result<Simulation, MemberError> {
 fn prepared(i: usize, tolerance: f64) -> core::result::Result<Simulation, MemberError> {
     let model = DoublePendulum { m: 1.0, l: 1.0, g: 9.81 };
     let angle = |step: usize| 0.5 + 2.0 * step as f64 / 99.0;
-    let pose = Pose::at("phi_1", angle(i % 100)).with("phi_2", angle(i / 100));
+    let pose = Pose::new("phi_1", angle(i % 100)).with("phi_2", angle(i / 100));
     Ok(Simulation::new(&model)?.start(pose)?.limit(TIME).tolerance(tolerance))
 }
 

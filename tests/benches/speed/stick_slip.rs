@@ -12,7 +12,7 @@ pub const BELT: Belt = Belt { m: 1.0, g: 10.0, k: 4.0, mu: 0.2, mu_s: 0.5, w: 0.
 
 /// The run.
 pub fn simulation(tolerance: f64) -> Result<Simulation, Box<dyn std::error::Error>> {
-    let pose = Pose::at("x", 0.1).with("x'", 0.7);
+    let pose = Pose::new("x", 0.1).with("x'", 0.7);
     Ok(Simulation::new(&BELT)?.start(pose)?.limit(END).tolerance(tolerance))
 }
 

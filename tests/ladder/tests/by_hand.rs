@@ -128,7 +128,7 @@ fn a_loop_of_four_bars() {
 fn a_rod_on_a_rough_floor() {
     let model =
         SlippingRod { m: 1.0, l: 1.0, mu: by_hand::rubbing_rod::FRICTION, g: liftoff_ladder::GRAVITY };
-    let start = Pose::at("phi", 0.1);
+    let start = Pose::new("phi", 0.1);
     let run =
         Simulation::new(&model).unwrap().tolerance(1e-9).start(start).unwrap().limit(1.0).run().unwrap();
     let derived: Vec<f64> =

@@ -112,7 +112,7 @@ fn newton_and_poisson_agree_on_balls_that_touch() {
 fn dominoes_halve_their_rate() {
     let (m, w, h, s, g): (f64, f64, f64, f64, f64) = (0.02, 0.008, 0.048, 0.02, 9.81);
     let lean = 0.25_f64;
-    let run = run(&Dominoes { m, w, h, s, mu: 4.0, g }, Pose::at("phi", -lean), &["t = 0.12"]);
+    let run = run(&Dominoes { m, w, h, s, mu: 4.0, g }, Pose::new("phi", -lean), &["t = 0.12"]);
     let first = run.events().iter().find(|e| e.kind == EventKind::Impact).unwrap();
     let struck = (s / h).asin();
     assert_eq!(first.supports, ["C"]);

@@ -11,7 +11,7 @@ use liftoff_tests::catalogue::{a_frame, double_pendulum, folded_chain};
 #[test]
 fn a_frame_reaches_the_floor() {
     let start = 80.0_f64.to_radians();
-    let run = run(&AFrame { m: 1.0, l: 1.0, g: 1.0 }, Pose::at("phi", start), &["phi = 0"]);
+    let run = run(&AFrame { m: 1.0, l: 1.0, g: 1.0 }, Pose::new("phi", start), &["phi = 0"]);
     assert_abs_diff_eq!(run.end_time(), a_frame::time(start, 0.0), epsilon = CLOSE);
     assert_abs_diff_eq!(
         evaluate_output(&run, "y'", run.end_time()).abs(),
@@ -28,7 +28,7 @@ fn a_frame_reaches_the_floor() {
 #[test]
 fn double_pendulum_follows_the_table() {
     let model = DoublePendulum { m: 0.5, l: 0.5, g: 1.0 };
-    let run = run(&model, Pose::at("phi_1", 0.0).with("phi_2", PI - 0.1), &["t = 10"]);
+    let run = run(&model, Pose::new("phi_1", 0.0).with("phi_2", PI - 0.1), &["t = 10"]);
     for (t, expected) in double_pendulum::TABLE {
         for (value, expected) in run.state(t).iter().zip(expected) {
             assert_abs_diff_eq!(*value, expected, epsilon = 6e-9);

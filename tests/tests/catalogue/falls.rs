@@ -11,7 +11,7 @@ use liftoff_tests::catalogue::{ladder, rod_on_floor, toppling_rod};
 #[test]
 fn ladder_leaves_the_wall() {
     let start = 75.0_f64.to_radians();
-    let run = run(&Ladder { m: 1.0, l: 1.0, g: 1.0 }, Pose::at("phi", start), &["phi = 0"]);
+    let run = run(&Ladder { m: 1.0, l: 1.0, g: 1.0 }, Pose::new("phi", start), &["phi = 0"]);
     assert_eq!(
         kinds(&run),
         [(EventKind::Start, vec![]), (EventKind::Open, vec!["B"]), (EventKind::Stop, vec![])]
@@ -40,7 +40,7 @@ fn ladder_leaves_the_wall() {
 fn rod_topples_without_lifting() {
     let start = 0.01;
     let run =
-        run(&RodOnFloor { m: 1.0, l: 1.0, g: 1.0 }, Pose::at("phi", start).with("x", 0.0), &["phi = pi/2"]);
+        run(&RodOnFloor { m: 1.0, l: 1.0, g: 1.0 }, Pose::new("phi", start).with("x", 0.0), &["phi = pi/2"]);
     assert_eq!(kinds(&run), [(EventKind::Start, vec![]), (EventKind::Stop, vec![])]);
     assert_abs_diff_eq!(run.end_time(), rod_on_floor::time(start, FRAC_PI_2), epsilon = CLOSE);
     let rate = evaluate_output(&run, "phi'", run.end_time());
@@ -55,9 +55,9 @@ fn rod_topples_without_lifting() {
 fn toppling_rod_does_not_lift() {
     let start = 0.1;
     let simulation = Simulation::new(&TopplingRod { m: 1.0, l: 1.0, g: 1.0 }).unwrap().tolerance(1e-13);
-    let simulation = simulation.start(Pose::at("phi", start)).unwrap();
+    let simulation = simulation.start(Pose::new("phi", start)).unwrap();
     let run =
-        simulation.on_energy_of(Pose::at("phi", 0.0)).unwrap().until("phi = pi/2").unwrap().run().unwrap();
+        simulation.on_energy_of(Pose::new("phi", 0.0)).unwrap().until("phi = pi/2").unwrap().run().unwrap();
     assert_eq!(
         kinds(&run),
         [(EventKind::Start, vec![]), (EventKind::Touch, vec!["A"]), (EventKind::Stop, vec![])]
@@ -79,9 +79,9 @@ fn toppling_rod_does_not_lift() {
 fn toppling_rod_would_slip_at() {
     for (mu, condition) in [(0.2, "ratio(A) = 0.2"), (0.5, "ratio(A) = -0.5")] {
         let simulation = Simulation::new(&TopplingRod { m: 1.0, l: 1.0, g: 1.0 }).unwrap().tolerance(1e-13);
-        let simulation = simulation.start(Pose::at("phi", 0.1)).unwrap();
+        let simulation = simulation.start(Pose::new("phi", 0.1)).unwrap();
         let run =
-            simulation.on_energy_of(Pose::at("phi", 0.0)).unwrap().until(condition).unwrap().run().unwrap();
+            simulation.on_energy_of(Pose::new("phi", 0.0)).unwrap().until(condition).unwrap().run().unwrap();
         let slip = toppling_rod::slip_angle(mu).unwrap();
         assert_abs_diff_eq!(run.final_state()[0], slip, epsilon = CLOSE);
     }

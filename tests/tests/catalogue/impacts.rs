@@ -65,7 +65,7 @@ fn a_bouncing_ball_comes_to_rest() {
 fn a_rocking_block_loses_the_rate_of_housner() {
     let (m, g): (f64, f64) = (2.0, 9.81);
     for (b, h, start) in [(0.2, 1.0, 0.1), (0.5, 1.0, 0.2), (1.0, 1.1, 0.3)] {
-        let run = run(&RockingBlock { m, b, h, g }, Pose::at("phi", start), &["t = 1"]);
+        let run = run(&RockingBlock { m, b, h, g }, Pose::new("phi", start), &["t = 1"]);
         let first = impacts(&run)[0];
         assert_eq!(first.supports, ["B"]);
         let before = rocking_block::rate_squared(b, h, g, start, 0.0).sqrt();
@@ -82,7 +82,7 @@ fn a_rocking_block_loses_the_rate_of_housner() {
 #[test]
 fn a_squat_block_lies_down() {
     let model = RockingBlock { m: 1.0, b: 1.5, h: 1.0, g: 9.81 };
-    let run = run(&model, Pose::at("phi", 0.1), &["t = 1"]);
+    let run = run(&model, Pose::new("phi", 0.1), &["t = 1"]);
     assert_eq!(impacts(&run).len(), 1);
     for output in ["phi", "phi'", "phi''"] {
         assert_abs_diff_eq!(evaluate_output(&run, output, 1.0), 0.0, epsilon = 1e-14);

@@ -223,12 +223,12 @@ fn rigid_pendulums_have_their_periods() {
     let amplitude = 1.3;
     let hanging = (1.0_f64 / 3.0).atan();
     let elbow =
-        run(&Elbow { m, l, g }, Pose::at("phi", amplitude - hanging), &[&format!("phi = -{hanging}")]);
+        run(&Elbow { m, l, g }, Pose::new("phi", amplitude - hanging), &[&format!("phi = -{hanging}")]);
     let square = 2.0 * g * 10.0_f64.sqrt() / 4.0 * 3.0 / (5.0 * l);
     assert_abs_diff_eq!(4.0 * elbow.end_time(), parallelogram::period(square, amplitude), epsilon = CLOSE);
 
     let hanging = -0.75 * PI;
-    let plate = run(&Plate { m, l, g }, Pose::at("phi", hanging + amplitude), &["phi = -3 * pi / 4"]);
+    let plate = run(&Plate { m, l, g }, Pose::new("phi", hanging + amplitude), &["phi = -3 * pi / 4"]);
     let square = 2.0_f64.sqrt() * g / l;
     assert_abs_diff_eq!(4.0 * plate.end_time(), parallelogram::period(square, amplitude), epsilon = CLOSE);
 }

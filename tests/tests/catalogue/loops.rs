@@ -14,7 +14,7 @@ use liftoff_tests::numerics::integral;
 fn a_parallelogram_swings_like_a_pendulum() {
     for (m, c, amplitude) in [(1.0, 1.0, 1.0), (0.1, 3.0, 0.4), (2.0, 0.0, 1.5)] {
         let model = Parallelogram { m, l: 1.0, c, d: 2.0, g: 9.81 };
-        let run = run(&model, Pose::at("phi", amplitude), &["phi = 0"]);
+        let run = run(&model, Pose::new("phi", amplitude), &["phi = 0"]);
         let square = parallelogram::frequency_squared(m, c, 1.0, 9.81);
         assert_abs_diff_eq!(4.0 * run.end_time(), parallelogram::period(square, amplitude), epsilon = CLOSE);
         assert_abs_diff_eq!(evaluate_output(&run, "tilt", run.end_time()), 0.0, epsilon = CLOSE);
@@ -72,7 +72,7 @@ fn published(state: &[f64]) -> Vec<f64> {
 #[test]
 fn the_squeezer_starts_where_published() {
     let model = Squeezer { torque: 0.033, k: 4530.0 };
-    let run = run(&model, Pose::at("theta", 0.0), &["t = 0.001"]);
+    let run = run(&model, Pose::new("theta", 0.0), &["t = 0.001"]);
     for (found, expected) in published(&run.state(0.0)).iter().zip(squeezer::START) {
         assert_abs_diff_eq!(*found, expected, epsilon = 1e-14);
     }
@@ -87,7 +87,7 @@ fn the_squeezer_starts_where_published() {
 #[test]
 fn the_squeezer_ends_where_published() {
     let model = Squeezer { torque: 0.033, k: 4530.0 };
-    let run = run(&model, Pose::at("theta", 0.0), &["t = 0.03"]);
+    let run = run(&model, Pose::new("theta", 0.0), &["t = 0.03"]);
     let found = published(&run.final_state());
     for (found, expected) in found.iter().zip(squeezer::state(0.03, 900)) {
         assert_relative_eq!(*found, expected, max_relative = CLOSE);
@@ -104,7 +104,7 @@ fn the_squeezer_ends_where_published() {
 #[test]
 fn loops_take_the_tolerance_that_is_asked_for() {
     let model = Squeezer { torque: 0.033, k: 4530.0 };
-    let simulation = Simulation::new(&model).unwrap().start(Pose::at("theta", 0.0)).unwrap().limit(0.03);
+    let simulation = Simulation::new(&model).unwrap().start(Pose::new("theta", 0.0)).unwrap().limit(0.03);
     let expected = squeezer::state(0.03, 900);
     let mut steps = Vec::new();
     for tolerance in [1e-5, 1e-10] {

@@ -130,7 +130,7 @@ fn jansens_leg_steps_along_the_ground() {
 fn a_balance_wheel_comes_to_one_swing() {
     let (inertia, k, c, push, first) = (0.5, 20.0, 0.3, 1.5, -0.2);
     let model = BalanceWheel { m: 2.0, inertia, r: 1.0, k, c, push };
-    let run = prepared(&model, Pose::at("phi", first), &["t = 40"]).run().unwrap();
+    let run = prepared(&model, Pose::new("phi", first), &["t = 40"]).run().unwrap();
     let (omega, zeta) = ((k / inertia).sqrt(), 0.5 * c / (k * inertia).sqrt());
     let half = PI / (omega * (1.0 - zeta * zeta).sqrt());
     let left = (-PI * zeta / (1.0 - zeta * zeta).sqrt()).exp();

@@ -49,8 +49,8 @@ fn a_marble_leaves_the_ball_at_two_thirds() {
     let start = 0.1_f64;
     let model = Marble { m: 1.0, r: 1.0, g: 1.0 };
     let simulation = Simulation::new(&model).unwrap().tolerance(1e-13);
-    let simulation = simulation.start(Pose::at("x", start.sin())).unwrap();
-    let run = simulation.on_energy_of(Pose::at("x", 0.0)).unwrap().until("y = 0").unwrap().run().unwrap();
+    let simulation = simulation.start(Pose::new("x", start.sin())).unwrap();
+    let run = simulation.on_energy_of(Pose::new("x", 0.0)).unwrap().until("y = 0").unwrap().run().unwrap();
     let open = &run.events()[1];
     assert_eq!((open.kind, &open.supports[..]), (EventKind::Open, &["P"][..]));
     let leaving = (2.0_f64 / 3.0).acos();

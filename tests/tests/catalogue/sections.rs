@@ -12,7 +12,7 @@ use liftoff_tests::catalogue::{chimney, hinged_bar};
 fn forces_inside_a_falling_chimney() {
     for part in [0.0, 0.1, 1.0 / 3.0, 0.5, 0.9, 1.0] {
         let model = Chimney { m: 1.0, l: 1.0, s: part, g: 1.0 };
-        let run = run(&model, Pose::at("phi", 0.1), &["phi = pi/2"]);
+        let run = run(&model, Pose::new("phi", 0.1), &["phi = pi/2"]);
         for tenth in 0..=10 {
             let t = run.end_time() * f64::from(tenth) / 10.0;
             let (phi, rate) = (evaluate_output(&run, "phi", t), evaluate_output(&run, "phi'", t));
@@ -38,7 +38,7 @@ fn forces_inside_a_falling_chimney() {
 fn a_chimney_breaks_at_a_third_of_its_height() {
     let moment = |s: f64| {
         let model = Chimney { m: 1.0, l: 3.0, s, g: 1.0 };
-        let run = run(&model, Pose::at("phi", 1.0), &["phi = 1.2"]);
+        let run = run(&model, Pose::new("phi", 1.0), &["phi = 1.2"]);
         evaluate_output(&run, "moment(S)", run.end_time()).abs()
     };
     let largest = (1..=29).map(|k| 0.1 * f64::from(k)).max_by(|a, b| moment(*a).total_cmp(&moment(*b)));
@@ -48,7 +48,7 @@ fn a_chimney_breaks_at_a_third_of_its_height() {
 /// The hinge bears what the centre's acceleration leaves of the weight.
 #[test]
 fn released_level_the_hinge_force_follows() {
-    let run = run(&Pendulum { m: 1.0, l: 1.0, g: 1.0 }, Pose::at("phi", FRAC_PI_2), &["phi = 0"]);
+    let run = run(&Pendulum { m: 1.0, l: 1.0, g: 1.0 }, Pose::new("phi", FRAC_PI_2), &["phi = 0"]);
     for part in 0..=8 {
         let t = run.end_time() * f64::from(part) / 8.0;
         let below = FRAC_PI_2 - evaluate_output(&run, "phi", t);
@@ -63,6 +63,6 @@ fn released_level_the_hinge_force_follows() {
 
 #[test]
 fn pendulum_has_its_period() {
-    let run = run(&Pendulum { m: 1.0, l: 1.0, g: 1.0 }, Pose::at("phi", FRAC_PI_2), &["phi = 0"]);
+    let run = run(&Pendulum { m: 1.0, l: 1.0, g: 1.0 }, Pose::new("phi", FRAC_PI_2), &["phi = 0"]);
     assert_abs_diff_eq!(4.0 * run.end_time(), hinged_bar::period(FRAC_PI_2), epsilon = CLOSE);
 }

@@ -68,7 +68,7 @@ struct Shelf {
 fn a_support_vanishes() {
     for d in [0.5, 0.3, 0.1] {
         let model = Shelf { m: 1.0, l: 1.0, d, g: 1.0 };
-        let start = Pose::at("theta_AB", 0.0);
+        let start = Pose::new("theta_AB", 0.0);
         let run = prepared(&model, start, &["t = 0.6"]).release("Q", 0.5).unwrap().run().unwrap();
         let release = &run.events()[1];
         assert_eq!((release.kind, &release.supports[..], release.t), (EventKind::Release, &["Q"][..], 0.5));
@@ -85,7 +85,7 @@ fn a_support_vanishes() {
 #[test]
 fn three_supports_bear_a_rod_in_many_ways() {
     let model = RodOnThree { m: 2.0, l: 1.0, g: 9.81 };
-    let start = Pose::at("phi", 0.0);
+    let start = Pose::new("phi", 0.0);
     let run = prepared(&model, start, &["t = 1"]).release("A", 0.5).unwrap().run().unwrap();
     assert!(
         run.log().iter().any(|entry| entry.decision == LoggedDecision::ReactionsNotUnique),

@@ -31,7 +31,7 @@ impl Section {
         let first = words.next();
         let kind = EventKind::ALL.into_iter().find(|kind| first == Some(kind.name()));
         if let (Some(kind), support, None) = (kind, words.next(), words.next()) {
-            return Ok(Self::Event(EventFilter::of(layout, kind, support)?));
+            return Ok(Self::Event(EventFilter::new(layout, kind, support)?));
         }
         let condition = Condition::parse(layout, text);
         condition.map(Self::Condition).map_err(|why| OrbitError::Section { text: text.to_owned(), why })

@@ -100,12 +100,12 @@ mod tests {
     #[test]
     fn what_was_chosen_is_told() {
         let struck = Simulation::new(&Struck { m: 1.0, l: 1.0, e: 0.5, g: 9.81 }).unwrap();
-        let struck = struck.start(Pose::at("phi", 0.1).with("x", 0.0).with("y", 0.0)).unwrap();
+        let struck = struck.start(Pose::new("phi", 0.1).with("x", 0.0).with("y", 0.0)).unwrap();
         let told = decisions(&struck.limit(1.0).run().unwrap());
         assert!(matches!(&told[..], [one] if one.contains("the order of the impacts matters")), "{told:?}");
 
         let bracket = Bracket { m: 2.0, d: 0.05, h: 0.1, s: 0.3, mu: 0.25, g: 9.81 };
-        let bracket = Simulation::new(&bracket).unwrap().start(Pose::at("phi", 0.0).with("y", 0.0)).unwrap();
+        let bracket = Simulation::new(&bracket).unwrap().start(Pose::new("phi", 0.0).with("y", 0.0)).unwrap();
         let run = bracket.limit(1.0).run().unwrap();
         assert!(run.final_state()[3..].iter().all(|rate| rate.abs() < 1e-12), "{:?}", run.final_state());
         let told = decisions(&run);

@@ -15,7 +15,7 @@ use crate::system::Phase;
 
 /// `start` with the rates that its phase has on the energy level of `level`.
 pub(crate) fn on_energy_of(context: &RunContext, start: &Start, level: &Start) -> Result<Start, StartError> {
-    let phase = |state: &[f64]| chart::at(context, start.touching, state, (CLOSED, CLOSED)).1;
+    let phase = |state: &[f64]| chart::choose_chart(context, start.touching, state, (CLOSED, CLOSED)).1;
     let at_level = phase(&level.state);
     let energy = at_level.energy(&reduce(&*at_level, &level.state));
     let search = EnergyLevel { context, start, level, energy };

@@ -81,7 +81,7 @@ impl<'a> Path<'a> {
         if closed.len() > open.len() {
             return None;
         }
-        let begin = Point::at(assembly, (closed, open), 0.0, q);
+        let begin = Point::evaluate(assembly, (closed, open), 0.0, q);
         let values = &begin.svd.singular_values;
         let is_independent = values.min() > INDEPENDENT * values.max();
         let is_determined = is_independent && begin.gap.amax() <= CLOSED;
@@ -137,7 +137,7 @@ impl<'a> Path<'a> {
         let mut most = length;
         for _ in 0..CORRECTIONS {
             self.open.iter().zip(change.iter()).for_each(|(&i, by)| q[i] += by * self.unit(i));
-            let mut point = Point::at(self.assembly, (self.closed, self.open), fraction, q.clone());
+            let mut point = Point::evaluate(self.assembly, (self.closed, self.open), fraction, q.clone());
             change = -point.solve(&point.gap)?;
             if is_long && change.amax() > NEAR {
                 return None;
@@ -158,7 +158,7 @@ impl<'a> Path<'a> {
 }
 
 impl Point {
-    fn at(
+    fn evaluate(
         assembly: &AssemblyProblem<'_>,
         (closed, open): (&[usize], &[usize]),
         fraction: f64,

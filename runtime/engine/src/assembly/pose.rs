@@ -23,7 +23,7 @@ impl Pose {
     }
 
     /// One coordinate or rate given.
-    pub fn at(name: impl CoordinateName, value: f64) -> Self {
+    pub fn new(name: impl CoordinateName, value: f64) -> Self {
         Self::nominal().with(name, value)
     }
 

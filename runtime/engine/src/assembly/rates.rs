@@ -25,7 +25,7 @@ struct Rows {
 }
 
 impl Rows {
-    fn of(equations: &Equations<f64>) -> Self {
+    fn from_equations(equations: &Equations<f64>) -> Self {
         let (n, count) = (equations.force().len(), equations.gap().len());
         Self {
             mass: DMatrix::from_fn(n, n, |i, j| equations.mass(i)[j]),
@@ -42,7 +42,7 @@ pub(super) fn rates(
     closed: ContactSet,
     given: &[Option<f64>],
 ) -> Result<(Vec<f64>, ContactSet), StartError> {
-    let rows = Rows::of(&assembly.rows(positions));
+    let rows = Rows::from_equations(&assembly.rows(positions));
     let scales = &assembly.context.scales;
     let size = |(rate, coordinate): (&Option<f64>, _)| {
         rate.unwrap_or(0.0).abs() * scales.length / scales.coordinate(coordinate)

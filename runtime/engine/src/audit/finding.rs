@@ -89,7 +89,7 @@ pub(crate) struct Bounds {
 }
 
 impl Bounds {
-    pub(crate) fn of(tolerance: f64, steps: u64) -> Self {
+    pub(crate) fn new(tolerance: f64, steps: u64) -> Self {
         Self { error: tolerance.max(SOLVED), steps: steps as f64, passages: 0.0 }
     }
 

@@ -76,7 +76,7 @@ impl Seam<'_> {
         let [positions, rates] = chart::apart(self.context, before, after);
         // Times are told apart by the spacing of doubles, in which a fast motion comes far.
         let [_, rounding] = self.context.travelled(before, self.t);
-        let bound = Bounds::of(self.tolerance, 1).jump() + rounding;
+        let bound = Bounds::new(self.tolerance, 1).jump() + rounding;
         let finding = |quantity, value| Some(Finding { t: self.t, quantity, value, bound });
         let kick = if self.is_struck { None } else { finding(Quantity::Kick, rates) };
         [finding(Quantity::Jump, positions), kick]
@@ -100,7 +100,7 @@ impl Trajectory {
         // A start may lie below edges, round whose ends it has gone; what is armed, below its ground.
         let mut fresh = self.layout().edges();
         for (k, phase) in self.phases.iter().enumerate() {
-            passed = passed.union(self.find_sunk(phase, &phase.at(phase.t0)).intersection(fresh));
+            passed = passed.union(self.find_sunk(phase, &phase.interpolate(phase.t0)).intersection(fresh));
             self.look_into((phase, self.ended_by(k)), &mut passed, &mut audit);
             fresh = phase.removed;
         }
@@ -117,8 +117,8 @@ impl Trajectory {
     /// What changes from one phase to the next.
     fn look_between(&self, [before, after]: [&RecordedPhase; 2], audit: &mut Audit) {
         let (context, t) = (&self.context, after.t0);
-        let [from, to] = [before.at(before.t1), after.at(t)];
-        let bounds = Bounds::of(self.tolerance, 1);
+        let [from, to] = [before.interpolate(before.t1), after.interpolate(t)];
+        let bounds = Bounds::new(self.tolerance, 1);
         let seam = Seam { context, t, tolerance: self.tolerance, is_struck: after.is_struck };
         seam.compare(from.state(), to.state()).into_iter().flatten().for_each(|finding| audit.note(finding));
         audit.note(Finding { t, quantity: Quantity::Order, value: before.t1 - t, bound: 0.0 });
@@ -129,13 +129,13 @@ impl Trajectory {
             // A spring that comes or goes takes its energy with it.
             let left = context.switched_as(from.state(), to.state());
             let [old, new] = [&left, to.state()].map(|state| context.system().energy(state));
-            let value = gain(&context.scales, [&old, &new], self.told(t));
+            let value = gain(&context.scales, [&old, &new], self.sum_recorded_gains(t));
             audit.note(Finding { t, quantity: Quantity::Impact, value, bound: bounds.impact() });
         }
     }
 
     /// The energy that the events and decisions at a time say that impacts have gained, J.
-    fn told(&self, t: f64) -> f64 {
+    fn sum_recorded_gains(&self, t: f64) -> f64 {
         let told = |event: &Event| match event.note {
             Some(Note::EnergyGained(energy)) => Some(energy),
             _ => None,

@@ -27,10 +27,10 @@ impl Trajectory {
         let times: Vec<f64> = phase.times().collect();
         let between = times.windows(2).flat_map(|t| [t[0], 0.5 * (t[0] + t[1])]);
         let seen: Vec<f64> = between.chain(times.last().copied()).collect();
-        let bounds = Bounds::of(self.tolerance, times.len() as u64);
+        let bounds = Bounds::new(self.tolerance, times.len() as u64);
         let mut before = phase.t0;
         for &t in &seen {
-            let point = phase.at(t);
+            let point = phase.interpolate(t);
             *passed = self.find_passed(phase, (before, &point), *passed);
             before = t;
             let (set, absent) = (phase.segment().set, phase.removed.union(*passed));
@@ -45,7 +45,7 @@ impl Trajectory {
 
     /// The distance within which a gap counts as zero, and a foot as at the end of its bar.
     fn margin(&self) -> f64 {
-        Bounds::of(self.tolerance, 1).gap() * self.context.scales.length
+        Bounds::new(self.tolerance, 1).gap() * self.context.scales.length
     }
 
     /// Open contacts below their grounds at a point of a phase.
@@ -77,10 +77,10 @@ impl Trajectory {
         let (mut above, mut below) = (before, t);
         for _ in 0..HALVINGS {
             let middle = 0.5 * (above + below);
-            let gap = self.context.gaps(phase.at(middle).state())[contact];
+            let gap = self.context.gaps(phase.interpolate(middle).state())[contact];
             *if gap < 0.0 { &mut below } else { &mut above } = middle;
         }
-        self.context.find_beyond_end(phase.at(below).state(), self.margin()).contains(contact)
+        self.context.find_beyond_end(phase.interpolate(below).state(), self.margin()).contains(contact)
     }
 
     /// The largest pull of a contact that can only push, or only pull the other way. Where reactions are not unique, those given
@@ -100,13 +100,15 @@ impl Trajectory {
         if free.is_empty() || self.log.iter().any(|entry| vague(&entry.decision)) {
             return None;
         }
-        let reactions: Vec<_> = seen.iter().map(|&t| (t, phase.at(t).reactions())).collect();
+        let reactions: Vec<_> = seen.iter().map(|&t| (t, phase.interpolate(t).reactions())).collect();
         let set = phase.segment().set;
         let pull = |i: usize, all: &[f64]| -f64::from(set.side(i).sign()) * all[i];
         let pulled = |t: f64, all: &[f64]| worst(free.iter().filter(|i| !opens(t, i)).map(|i| pull(i, all)));
         let largest = reactions.iter().flat_map(|(_, all)| all.iter().map(|r| r.abs()));
-        let scales =
-            self.context.scales.moving_at(self.layout(), &phase.at(phase.t0).state()[self.context.rates()]);
+        let scales = self
+            .context
+            .scales
+            .moving_at(self.layout(), &phase.interpolate(phase.t0).state()[self.context.rates()]);
         let size = largest.fold(scales.force().max(f64::MIN_POSITIVE), f64::max);
         let pulls = reactions.iter().filter_map(|(t, all)| Some((*t, pulled(*t, all)?)));
         let (t, pull) = pulls.reduce(|a, b| if a.1.is_nan() || b.1 <= a.1 { a } else { b })?;
@@ -117,8 +119,8 @@ impl Trajectory {
     fn look_at_energy(&self, phase: &RecordedPhase, times: &[f64], audit: &mut Audit) {
         let context = &self.context;
         let logged = self.log.iter().filter(|entry| phase.t0 <= entry.t && entry.t <= phase.t1);
-        let bounds = Bounds::of(self.tolerance, times.len() as u64).past(logged);
-        let begun = phase.at(phase.t0);
+        let bounds = Bounds::new(self.tolerance, times.len() as u64).past(logged);
+        let begun = phase.interpolate(phase.t0);
         let start = context.system().energy(begun.state());
         let mut work = Work::default();
         let [_, mut lost] = self.rounding(&begun, 0.0);
@@ -127,7 +129,7 @@ impl Trajectory {
             if !context.is_conservative() {
                 work.add(context, phase, [step[0], step[1]]);
             }
-            let point = phase.at(step[1]);
+            let point = phase.interpolate(step[1]);
             let now = context.system().energy(point.state());
             if step[1] < phase.t1 && !(now.kinetic + now.potential).is_finite() {
                 // Where the ends of a spring meet it has no direction; what follows is compared with the start as well.

@@ -60,7 +60,7 @@ struct Rod {
 
 fn bouncing() -> Trajectory {
     let run = Simulation::new(&Particle { m: 1.0, g: 1.0, e: 0.8 }).unwrap();
-    run.start(Pose::at("y", 1.0).with("x'", 1.0)).unwrap().limit(5.0).run().unwrap()
+    run.start(Pose::new("y", 1.0).with("x'", 1.0)).unwrap().limit(5.0).run().unwrap()
 }
 
 fn broken(audit: &Audit) -> Vec<Quantity> {
@@ -82,7 +82,7 @@ fn a_bouncing_ball_is_clean() {
 fn contacts_without_a_reaction_do_not_pull() {
     for phi in [0.3, 0.7, 1.0, 1.2, 1.5] {
         let run = Simulation::new(&Ladder { m: 0.7, l: 0.6, g: 9.81 }).unwrap();
-        let start = Pose::at("phi", phi).with("phi'", 0.0).with("y", 0.1).with("y'", 2.0);
+        let start = Pose::new("phi", phi).with("phi'", 0.0).with("y", 0.1).with("y'", 2.0);
         let audit = run.start(start).unwrap().limit(0.3).run().unwrap().audit();
         assert!(audit.is_clean(), "{phi}: {audit}");
     }
@@ -92,7 +92,7 @@ fn contacts_without_a_reaction_do_not_pull() {
 #[test]
 fn a_load_does_work() {
     let run = Simulation::new(&Driven { m: 1.0, l: 1.0, g: 1.0, c: 0.1 }).unwrap();
-    let run = run.start(Pose::at("phi", 2.0)).unwrap().limit(10.0).run().unwrap();
+    let run = run.start(Pose::new("phi", 2.0)).unwrap().limit(10.0).run().unwrap();
     let energy = run.output("E").unwrap();
     let gained = run.value(&energy, 10.0) - run.value(&energy, 0.0);
     assert!((gained - 0.1 * (run.final_state()[0] - 2.0)).abs() < 1e-10 && gained.abs() > 1e-3, "{gained}");
@@ -104,7 +104,7 @@ fn a_load_does_work() {
 #[test]
 fn an_impact_gains_what_its_law_tells() {
     let run = Simulation::new(&Rod { m: 1.0, l: 1.0, g: 9.81, mu: 0.8 }).unwrap();
-    let start = Pose::at("theta", 1.0).with("x_A", 0.0).with("y_A", 0.01);
+    let start = Pose::new("theta", 1.0).with("x_A", 0.0).with("y_A", 0.01);
     let start = start.with("x_A'", 0.8).with("y_A'", -1.0).with("theta'", 0.0);
     let mut run = run.start(start).unwrap().limit(0.05).run().unwrap();
     let gains = |event: &&mut Event| matches!(event.note, Some(Note::EnergyGained(energy)) if energy > 1e-3);
@@ -117,7 +117,7 @@ fn an_impact_gains_what_its_law_tells() {
 #[test]
 fn energies_are_compared_with_those_on_the_way() {
     let run = Simulation::new(&Driven { m: 1.0, l: 1.0, g: 9.81, c: 0.0 }).unwrap().method(MethodId::Gauss);
-    let run = run.start(Pose::at("phi", core::f64::consts::FRAC_PI_2)).unwrap().tolerance(4.699e-8);
+    let run = run.start(Pose::new("phi", core::f64::consts::FRAC_PI_2)).unwrap().tolerance(4.699e-8);
     for end in [2.9006, 3.193] {
         let run = run.clone().limit(end).run().unwrap_or_else(|error| panic!("{error}"));
         assert!(run.audit().is_clean(), "{}", run.audit());
@@ -144,7 +144,7 @@ fn velocities_jump_at_impacts_alone() {
 /// energy is no error of theirs.
 #[test]
 fn bounds_of_energies_say_something() {
-    let energy = |tolerance: f64, steps: u64| Bounds::of(tolerance, steps).energy();
+    let energy = |tolerance: f64, steps: u64| Bounds::new(tolerance, steps).energy();
     assert!(energy(1e-3, 80) <= 0.1 && energy(1e-5, 1_000_000) <= 0.1);
     assert!((energy(1e-9, 90) - 1e-5).abs() < 1e-12);
 }

@@ -25,7 +25,7 @@ pub(super) fn levers(layout: &Layout, rows: &[usize], entry: impl Fn(usize, usiz
 }
 
 impl ClosedRows {
-    pub(super) fn of(system: &dyn System, state: &[f64], closed: &ContactSet) -> Self {
+    pub(super) fn compute(system: &dyn System, state: &[f64], closed: &ContactSet) -> Self {
         let (layout, equations) = (system.layout(), system.equations(state));
         let slides = |row: usize| layout.sliding(closed).any(|(_, friction)| friction.row == row);
         let acts = |row: &usize| layout.is_closed(*row, closed) || slides(*row);
@@ -55,13 +55,15 @@ impl ClosedRows {
     }
 
     /// The place of a row of the layout among the closed ones.
-    pub(super) fn place(&self, row: usize) -> Option<usize> {
+    pub(super) fn find_index(&self, row: usize) -> Option<usize> {
         self.rows.iter().position(|&other| other == row)
     }
 
     /// Adds the friction of a contact that slides to the row of its normal, `J_N − σ μ J_t`, and takes that of its tangent out.
     pub(super) fn bend(&mut self, friction: Friction, signed_mu: f64) {
-        if let (Some(normal), Some(tangent)) = (self.place(friction.contact), self.place(friction.row)) {
+        if let (Some(normal), Some(tangent)) =
+            (self.find_index(friction.contact), self.find_index(friction.row))
+        {
             let bent = self.jacobian.row(normal) - self.jacobian.row(tangent) * signed_mu;
             self.jacobian.set_row(normal, &bent);
             self.jacobian.row_mut(tangent).fill(0.0);

@@ -25,17 +25,17 @@ impl Equations {
         } else {
             Self::expanded(model, series.long_equations(&motion(layout, state, accelerations)))
         };
-        found.unwrap_or_else(|| Self::of(model, &model.system.equations(state), (1, |x, _| *x)))
+        found.unwrap_or_else(|| Self::from_equations(model, &model.system.equations(state), (1, |x, _| *x)))
     }
 
     fn expanded<const ORDERS: usize>(
         model: &Model,
         equations: Option<system::Equations<Jet<f64, ORDERS>>>,
     ) -> Option<Self> {
-        equations.map(|equations| Self::of(model, &equations, (ORDERS, |x, k| x.coefficient(k))))
+        equations.map(|equations| Self::from_equations(model, &equations, (ORDERS, |x, k| x.coefficient(k))))
     }
 
-    fn of<S: Copy>(
+    fn from_equations<S: Copy>(
         model: &Model,
         equations: &system::Equations<S>,
         (orders, coefficient): (usize, impl Fn(&S, usize) -> f64),

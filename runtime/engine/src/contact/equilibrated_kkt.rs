@@ -69,7 +69,7 @@ impl EquilibratedKkt {
     }
 
     /// The same for the rows of a model.
-    pub(super) fn of(self, layout: &'static Layout) -> Self {
+    pub(super) fn with_layout(self, layout: &'static Layout) -> Self {
         Self { layout: Some(layout), ..self }
     }
 

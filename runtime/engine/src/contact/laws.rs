@@ -44,7 +44,7 @@ pub(crate) struct Rough {
 }
 
 const FRICTION: Rough =
-    Rough { end_slip: Collision::tangential_impact, holds, least_hold, grip: Grip::of, margin };
+    Rough { end_slip: Collision::tangential_impact, holds, least_hold, grip: Grip::compute, margin };
 
 /// Contacts without friction.
 static SMOOTH: Laws = Laws {

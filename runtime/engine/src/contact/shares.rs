@@ -57,13 +57,13 @@ pub(crate) fn shortest_reactions(
     dual: &mut Option<DVector<f64>>,
 ) -> Numbers {
     let layout = system.layout();
-    let closed_rows = ClosedRows::of(system, state, closed);
+    let closed_rows = ClosedRows::compute(system, state, closed);
     let slips = slips(system, state);
-    let contacts = closed.iter().filter_map(|contact| Some((contact, closed_rows.place(contact)?)));
+    let contacts = closed.iter().filter_map(|contact| Some((contact, closed_rows.find_index(contact)?)));
     let factor = |(contact, normal): (usize, usize)| {
         let friction = layout.contacts[contact].friction;
         let tangent =
-            friction.and_then(|entry| Some((entry, closed_rows.place(layout.frictions[entry].row)?)));
+            friction.and_then(|entry| Some((entry, closed_rows.find_index(layout.frictions[entry].row)?)));
         match tangent {
             None => Factor::Pressing(normal),
             Some((entry, tangent)) => match closed.slip(contact) {

@@ -51,7 +51,7 @@ fn undetermined(model: &Model, equations: &Equations, closed: ContactSet) -> Vec
     let (force, bias) = (&equations.force[0], &equations.bias[0]);
     let (mass, jacobian) = (&equations.mass[0], &equations.jacobian[0]);
     let kkt = EquilibratedKkt::new(mass, jacobian, (force, bias), (&force.abs(), &bias.abs()));
-    kkt.of(layout).undetermined(&rows)
+    kkt.with_layout(layout).undetermined(&rows)
 }
 
 #[cfg(test)]

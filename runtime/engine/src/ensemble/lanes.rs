@@ -134,7 +134,7 @@ impl Entered {
     fn keeps_energy(&self, end: &LaneEnd<'_>, state: &[f64]) -> bool {
         let Some(before) = &self.energy else { return true };
         let (context, steps) = (&*self.simulation.context, end.counts.accepted + end.counts.rejected);
-        let bounds = Bounds::of(self.simulation.tolerance, steps);
+        let bounds = Bounds::new(self.simulation.tolerance, steps);
         let now = context.system().energy(state);
         !energy_finding(context, end.t, [before, &now], (&Work::default(), &bounds)).is_violation()
     }

@@ -28,7 +28,7 @@
 //! let lengths = [0.5, 1.0, 2.0];
 //! let ends = Ensemble::new(lengths.len(), |i| {
 //!     let pendulum = Pendulum { m: 1.0, l: lengths[i], g: 9.81 };
-//!     Ok(Simulation::new(&pendulum)?.start(Pose::at("phi", 0.1))?.limit(10.0))
+//!     Ok(Simulation::new(&pendulum)?.start(Pose::new("phi", 0.1))?.limit(10.0))
 //! })
 //! .side_by_side(lanes::<Pendulum>)
 //! .run();

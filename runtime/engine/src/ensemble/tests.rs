@@ -55,7 +55,7 @@ const MODEL: DoublePendulum = DoublePendulum { m: 1.0, l: 1.0, g: 9.81 };
 fn member(i: usize) -> Result<Simulation, MemberError> {
     let x = i as f64;
     let model = DoublePendulum { l: 1.0 + 0.1 * (x * 0.7).sin(), ..MODEL };
-    let start = Pose::at("phi_1", 0.5 + 0.05 * x).with("phi_2", 2.0 - 0.03 * x);
+    let start = Pose::new("phi_1", 0.5 + 0.05 * x).with("phi_2", 2.0 - 0.03 * x);
     Ok(Simulation::new(&model)?.start(start)?.limit(1.0 + (x * 1.3).sin().abs()).tolerance(1e-10))
 }
 
@@ -117,7 +117,7 @@ fn errors_are_kept_in_their_places() {
     let ends = side_by_side(12, |i| {
         let simulation = member(i)?;
         match i {
-            3 => Ok(simulation.start(Pose::at("psi", 1.0))?),
+            3 => Ok(simulation.start(Pose::new("psi", 1.0))?),
             5 => Ok(simulation.tolerance(2.0)),
             7 => Ok(simulation.start(Pose::nominal())?),
             _ => Ok(simulation),
@@ -135,7 +135,7 @@ fn errors_are_kept_in_their_places() {
 
 #[test]
 fn an_ensemble_stops_when_told() {
-    let failing = |i: usize| member(i)?.start(Pose::at("psi", 1.0)).map_err(MemberError::from);
+    let failing = |i: usize| member(i)?.start(Pose::new("psi", 1.0)).map_err(MemberError::from);
     let run = AtomicUsize::new(0);
     let count = |i: usize| {
         run.fetch_add(1, Ordering::Relaxed);
@@ -222,7 +222,7 @@ fn outputs_are_those_of_the_end() {
 fn a_member_that_loses_its_energy_is_refused_side_by_side_too() {
     let given = |i: usize| {
         let turns = [0.0, 1e9][i % 2];
-        let start = Pose::at("phi_1", 0.5 + turns).with("phi_2", 2.0 + turns);
+        let start = Pose::new("phi_1", 0.5 + turns).with("phi_2", 2.0 + turns);
         Ok(Simulation::new(&MODEL)?.start(start)?.limit(2.0).tolerance(1e-12))
     };
     let (beside, alone) = (side_by_side(4, given).run(), Ensemble::new(4, given).run());

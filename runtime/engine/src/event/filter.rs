@@ -22,7 +22,7 @@ impl EventFilter {
     ///
     /// # Errors
     /// The model has no such support.
-    pub fn of(
+    pub fn new(
         layout: &'static Layout,
         kind: EventKind,
         support: impl ContactFilter,

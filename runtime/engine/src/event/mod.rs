@@ -61,7 +61,7 @@ impl Event {
     /// # #[coordinate(phi = angle(OA), from = down)]
     /// # struct Pendulum { m: f64, l: f64, g: f64 }
     /// # let pendulum = Pendulum { m: 1.0, l: 1.0, g: 9.81 };
-    /// let run = Simulation::new(&pendulum)?.start(Pose::at("phi", 1.0))?.until("phi = 0.5")?.run()?;
+    /// let run = Simulation::new(&pendulum)?.start(Pose::new("phi", 1.0))?.until("phi = 0.5")?.run()?;
     /// let stop = run.events().last().expect("an end");
     /// assert!((stop["phi"] - 0.5).abs() < 1e-12 && stop["phi'"] < 0.0);
     /// assert!(stop.get("psi").is_none());

@@ -40,7 +40,7 @@ pub(crate) enum Relation {
 impl Condition {
     /// Reads a condition with the names of a model.
     pub fn parse(layout: &'static Layout, text: &str) -> Result<Self, OutputError> {
-        let mut parser = Parser::new(text, Vocabulary::of(layout))?;
+        let mut parser = Parser::new(text, Vocabulary::new(layout))?;
         let left = parser.sum()?;
         let relation = if parser.take('<') {
             Some(Relation::Less)

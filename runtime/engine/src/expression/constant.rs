@@ -45,7 +45,7 @@ impl Environment for Parameters<'_> {
         x
     }
 
-    fn read(&self, variable: Variable) -> Result<f64, NotConstant> {
+    fn get_value(&self, variable: Variable) -> Result<f64, NotConstant> {
         match variable {
             Variable::Parameter(i) => self.0.get(i).copied().ok_or(NotConstant),
             _ => Err(NotConstant),
@@ -53,10 +53,10 @@ impl Environment for Parameters<'_> {
     }
 
     fn apply(&self, function: Function, x: f64) -> Result<f64, NotConstant> {
-        Ok(function.of(x))
+        Ok(function.apply(x))
     }
 
     fn join(&self, operator: Operator, a: f64, b: f64) -> Result<f64, NotConstant> {
-        Ok(operator.of(a, b))
+        Ok(operator.apply(a, b))
     }
 }

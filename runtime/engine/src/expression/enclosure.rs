@@ -38,7 +38,7 @@ impl Enclosure {
         self.chain(value, value.powi(2).negated())
     }
 
-    fn of(self, function: Function) -> Self {
+    fn apply(self, function: Function) -> Self {
         let x = self.value;
         match function {
             Function::Negate => Self { value: x.negated(), slope: self.slope.negated() },
@@ -49,11 +49,11 @@ impl Enclosure {
             Function::Sin => self.chain(x.sin(), x.cos()),
             Function::Cos => self.chain(x.cos(), x.sin().negated()),
             Function::Tan => {
-                let [sin, cos] = [Function::Sin, Function::Cos].map(|function| self.of(function));
+                let [sin, cos] = [Function::Sin, Function::Cos].map(|function| self.apply(function));
                 sin.times(cos.reciprocal())
             }
             Function::Abs if x.low >= 0.0 => self,
-            Function::Abs if x.high <= 0.0 => self.of(Function::Negate),
+            Function::Abs if x.high <= 0.0 => self.apply(Function::Negate),
             Function::Abs => Self { value: x.abs(), slope: self.slope.union(self.slope.negated()) },
         }
     }
@@ -105,7 +105,7 @@ impl Environment for Piece<'_> {
         Enclosure::constant(x)
     }
 
-    fn read(&self, variable: Variable) -> Result<Enclosure, Unbounded> {
+    fn get_value(&self, variable: Variable) -> Result<Enclosure, Unbounded> {
         match variable {
             Variable::Parameter(i) => Ok(Enclosure::constant(self.parameters[i])),
             moving => (self.bounds)(moving).ok_or(Unbounded),
@@ -113,12 +113,12 @@ impl Environment for Piece<'_> {
     }
 
     fn apply(&self, function: Function, x: Enclosure) -> Result<Enclosure, Unbounded> {
-        Ok(x.of(function))
+        Ok(x.apply(function))
     }
 
     fn join(&self, operator: Operator, a: Enclosure, b: Enclosure) -> Result<Enclosure, Unbounded> {
         Ok(match operator {
-            Operator::Add => a.minus(b.of(Function::Negate)),
+            Operator::Add => a.minus(b.apply(Function::Negate)),
             Operator::Subtract => a.minus(b),
             Operator::Multiply => a.times(b),
             Operator::Divide => a.times(b.reciprocal()),
@@ -137,7 +137,7 @@ impl Environment for Reads {
 
     fn number(&self, _: f64) {}
 
-    fn read(&self, variable: Variable) -> Result<(), Self::Error> {
+    fn get_value(&self, variable: Variable) -> Result<(), Self::Error> {
         let mut reads = self.0.borrow_mut();
         if !matches!(variable, Variable::Parameter(_)) && !reads.contains(&variable) {
             reads.push(variable);

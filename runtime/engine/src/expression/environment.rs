@@ -55,7 +55,7 @@ pub trait Environment {
     /// The value of a number that the text names.
     fn number(&self, x: f64) -> Self::Value;
     /// The value of a variable.
-    fn read(&self, variable: Variable) -> Result<Self::Value, Self::Error>;
+    fn get_value(&self, variable: Variable) -> Result<Self::Value, Self::Error>;
     /// f(x).
     fn apply(&self, function: Function, x: Self::Value) -> Result<Self::Value, Self::Error>;
     /// a + b, …
@@ -86,26 +86,30 @@ pub(super) fn evaluate<E: Environment>(
 fn operand<E: Environment>(expression: &Expression, environment: &E) -> Result<E::Value, E::Error> {
     let of = |x: &Expression| evaluate(x, environment);
     let shared = |all: Variable, share: f64| {
-        environment.join(Operator::Divide, environment.read(all)?, environment.number(share))
+        environment.join(Operator::Divide, environment.get_value(all)?, environment.number(share))
     };
     match *expression {
         Expression::Number(x) => Ok(environment.number(x)),
-        Expression::Parameter(i) => environment.read(Variable::Parameter(i)),
-        Expression::Time => environment.read(Variable::Time),
-        Expression::Coordinate { index, order } => environment.read(Variable::Coordinate { index, order }),
-        Expression::Point { index, axis, order } => environment.read(Variable::Point { index, axis, order }),
+        Expression::Parameter(i) => environment.get_value(Variable::Parameter(i)),
+        Expression::Time => environment.get_value(Variable::Time),
+        Expression::Coordinate { index, order } => {
+            environment.get_value(Variable::Coordinate { index, order })
+        }
+        Expression::Point { index, axis, order } => {
+            environment.get_value(Variable::Point { index, axis, order })
+        }
         Expression::Reaction { contact, share } => shared(Variable::Reaction(contact), share),
         Expression::Friction { contact, share } => shared(Variable::Friction(contact), share),
-        Expression::Slip(entry) => environment.read(Variable::Slip(entry)),
-        Expression::Coefficient(entry) => environment.read(Variable::Coefficient(entry)),
-        Expression::Quantity(entry) => environment.read(Variable::Quantity(entry)),
-        Expression::Gap(contact) => environment.read(Variable::Gap(contact)),
-        Expression::Kinetic => environment.read(Variable::Kinetic),
-        Expression::Potential => environment.read(Variable::Potential),
-        Expression::Dissipated => environment.read(Variable::Dissipated),
+        Expression::Slip(entry) => environment.get_value(Variable::Slip(entry)),
+        Expression::Coefficient(entry) => environment.get_value(Variable::Coefficient(entry)),
+        Expression::Quantity(entry) => environment.get_value(Variable::Quantity(entry)),
+        Expression::Gap(contact) => environment.get_value(Variable::Gap(contact)),
+        Expression::Kinetic => environment.get_value(Variable::Kinetic),
+        Expression::Potential => environment.get_value(Variable::Potential),
+        Expression::Dissipated => environment.get_value(Variable::Dissipated),
         Expression::Energy => {
             let [kinetic, potential] =
-                [Variable::Kinetic, Variable::Potential].map(|part| environment.read(part));
+                [Variable::Kinetic, Variable::Potential].map(|part| environment.get_value(part));
             environment.join(Operator::Add, kinetic?, potential?)
         }
         Expression::Apply(function, ref x) => environment.apply(function, of(x)?),

@@ -17,7 +17,7 @@ pub(super) fn evaluate(expression: &Expression, context: &RunContext, at: &Phase
 impl Variable {
     /// Its value at a point of a motion.
     pub(crate) fn value(self, context: &RunContext, at: &PhasePoint) -> f64 {
-        let Ok(value) = (Motion { context, at }).read(self);
+        let Ok(value) = (Motion { context, at }).get_value(self);
         value
     }
 }
@@ -36,7 +36,7 @@ impl Environment for Motion<'_> {
         x
     }
 
-    fn read(&self, variable: Variable) -> Result<f64, Infallible> {
+    fn get_value(&self, variable: Variable) -> Result<f64, Infallible> {
         let Self { context, at } = *self;
         let system = context.system();
         Ok(match variable {
@@ -69,11 +69,11 @@ impl Environment for Motion<'_> {
     }
 
     fn apply(&self, function: Function, x: f64) -> Result<f64, Infallible> {
-        Ok(function.of(x))
+        Ok(function.apply(x))
     }
 
     fn join(&self, operator: Operator, a: f64, b: f64) -> Result<f64, Infallible> {
-        Ok(operator.of(a, b))
+        Ok(operator.apply(a, b))
     }
 }
 

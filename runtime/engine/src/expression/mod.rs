@@ -59,7 +59,7 @@ pub struct Output {
 impl Output {
     /// Reads an expression with the names of a model.
     pub fn parse(layout: &'static Layout, text: &str) -> Result<Self, OutputError> {
-        let mut parser = Parser::new(text, Vocabulary::of(layout))?;
+        let mut parser = Parser::new(text, Vocabulary::new(layout))?;
         let expression = parser.sum()?;
         parser.end()?;
         Ok(Self { text: text.trim().to_owned(), expression })

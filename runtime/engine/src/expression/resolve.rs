@@ -27,7 +27,7 @@ pub(super) enum Vocabulary<'a> {
 }
 
 impl Vocabulary<'_> {
-    pub(super) const fn of(layout: &'static Layout) -> Self {
+    pub(super) const fn new(layout: &'static Layout) -> Self {
         Self::Model(Names { layout })
     }
 

@@ -24,7 +24,7 @@ impl Condition {
     /// What rounding may make of left side less right side where they are equal.
     pub(crate) fn rounding(&self, context: &RunContext, point: &PhasePoint) -> f64 {
         let Ok([a, b]) = self.values(&Point { context, point });
-        Rounded::of(a.value - b.value, a.error + b.error).error
+        Rounded::new(a.value - b.value, a.error + b.error).error
     }
 }
 
@@ -35,7 +35,7 @@ struct Point<'a> {
 }
 
 impl Rounded {
-    fn of(value: f64, error: f64) -> Self {
+    fn new(value: f64, error: f64) -> Self {
         Self { value, error: error + f64::EPSILON * value.abs() }
     }
 }
@@ -48,7 +48,7 @@ impl Environment for Point<'_> {
         Rounded { value, error: 0.0 }
     }
 
-    fn read(&self, variable: Variable) -> Result<Rounded, Infallible> {
+    fn get_value(&self, variable: Variable) -> Result<Rounded, Infallible> {
         let value = variable.value(self.context, self.point);
         let size = match variable {
             Variable::Parameter(_) | Variable::Time => 0.0,
@@ -62,24 +62,24 @@ impl Environment for Point<'_> {
     }
 
     fn apply(&self, function: Function, x: Rounded) -> Result<Rounded, Infallible> {
-        let value = function.of(x.value);
+        let value = function.apply(x.value);
         let slope = match function {
             Function::Negate | Function::Abs | Function::Sin | Function::Cos => 1.0,
             Function::Sqrt if value > 0.0 => 0.5 / value,
             Function::Sqrt => 0.0,
             Function::Tan => 1.0 + value * value,
         };
-        Ok(Rounded::of(value, slope * x.error))
+        Ok(Rounded::new(value, slope * x.error))
     }
 
     fn join(&self, operator: Operator, a: Rounded, b: Rounded) -> Result<Rounded, Infallible> {
-        let value = operator.of(a.value, b.value);
+        let value = operator.apply(a.value, b.value);
         let error = match operator {
             Operator::Add | Operator::Subtract => a.error + b.error,
             Operator::Multiply => a.error * b.value.abs() + b.error * a.value.abs(),
             Operator::Divide => (a.error + value.abs() * b.error) / b.value.abs(),
             Operator::Power => (b.value * value / a.value).abs() * a.error,
         };
-        Ok(Rounded::of(value, error))
+        Ok(Rounded::new(value, error))
     }
 }

@@ -37,7 +37,7 @@ pub(crate) struct Sides {
 }
 
 impl Sides {
-    fn of(sides: &[Term; 2]) -> Self {
+    fn from_terms(sides: &[Term; 2]) -> Self {
         let mut difference = sides[0].coefficients();
         match &sides[1] {
             Term::Constant(value) => difference[0] -= value,
@@ -94,7 +94,7 @@ impl Condition {
             known(quantity, &mut terms)?;
             return Some(Sides::against(terms, value));
         }
-        self.values(&Step { parameters, known }).ok().map(|sides| Sides::of(&sides))
+        self.values(&Step { parameters, known }).ok().map(|sides| Sides::from_terms(&sides))
     }
 }
 
@@ -168,7 +168,7 @@ impl Environment for Step<'_> {
         Term::Constant(x)
     }
 
-    fn read(&self, variable: Variable) -> Result<Term, NoSeries> {
+    fn get_value(&self, variable: Variable) -> Result<Term, NoSeries> {
         let known = match variable {
             Variable::Parameter(i) => {
                 return self.parameters.get(i).map(|value| Term::Constant(*value)).ok_or(NoSeries);
@@ -186,7 +186,7 @@ impl Environment for Step<'_> {
 
     fn apply(&self, function: Function, x: Term) -> Result<Term, NoSeries> {
         let x = match x {
-            Term::Constant(x) => return Ok(Term::Constant(function.of(x))),
+            Term::Constant(x) => return Ok(Term::Constant(function.apply(x))),
             Term::Varying(x) => x,
         };
         Ok(Term::Varying(match function {
@@ -199,7 +199,7 @@ impl Environment for Step<'_> {
 
     fn join(&self, operator: Operator, a: Term, b: Term) -> Result<Term, NoSeries> {
         Ok(Term::Varying(match (operator, a, b) {
-            (_, Term::Constant(a), Term::Constant(b)) => return Ok(Term::Constant(operator.of(a, b))),
+            (_, Term::Constant(a), Term::Constant(b)) => return Ok(Term::Constant(operator.apply(a, b))),
             (Operator::Divide, a, Term::Constant(b)) => a.series() * Series::constant(1.0 / b),
             (Operator::Divide | Operator::Power, ..) => return Err(NoSeries),
             (Operator::Add, a, b) => a.series() + b.series(),

@@ -103,7 +103,7 @@ impl SiUnit {
 
 /// The unit of an expression, empty for a number; none where it is not known. `parameters` in the layout's order.
 pub fn unit(text: &str, layout: &'static Layout, parameters: &[Option<SiUnit>]) -> Option<String> {
-    let mut parser = Parser::new(text, Vocabulary::of(layout)).ok()?;
+    let mut parser = Parser::new(text, Vocabulary::new(layout)).ok()?;
     let expression = parser.sum().ok()?;
     let Measured { unit, factor } = expression.measured(layout, parameters)?;
     let in_degrees = (factor.abs() / DEGREES - 1.0).abs() < 1e-6 && unit == RADIAN;
@@ -112,7 +112,7 @@ pub fn unit(text: &str, layout: &'static Layout, parameters: &[Option<SiUnit>]) 
 
 /// The same as powers of base units, whatever constant factor stands before it.
 pub fn si_unit(text: &str, layout: &'static Layout, parameters: &[Option<SiUnit>]) -> Option<SiUnit> {
-    let expression = Parser::new(text, Vocabulary::of(layout)).ok()?.sum().ok()?;
+    let expression = Parser::new(text, Vocabulary::new(layout)).ok()?.sum().ok()?;
     Some(expression.measured(layout, parameters)?.unit)
 }
 

@@ -85,7 +85,7 @@ static LAYOUT: Layout = Layout {
 };
 
 fn parse(text: &str) -> Result<Expression, OutputError> {
-    let mut parser = Parser::new(text, Vocabulary::of(&LAYOUT))?;
+    let mut parser = Parser::new(text, Vocabulary::new(&LAYOUT))?;
     let sum = parser.sum()?;
     parser.end()?;
     Ok(sum)

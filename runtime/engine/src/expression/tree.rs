@@ -68,7 +68,7 @@ impl Function {
         ("abs", Self::Abs),
     ];
 
-    pub(super) fn of(self, x: f64) -> f64 {
+    pub(super) fn apply(self, x: f64) -> f64 {
         match self {
             Self::Negate => -x,
             Self::Sqrt => x.sqrt(),
@@ -96,7 +96,7 @@ pub enum Operator {
 }
 
 impl Operator {
-    pub(super) fn of(self, a: f64, b: f64) -> f64 {
+    pub(super) fn apply(self, a: f64, b: f64) -> f64 {
         match self {
             Self::Add => a + b,
             Self::Subtract => a - b,

@@ -35,7 +35,7 @@ pub(crate) enum Chart {
 
 /// Whether the closed form of `set` holds at a state that is known within `bound`, for a tolerance, and the phase in the form
 /// that does.
-pub(crate) fn at(
+pub(crate) fn choose_chart(
     context: &RunContext,
     set: ContactSet,
     state: &[f64],

@@ -136,7 +136,7 @@ impl PhasePoint {
 
     /// Whether more contacts are closed than the phase needs to hold them, or friction holds more than it needs.
     fn is_redundant(&self) -> bool {
-        let shares = || !Grip::of(self.phase.system(), &self.state, &self.closed).is_empty();
+        let shares = || !Grip::compute(self.phase.system(), &self.state, &self.closed).is_empty();
         *self.redundant.get_or_init(|| self.closed != self.phase.info().set || shares())
     }
 

@@ -64,7 +64,7 @@ impl Series {
         Self(terms)
     }
 
-    pub(crate) fn at(&self, x: f64) -> f64 {
+    pub(crate) fn evaluate(&self, x: f64) -> f64 {
         self.0.iter().zip(polynomials(x)).map(|(c, p)| c * p).sum()
     }
 
@@ -106,7 +106,7 @@ mod tests {
             let exact = 0.5 * x.powi(4) + 2.0 * x + 1.5;
             let theta = 0.5 * (x + 1.0);
             let horner = powers.iter().rev().fold(0.0, |sum, c| sum * theta + c);
-            assert!((twice.at(x) - exact).abs() < 1e-14, "{x}");
+            assert!((twice.evaluate(x) - exact).abs() < 1e-14, "{x}");
             assert!((horner - exact).abs() < 1e-13, "{x}");
         }
     }

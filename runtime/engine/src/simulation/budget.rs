@@ -91,7 +91,7 @@ pub(crate) struct Allowance {
 
 impl Allowance {
     /// All of it, from now on.
-    pub(crate) fn of(budget: Budget) -> Self {
+    pub(crate) fn new(budget: Budget) -> Self {
         let end = budget.time.and_then(|time| Instant::now().checked_add(time));
         Self { budget, steps: 0, memory: 0, end }
     }

@@ -190,7 +190,7 @@ impl Simulation {
     /// # #[figure(A = (0, -l))]
     /// # #[coordinate(phi = angle(OA), from = down)]
     /// # struct Pendulum { m: f64, l: f64, g: f64 }
-    /// let swings = Simulation::new(&Pendulum { m: 1.0, l: 1.0, g: 9.81 })?.start(Pose::at("phi", 1.0))?;
+    /// let swings = Simulation::new(&Pendulum { m: 1.0, l: 1.0, g: 9.81 })?.start(Pose::new("phi", 1.0))?;
     /// let whole = swings.clone().until("t = 2")?.run()?;
     /// let left = Pose::of_state(Pendulum::LAYOUT, &whole.state(1.0));
     /// let rest = swings.continued(1.0, &left)?.until("t = 2")?.run()?;
@@ -306,7 +306,7 @@ impl Simulation {
         if self.layout().has_hinges() {
             return Err(ScheduleError::HingeFriction);
         }
-        let when = Trigger::at(at)?;
+        let when = Trigger::from_time(at)?;
         self.plan.push(Scheduled { action: Action::Impulse { point: index, impulse }, when });
         self.set_scales(self.context.scales);
         Ok(self)
@@ -315,7 +315,7 @@ impl Simulation {
     fn plan(mut self, action: Action, condition: &str) -> Result<Self, ScheduleError> {
         let condition = Condition::parse(self.layout(), condition)?;
         let when = match condition.time(&self.context.model.parameters) {
-            Some(at) => Trigger::at(at)?,
+            Some(at) => Trigger::from_time(at)?,
             None => Trigger::If(condition),
         };
         self.plan.push(Scheduled { action, when });
@@ -343,7 +343,7 @@ impl Simulation {
     /// Ends the run once an event of this kind has happened to this support, `Ladder::B` or `"B"`, or to any with `None`; where
     /// several are asked for, once each of them has. That event is the last of the run.
     pub fn until_event(mut self, kind: EventKind, support: impl ContactFilter) -> Result<Self, SupportError> {
-        self.ends.events.push(EventFilter::of(self.layout(), kind, support)?);
+        self.ends.events.push(EventFilter::new(self.layout(), kind, support)?);
         Ok(self)
     }
 

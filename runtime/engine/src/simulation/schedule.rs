@@ -27,7 +27,7 @@ pub(crate) enum Trigger {
 }
 
 impl Trigger {
-    pub(crate) fn at(at: f64) -> Result<Self, ScheduleError> {
+    pub(crate) fn from_time(at: f64) -> Result<Self, ScheduleError> {
         if at >= 0.0 && at.is_finite() { Ok(Self::At(at)) } else { Err(ScheduleError::Time { at }) }
     }
 }

@@ -179,7 +179,7 @@ impl Trajectory {
 
     /// The full state at a time, coordinates then rates; at the nearer end for times outside the run.
     pub fn state(&self, t: f64) -> Vec<f64> {
-        let at = self.at(t).filter(|_| !self.phases.is_empty());
+        let at = self.point(t).filter(|_| !self.phases.is_empty());
         let state = at.map(|point| self.context.layout().public_state(point.state()).to_vec());
         state.unwrap_or_else(|| self.last.clone())
     }
@@ -203,7 +203,7 @@ impl Trajectory {
 
     /// An output at a time; NaN if nothing was computed, or kept, as of a run that was only observed before its end. At an event it has the value after it.
     pub fn value(&self, output: &Output, t: f64) -> f64 {
-        let Some(point) = self.at(t) else { return f64::NAN };
+        let Some(point) = self.point(t) else { return f64::NAN };
         let point = match self.phase_at(t) {
             Some(k) => self.with_history(output, k, point),
             None => point,
@@ -272,14 +272,14 @@ impl Trajectory {
     /// The motion at an instant before a jump; none of other instants.
     fn point_before(&self, instant: Instant) -> Option<PhasePoint> {
         match self.phase_before(instant) {
-            Some(k) => Some(self.phases[k].read(&self.context, instant.t)),
+            Some(k) => Some(self.phases[k].interpolate_on_constraints(&self.context, instant.t)),
             None => self.point_before_start().filter(|_| instant.is_before),
         }
     }
 
     fn point_before_start(&self) -> Option<PhasePoint> {
         let phase = self.before_start.as_ref()?;
-        Some(phase.read(&self.context, phase.t0).having_lost(0.0))
+        Some(phase.interpolate_on_constraints(&self.context, phase.t0).having_lost(0.0))
     }
 
     /// The phase that ends at an instant before a jump; none of other instants.
@@ -401,7 +401,7 @@ impl Trajectory {
 
     /// An output at a time of a phase, or at the nearer end.
     fn value_in(&self, output: &Output, k: usize, t: f64) -> f64 {
-        let point = self.with_history(output, k, self.phases[k].at(t));
+        let point = self.with_history(output, k, self.phases[k].interpolate(t));
         output.evaluate(&self.context, &point)
     }
 
@@ -410,8 +410,8 @@ impl Trajectory {
         if !output.reads_history() {
             return point;
         }
-        let dissipation = self.dissipation.get_or_init(|| Dissipation::of(self));
-        let lost = dissipation.at(self, k, point.t());
+        let dissipation = self.dissipation.get_or_init(|| Dissipation::compute(self));
+        let lost = dissipation.evaluate(self, k, point.t());
         point.having_lost(lost)
     }
 
@@ -421,12 +421,12 @@ impl Trajectory {
         Some(self.phases.partition_point(|phase| phase.t0 <= t).saturating_sub(1).min(last))
     }
 
-    fn at(&self, t: f64) -> Option<PhasePoint> {
+    fn point(&self, t: f64) -> Option<PhasePoint> {
         let phase = self
             .phase_at(t)
             .map(|k| &self.phases[k])
             .or_else(|| self.last_phase.as_ref().filter(|last| t >= last.t1));
-        phase.map(|phase| phase.read(&self.context, t))
+        phase.map(|phase| phase.interpolate_on_constraints(&self.context, t))
     }
 }
 

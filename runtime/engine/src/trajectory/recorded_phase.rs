@@ -97,7 +97,7 @@ impl RecordedPhase {
     }
 
     /// The motion at a time, or at the nearer end.
-    pub(crate) fn at(&self, t: f64) -> PhasePoint {
+    pub(crate) fn interpolate(&self, t: f64) -> PhasePoint {
         let t = t.clamp(self.t0, self.t1);
         let mut reduced = self.end_state.clone();
         self.reduced(t, &mut reduced);
@@ -106,8 +106,8 @@ impl RecordedPhase {
 
     /// The motion at a time as it is read: within a step of a projected phase, whose ends alone are projected, on its constraints
     /// too.
-    pub(crate) fn read(&self, context: &RunContext, t: f64) -> PhasePoint {
-        let (point, info) = (self.at(t), self.phase.info());
+    pub(crate) fn interpolate_on_constraints(&self, context: &RunContext, t: f64) -> PhasePoint {
+        let (point, info) = (self.interpolate(t), self.phase.info());
         if info.form != Form::Projected || !self.is_within_step(t) {
             return point;
         }

@@ -91,7 +91,7 @@ impl Work {
     ) {
         let is_short = span[1] - span[0] < SHORT * context.scales.time;
         let run = (context, phase);
-        if let Some(part) = Part::of(run, span, power) {
+        if let Some(part) = Part::new(run, span, power) {
             self.add_part(run, &part, power, if is_short { 0 } else { DEEPEST });
         }
     }
@@ -110,7 +110,7 @@ impl Work {
         }
         let [t0, t1] = part.span;
         let middle = 0.5 * (t0 + t1);
-        let halves = [[t0, middle], [middle, t1]].map(|span| Part::of(run, span, power));
+        let halves = [[t0, middle], [middle, t1]].map(|span| Part::new(run, span, power));
         // What no half tells better is rounding, of the energy of a stiff spring say; a kink is in one of them.
         let is_noise =
             halves.iter().flatten().all(|half| !half.is_resolved && half.tail > NO_BETTER * part.tail);
@@ -130,7 +130,7 @@ struct Part {
 
 impl Part {
     /// None of a part without length: steps towards a singularity may be as short as times are told apart.
-    fn of(
+    fn new(
         (context, phase): (&RunContext, &RecordedPhase),
         span: [f64; 2],
         power: &dyn Fn(&PhasePoint, f64) -> f64,
@@ -140,7 +140,7 @@ impl Part {
         if h <= 0.0 {
             return None;
         }
-        let mut point = phase.at(t0);
+        let mut point = phase.interpolate(t0);
         let powers = X.map(|x| {
             phase.show(t0 + 0.5 * (1.0 + x) * h, &mut point);
             power(&point, h)

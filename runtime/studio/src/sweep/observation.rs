@@ -127,7 +127,7 @@ fn event_quantity(which: Occurrence, text: &str, layout: &'static Layout) -> Res
     let (word, after) = rest.split_once(' ').unwrap_or((rest, ""));
     let is_support = layout.contacts.iter().any(|contact| contact.supports.contains(&word));
     let (support, output) = if is_support { (Some(word), after) } else { (None, rest) };
-    let filter = EventFilter::of(layout, kind, support).map_err(|error| error.to_string())?;
+    let filter = EventFilter::new(layout, kind, support).map_err(|error| error.to_string())?;
     match output {
         "" => Ok(Quantity::Supports(which, filter)),
         output => Ok(Quantity::Value(which, filter, read(output, layout)?)),

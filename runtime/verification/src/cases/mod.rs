@@ -26,7 +26,7 @@
 //! let expectations = vec![expect("phi'", -3f64.sqrt(), 1e-10)];
 //! let case = Case::numbers("pendulum.falls", "a bar falls from the horizontal", "energy", expectations, move |by| {
 //!     let simulation = Simulation::new(&Pendulum { m: 1.0, l: 1.0, g: 1.0 }).map_err(input)?;
-//!     let falls = simulation.start(Pose::at("phi", core::f64::consts::FRAC_PI_2)).map_err(input)?;
+//!     let falls = simulation.start(Pose::new("phi", core::f64::consts::FRAC_PI_2)).map_err(input)?;
 //!     let record = falls.until("phi = 0").map_err(input)?.method(by).run().map_err(stopped)?;
 //!     Ok(vec![record.final_state()[1]])
 //! });

@@ -65,7 +65,7 @@ impl Environment for Names<'_> {
         if x == core::f64::consts::PI { Expression::Pi } else { Expression::Number(x) }
     }
 
-    fn read(&self, variable: Variable) -> Result<Expression, Beyond> {
+    fn get_value(&self, variable: Variable) -> Result<Expression, Beyond> {
         Ok(match variable {
             Variable::Parameter(i) => Expression::Number(self.parameters[i]),
             Variable::Time => Expression::Time,

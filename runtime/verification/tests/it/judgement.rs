@@ -23,7 +23,9 @@ fn assert_agrees(run: &Trajectory) {
 #[test]
 fn a_double_pendulum() -> Outcome {
     let model = DoublePendulum { m: 1.0, l: 1.0, g: 9.81 };
-    assert_agrees(&Simulation::new(&model)?.start(Pose::at("a", 2.0).with("b", 1.0))?.until("t = 5")?.run()?);
+    assert_agrees(
+        &Simulation::new(&model)?.start(Pose::new("a", 2.0).with("b", 1.0))?.until("t = 5")?.run()?,
+    );
     Ok(())
 }
 
@@ -31,7 +33,7 @@ fn a_double_pendulum() -> Outcome {
 fn a_falling_pair() -> Outcome {
     let model = PairOnCorners { m: 1.0, l: 1.0, g: 9.81 };
     for form in [Form::Closed, Form::Projected] {
-        let run = Simulation::new(&model)?.start(Pose::at("phi", 0.1))?.until("phi = pi/2")?;
+        let run = Simulation::new(&model)?.start(Pose::new("phi", 0.1))?.until("phi = pi/2")?;
         assert_agrees(&run.form(form).run()?);
     }
     Ok(())
@@ -40,7 +42,7 @@ fn a_falling_pair() -> Outcome {
 #[test]
 fn a_ladder() -> Outcome {
     let ladder = Ladder { m: 1.0, l: 2.0, g: 9.81 };
-    assert_agrees(&Simulation::new(&ladder)?.start(Pose::at("theta", 1.3))?.until("theta = 0")?.run()?);
+    assert_agrees(&Simulation::new(&ladder)?.start(Pose::new("theta", 1.3))?.until("theta = 0")?.run()?);
     Ok(())
 }
 
@@ -57,7 +59,7 @@ fn a_bouncing_bar() -> Outcome {
     let pi = core::f64::consts::PI;
     for (e, phi, until, most) in [(0.0, pi, 1.0, NEAR), (0.5, 0.3, 4.0, SETTLED), (0.0, 2.9, 5.0, NEAR)] {
         let bar = BouncingBar { m: 1.0, l: 1.0, g: 9.81, e };
-        let start = Pose::at("phi", phi).with("x", 0.0).with("y", 1.0).with("x'", 1.0);
+        let start = Pose::new("phi", phi).with("x", 0.0).with("y", 1.0).with("x'", 1.0);
         let run = Simulation::new(&bar)?.start(start)?.limit(until).run()?;
         assert_agrees_within(&run, most);
     }
@@ -69,7 +71,7 @@ fn a_bouncing_bar() -> Outcome {
 fn a_zigzag() -> Outcome {
     for (m1, m2) in [(0.5, 0.5), (0.75, 0.25), (0.25, 0.75)] {
         let model = Zigzag { m1, m2, l: 1.0, g: 1.0 };
-        let start = Pose::at("phi_inner", 1.2).with("phi_outer", 1.2);
+        let start = Pose::new("phi_inner", 1.2).with("phi_outer", 1.2);
         assert_agrees(&Simulation::new(&model)?.start(start)?.until("phi_outer = 0.1")?.run()?);
     }
     Ok(())

@@ -30,7 +30,7 @@ const TOLERANCES: [f64; 3] = [1e-6, 1e-9, 1e-12];
 #[test]
 fn errors_fall_with_the_tolerance() -> Outcome {
     let ladder = Ladder { m: 1.0, l: 2.0, g: 9.81 };
-    let simulation = Simulation::new(&ladder)?.start(Pose::at("theta", 1.3))?.until("theta = 0")?;
+    let simulation = Simulation::new(&ladder)?.start(Pose::new("theta", 1.3))?.until("theta = 0")?;
     let precision = Precision::new(simulation, precise::<Ladder>).measuring(Duration::from_millis(1));
     assert!(precision.reference().is_ok_and(|reference| reference.bound() < 1e-20));
     let rows = precision.measure(Dop853, &TOLERANCES);
@@ -50,7 +50,7 @@ fn errors_fall_with_the_tolerance() -> Outcome {
 #[test]
 fn the_error_over_the_run_is_that_against_a_closed_form() -> Outcome {
     let oscillator = Oscillator { m: 1.0, k: 1.0, e: 1.0 };
-    let simulation = Simulation::new(&oscillator)?.start(Pose::at("y", 1.0))?.until("t = 6")?;
+    let simulation = Simulation::new(&oscillator)?.start(Pose::new("y", 1.0))?.until("t = 6")?;
     let run = simulation.clone().method(Dop853).tolerance(1e-5).run()?;
     let Scales { length, time, .. } = run.scales();
     let mut largest = 0.0_f64;
@@ -76,7 +76,7 @@ fn the_error_over_the_run_is_that_against_a_closed_form() -> Outcome {
 fn what_cannot_be_compared_says_why() -> Outcome {
     let ladder = Ladder { m: 1.0, l: 2.0, g: 9.81 };
     // Upright at the wall nothing moves.
-    let still = Simulation::new(&ladder)?.start(Pose::at("theta", core::f64::consts::FRAC_PI_2))?;
+    let still = Simulation::new(&ladder)?.start(Pose::new("theta", core::f64::consts::FRAC_PI_2))?;
     let precision = Precision::new(still, precise::<Ladder>).measuring(Duration::from_millis(1));
     assert!(matches!(precision.reference(), Err(PrecisionError::Run(_))));
     let row = &precision.measure(Dop853, &[1e-6])[0];

@@ -52,7 +52,7 @@ fn times(reference: &Reference) -> Vec<Option<DoubleDouble>> {
 
 fn assert_falls_as_quadrature_says(form: Form) -> Outcome {
     let model = PairOnCorners { m: 1.0, l: 1.0, g: 9.81 };
-    let run = Simulation::new(&model)?.start(Pose::at("phi", 0.1))?.until("phi = pi/2")?.form(form).run()?;
+    let run = Simulation::new(&model)?.start(Pose::new("phi", 0.1))?.until("phi = pi/2")?.form(form).run()?;
     let reference = Reference::compute(&run, &[], precise::<PairOnCorners>)?;
     let [Some(start), Some(opens), Some(ends)] = times(&reference)[..] else { panic!("start, opening, end") };
     assert_eq!(reference.source(), &Source::Judge);
@@ -78,7 +78,7 @@ fn lift_off_and_end_of_the_falling_pair() -> Outcome {
 fn the_same_without_closed_forms() -> Outcome {
     let model = PairOnCorners { m: 1.0, l: 1.0, g: 9.81 };
     let run = |form| -> Result<_, Box<dyn std::error::Error>> {
-        let start = Simulation::new(&model)?.start(Pose::at("phi", 0.1))?;
+        let start = Simulation::new(&model)?.start(Pose::new("phi", 0.1))?;
         Ok(Reference::compute(&start.until("phi = pi/2")?.form(form).run()?, &[], precise::<PairOnCorners>)?)
     };
     let (closed, projected) = (run(Form::Closed)?, run(Form::Projected)?);
@@ -93,7 +93,7 @@ fn the_same_without_closed_forms() -> Outcome {
 #[test]
 fn a_double_pendulum_after_ten_seconds() -> Outcome {
     let model = DoublePendulum { m: 1.0, l: 1.0, g: 9.81 };
-    let start = Pose::at("a", 2.0).with("b", 1.0);
+    let start = Pose::new("a", 2.0).with("b", 1.0);
     let run = Simulation::new(&model)?.start(start)?.until("t = 10")?.run()?;
     let reference = Reference::compute(&run, &[], precise::<DoublePendulum>)?;
     assert_eq!(reference.source(), &Source::Judge);
@@ -111,7 +111,7 @@ fn a_double_pendulum_after_ten_seconds() -> Outcome {
 #[test]
 fn impacts_keep_their_digits() -> Outcome {
     let model = Ball { m: 1.0, g: 9.81, e: 0.8 };
-    let start = Pose::at("y", 1.0).with("x", 0.0);
+    let start = Pose::new("y", 1.0).with("x", 0.0);
     let run = Simulation::new(&model)?.start(start)?.until("t = 2.5")?.run()?;
     let reference = Reference::compute(&run, &[], precise::<Ball>)?;
     let times: Vec<_> = times(&reference).into_iter().map(|t| t.expect("no touch")).collect();
@@ -144,7 +144,8 @@ fn a_blow_keeps_its_digits() -> Outcome {
 
 #[test]
 fn without_a_motion_there_is_no_reference() -> Outcome {
-    let run = Simulation::new(&PairOnCorners { m: 1.0, l: 1.0, g: 9.81 })?.start(Pose::at("phi", 0.0))?.run();
+    let run =
+        Simulation::new(&PairOnCorners { m: 1.0, l: 1.0, g: 9.81 })?.start(Pose::new("phi", 0.0))?.run();
     assert!(run.is_err_and(|error| {
         Reference::compute(error.trajectory(), &[], precise::<PairOnCorners>)
             == Err(ReplayError::Empty.into())
@@ -156,7 +157,7 @@ fn without_a_motion_there_is_no_reference() -> Outcome {
 #[test]
 fn infinitely_many_impacts_have_their_end() -> Outcome {
     let model = Ball { m: 1.0, g: 9.81, e: 0.5 };
-    let simulation = Simulation::new(&model)?.start(Pose::at("y", 1.0).with("x", 0.0))?.until("t = 2")?;
+    let simulation = Simulation::new(&model)?.start(Pose::new("y", 1.0).with("x", 0.0))?.until("t = 2")?;
     let run = simulation.clone().tolerance(1e-13).run()?;
     let reference = Reference::compute(&run, &[], precise::<Ball>)?;
     assert_eq!(reference.source(), &Source::Judge);
@@ -178,7 +179,7 @@ fn infinitely_many_impacts_have_their_end() -> Outcome {
 #[test]
 fn conditions_are_found_by_the_judge() -> Outcome {
     let model = Ball { m: 2.0, g: 9.81, e: 0.0 };
-    let start = Pose::at("y", 1.0).with("x", 0.0);
+    let start = Pose::new("y", 1.0).with("x", 0.0);
     let end = |condition: &str| -> Result<(Reference, f64), Box<dyn std::error::Error>> {
         let run = Simulation::new(&model)?.start(start.clone())?.until(condition)?.limit(5.0).run()?;
         let reference = Reference::compute(&run, &[], precise::<Ball>)?;
@@ -204,7 +205,7 @@ fn conditions_are_found_by_the_judge() -> Outcome {
 #[test]
 fn the_other_branch_of_a_closed_form_is_followed() -> Outcome {
     let bar = BouncingBar { m: 1.0, l: 1.0, g: 9.81, e: 0.0 };
-    let start = Pose::at("phi", core::f64::consts::PI).with("x", 0.0).with("y", 1.0);
+    let start = Pose::new("phi", core::f64::consts::PI).with("x", 0.0).with("y", 1.0);
     let run = Simulation::new(&bar)?.start(start)?.limit(5.0).run()?;
     let reference = Reference::compute(&run, &[], precise::<BouncingBar>)?;
     assert!(reference.state_error(&run.final_state()) < 1e-10);
@@ -235,7 +236,7 @@ struct SprungBall {
 fn the_error_over_a_run_that_settles_is_that_against_a_closed_form() -> Outcome {
     let (e, end) = (0.7, 8.0);
     let model = SprungBall { m: 1.0, k: 1.0, g: 1.0, e };
-    let simulation = Simulation::new(&model)?.start(Pose::at("y", 1.0).with("x", 0.0))?.until("t = 8")?;
+    let simulation = Simulation::new(&model)?.start(Pose::new("y", 1.0).with("x", 0.0))?.until("t = 8")?;
     let reference =
         Reference::compute(&simulation.clone().tolerance(1e-13).run()?, &[], precise::<SprungBall>)?;
     let speeds = (1..150).map(|n| 3f64.sqrt() * e.powi(n));

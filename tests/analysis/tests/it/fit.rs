@@ -82,7 +82,7 @@ fn error_text<E: ToString>(error: E) -> String {
 /// From y at the speed y′; m, e and g before.
 fn ball(p: &[f64]) -> Result<Simulation, String> {
     let simulation = Simulation::new(&Ball { m: p[0], e: p[1], g: p[2] }).map_err(error_text)?;
-    Ok(simulation.start(Pose::at("y", p[3]).with("y'", p[4])).map_err(error_text)?.limit(3.0))
+    Ok(simulation.start(Pose::new("y", p[3]).with("y'", p[4])).map_err(error_text)?.limit(3.0))
 }
 
 const BALL: [(&str, f64); 5] = [("m", 2.0), ("e", 0.5), ("g", 14.0), ("y", 1.0), ("y'", 0.0)];
@@ -154,7 +154,7 @@ fn a_series_of_swings_gives_length_and_start() {
     let known = [("m", 1.0), ("l", 0.9), ("g", g), ("phi", 0.9)];
     let case = Case::<Rod>::new(&known, &["l", "phi"], |p| {
         let simulation = Simulation::new(&Rod { m: p[0], l: p[1], g: p[2] }).map_err(error_text)?;
-        simulation.start(Pose::at("phi", p[3])).map_err(error_text)
+        simulation.start(Pose::new("phi", p[3])).map_err(error_text)
     });
     let fitted = case.fit(data).unwrap();
     let found = values(&fitted);
@@ -171,7 +171,7 @@ fn an_opening_gives_the_start_without_errors() {
     let datum = Datum { place: opens, output, value: (2.0 / 3.0 * theta.sin()).asin(), deviation: 1.0 };
     let case = Case::<Ladder>::new(&[("theta", 1.3)], &["theta"], |p| {
         let ladder = Ladder { m: 1.0, l: 1.0, g: 9.81 };
-        Simulation::new(&ladder).map_err(error_text)?.start(Pose::at("theta", p[0])).map_err(error_text)
+        Simulation::new(&ladder).map_err(error_text)?.start(Pose::new("theta", p[0])).map_err(error_text)
     });
     let fitted = case.fit(vec![datum]).unwrap();
     let [estimate] = &fitted.estimates[..] else { panic!("{fitted:?}") };

@@ -58,7 +58,7 @@ fn derivatives_at_a_touch_are_those_at_its_time() {
     let simulation = |p: &[f64]| {
         let rate = (3.0 * p[2] / p[1] * (1.0 - 1.0_f64.cos())).sqrt();
         let rod = Rod { m: p[0], l: p[1], g: p[2] };
-        Simulation::new(&rod).unwrap().start(Pose::at("phi", 1.0).with("phi'", rate)).unwrap()
+        Simulation::new(&rod).unwrap().start(Pose::new("phi", 1.0).with("phi'", rate)).unwrap()
     };
     let run = simulation(&[m, l, g]).limit(0.2).tolerance(1e-13).run().unwrap();
     let found = by_parameters::<Rod>(&run, |p| simulation(p).start_state().unwrap()).unwrap();
@@ -101,7 +101,7 @@ fn a_singular_position_is_named_and_derivatives_end_there() {
     let [m, l, c, d, g] = [1.0, 1.0, 2.0, 2.0, 9.81];
     let (phi, rate) = (1.5_f64, 6.0);
     let run = |limit: f64| {
-        let start = Pose::at("phi", phi).with("phi'", rate);
+        let start = Pose::new("phi", phi).with("phi'", rate);
         let simulation = Simulation::new(&Cranks { m, l, c, d, g }).unwrap().start(start).unwrap();
         simulation.limit(limit).run().unwrap()
     };
@@ -138,7 +138,7 @@ struct Ball {
 fn a_given_time_at_an_event_has_derivatives_to_one_side_only() {
     let ball = |g: f64| {
         let simulation = Simulation::new(&Ball { m: 2.0, e: 0.5, h: 1.3, g }).unwrap();
-        simulation.start(Pose::at("y", 1.3).with("x'", 1.0)).unwrap().limit(0.8)
+        simulation.start(Pose::new("y", 1.3).with("x'", 1.0)).unwrap().limit(0.8)
     };
     let t = ball(9.0).run().unwrap().events()[1].t;
     let refused = |simulation: Simulation| {

@@ -52,7 +52,7 @@ fn quarter(variable: Variable, bounds: Option<[f64; 2]>) -> Result<Best, Optimum
     let simulate = |d: &[f64]| {
         let body = Body { m: 2.0, d: d[0], i: 0.03, g: 9.81 };
         let simulation =
-            Simulation::new(&body).map_err(error_text)?.start(Pose::at("phi", 1.0)).map_err(error_text)?;
+            Simulation::new(&body).map_err(error_text)?.start(Pose::new("phi", 1.0)).map_err(error_text)?;
         simulation.until("phi = 0").map_err(error_text)
     };
     let model = |parameters: &[Dual4]| Ok(varied::<Body>(parameters));
@@ -99,7 +99,7 @@ type Read<'a> = (Place, Option<&'a str>, bool);
 fn stone(rates: [f64; 2], e: f64, (place, output, greatest): Read<'_>) -> Result<Best, OptimumError> {
     let simulate = |u: &[f64]| {
         let simulation = Simulation::new(&Stone { m: 1.0, e, g: 10.0 }).map_err(error_text)?;
-        let start = Pose::at("x", 0.0).with("y", 1.0).with("x'", u[0]).with("y'", u[1]);
+        let start = Pose::new("x", 0.0).with("y", 1.0).with("x'", u[0]).with("y'", u[1]);
         Ok(simulation.start(start).map_err(error_text)?.limit(0.8))
     };
     let model = |parameters: &[Dual4]| Ok(varied::<Stone>(parameters));

@@ -82,7 +82,7 @@ fn outputs_of_chains_that_lift_off() {
     let case = Case {
         values: [0.3, 0.5, 1.0, 9.81],
         run: |[m1, m2, l, g]| {
-            let start = Pose::at("phi_inner", 1.2).with("phi_outer", 1.2);
+            let start = Pose::new("phi_inner", 1.2).with("phi_outer", 1.2);
             let run = Simulation::new(&Zigzag { m1, m2, l, g }).unwrap().start(start).unwrap();
             run.tolerance(1e-13).limit(0.95).run().unwrap()
         },
@@ -109,7 +109,7 @@ fn outputs_of_a_block_on_a_belt() {
         values: [1.3, 20.0, 0.3, 0.5],
         run: |[m, k, mu, mu_s]| {
             let belt = Belt { m, g: 9.0, k, mu, mu_s, w: 0.4 };
-            let start = Pose::at("x", 1.05).with("y", 0.0).with("x'", 0.4);
+            let start = Pose::new("x", 1.05).with("y", 0.0).with("x'", 0.4);
             let run = Simulation::new(&belt).unwrap().start(start).unwrap();
             run.limit(3.0).tolerance(1e-13).run().unwrap()
         },
@@ -128,7 +128,7 @@ fn outputs_of_a_bar_that_bounces() {
     let case = Case {
         values: [1.3, 0.8, 9.0, 0.6],
         run: |[m, l, g, e]| {
-            let rates = Pose::at("phi'", 1.0).with("x'", 0.1).with("y'", -0.4);
+            let rates = Pose::new("phi'", 1.0).with("x'", 0.1).with("y'", -0.4);
             let start = rates.with("phi", 0.4).with("x", 0.0).with("y", 1.0);
             let run = Simulation::new(&BouncingBar { m, l, g, e }).unwrap().start(start).unwrap();
             run.limit(0.9).tolerance(1e-13).run().unwrap()
@@ -148,7 +148,7 @@ fn outputs_of_a_block_that_lands() {
     let case = Case {
         values: [1.3, 0.3, 0.7, 9.0],
         run: |[m, b, h, g]| {
-            let start = Pose::at("theta", 0.2).with("x", 0.0).with("y", 2.0);
+            let start = Pose::new("theta", 0.2).with("x", 0.0).with("y", 2.0);
             let start = start.with("theta'", 0.1).with("x'", 0.1).with("y'", 0.0);
             let run = Simulation::new(&Block { m, b, h, g }).unwrap().start(start).unwrap();
             run.limit(0.75).tolerance(1e-13).run().unwrap()
@@ -166,7 +166,7 @@ fn outputs_of_a_block_that_lands() {
 fn what_cannot_be_read_is_named() {
     let run = Simulation::new(&BouncingBar { m: 1.0, l: 1.0, g: 9.0, e: 0.5 }).unwrap();
     let run =
-        run.start(Pose::at("phi", 0.4).with("x", 0.0).with("y", 1.0)).unwrap().limit(0.3).run().unwrap();
+        run.start(Pose::new("phi", 0.4).with("x", 0.0).with("y", 1.0)).unwrap().limit(0.3).run().unwrap();
     let velocity = run.output("vx(A)").unwrap();
     let start: Vec<Dual4> = run.events()[0].state.iter().map(|&x| Dual4::new(x, [0.0; 4])).collect();
     let parameters: Vec<Dual4> = run.parameters().iter().map(|&x| Dual4::new(x, [0.0; 4])).collect();

@@ -76,7 +76,7 @@ struct Leaning {
 fn a_ladder_with_friction_stays_where_its_cones_meet() {
     let (m, l, mu, nu, g) = (2.0, 3.0, 0.4, 0.3, 9.81);
     let least = f64::atan((1.0 - mu * nu) / (2.0 * mu));
-    let at = |phi: f64| resting(&Leaning { m, l, mu, nu, g }, Pose::at("phi", phi));
+    let at = |phi: f64| resting(&Leaning { m, l, mu, nu, g }, Pose::new("phi", phi));
     for above in [1e-6, 0.1, 0.3] {
         let found = at(least + above).unwrap();
         let rest = found.iter().find(|rest| rest.closed == ["A", "B"]).unwrap();
@@ -131,7 +131,7 @@ struct Shaken {
 
 #[test]
 fn what_depends_on_time_is_refused() {
-    let error = resting(&Shaken { m: 1.0, l: 1.0, k: 1.0 }, Pose::at("phi", 0.1)).map(|found| found.len());
+    let error = resting(&Shaken { m: 1.0, l: 1.0, k: 1.0 }, Pose::new("phi", 0.1)).map(|found| found.len());
     assert_eq!(error, Err(AnalysisError::Timed));
 }
 
@@ -142,7 +142,7 @@ fn a_weight_on_a_spring_hangs_however_soft_the_spring_is() {
     let subject = |k: f64| {
         let spring = SpringPendulum { m, k, l, c, g };
         let simulation =
-            Simulation::new(&spring).unwrap().start(Pose::at("x", 0.0).with("y", l + m * g / 100.0));
+            Simulation::new(&spring).unwrap().start(Pose::new("x", 0.0).with("y", l + m * g / 100.0));
         Ok(Subject::new(&simulation.unwrap(), precise::<SpringPendulum>(spring.parameters().as_ref()))
             .unwrap())
     };
@@ -179,7 +179,7 @@ struct Held {
 #[test]
 fn joint_forces_at_rest_are_those_of_statics() {
     let (m, l, k, g) = (2.0, 1.5, 40.0, 9.81);
-    let found = resting(&Held { m, l, k, g }, Pose::at("phi", 0.0)).unwrap();
+    let found = resting(&Held { m, l, k, g }, Pose::new("phi", 0.0)).unwrap();
     let stable = found.iter().find(|rest| rest.stability() == Stability::Stable).expect("a position of rest");
     let phi = stable.positions[0];
     let (a, q) = ([l * phi.cos(), l * phi.sin()], [l, l]);

@@ -121,7 +121,7 @@ fn zigzag() -> Case<Zigzag> {
         values: vec![("m1", 0.3), ("m2", 0.5), ("l", 1.0), ("g", 9.81), ("phi_inner", 1.2)],
         model: |p| Zigzag { m1: p[0], m2: p[1], l: p[2], g: p[3] },
         simulate: |model, p| {
-            let start = Pose::at("phi_inner", p[4]).with("phi_outer", p[4]);
+            let start = Pose::new("phi_inner", p[4]).with("phi_outer", p[4]);
             Simulation::new(model).unwrap().start(start).unwrap().tolerance(1e-13).limit(0.95)
         },
     }
@@ -156,7 +156,7 @@ fn bars_that_rotate_over_corners_have_the_derivatives_of_their_differences() {
         values: vec![("m", 1.3), ("l", 0.8), ("g", 9.0), ("phi", 0.1)],
         model: |p| FallingPair { m: p[0], l: p[1], g: p[2] },
         simulate: |model, p| {
-            let start = Pose::at("phi", p[3]);
+            let start = Pose::new("phi", p[3]);
             Simulation::new(model).unwrap().start(start).unwrap().limit(0.7).tolerance(1e-13)
         },
     }
@@ -169,7 +169,7 @@ fn a_ladder_that_leaves_its_wall_has_the_derivatives_of_its_differences() {
         values: vec![("m", 1.3), ("l", 0.8), ("g", 9.0), ("theta", 1.2)],
         model: |p| Ladder { m: p[0], l: p[1], g: p[2] },
         simulate: |model, p| {
-            let start = Pose::at("theta", p[3]);
+            let start = Pose::new("theta", p[3]);
             Simulation::new(model).unwrap().start(start).unwrap().limit(0.5).tolerance(1e-13)
         },
     }
@@ -191,7 +191,7 @@ fn sticking_and_slipping_have_the_derivatives_of_their_differences() {
         ],
         model: |p| Belt { m: p[0], g: p[1], k: p[2], mu: p[3], mu_s: p[4], w: p[5] },
         simulate: |model, p| {
-            let start = Pose::at("x", p[6]).with("y", 0.0).with("x'", p[5]);
+            let start = Pose::new("x", p[6]).with("y", 0.0).with("x'", p[5]);
             Simulation::new(model).unwrap().start(start).unwrap().limit(3.0).tolerance(1e-13)
         },
     }
@@ -234,7 +234,7 @@ fn friction_by_the_magnitude_of_slip_has_the_derivatives_of_its_differences() {
         ],
         model: |p| FallingFriction { m: p[0], g: p[1], k: p[2], mu: p[3], mu_s: p[4], w: p[5], c: p[6] },
         simulate: |model, p| {
-            let start = Pose::at("x", p[7]).with("y", 0.0).with("x'", p[5]);
+            let start = Pose::new("x", p[7]).with("y", 0.0).with("x'", p[5]);
             Simulation::new(model).unwrap().start(start).unwrap().limit(3.0).tolerance(1e-13)
         },
     }
@@ -248,7 +248,7 @@ fn a_bar_that_bounces_has_the_derivatives_of_its_differences() {
         values: vec![("m", 1.3), ("l", 0.8), ("g", 9.0), ("e", 0.6), ("phi", 0.4), ("phi'", 1.0)],
         model: |p| BouncingBar { m: p[0], l: p[1], g: p[2], e: p[3] },
         simulate: |model, p| {
-            let start = Pose::at("phi", p[4]).with("phi'", p[5]).with("x", 0.0).with("y", 1.0);
+            let start = Pose::new("phi", p[4]).with("phi'", p[5]).with("x", 0.0).with("y", 1.0);
             Simulation::new(model).unwrap().start(start).unwrap().limit(0.9).tolerance(1e-13)
         },
     }
@@ -262,7 +262,7 @@ fn events_that_come_apart_are_refused() {
         values: vec![("phi", 0.0)],
         model: |_| BouncingBar { m: 1.0, l: 1.0, g: 9.0, e: 0.5 },
         simulate: |model, p| {
-            let start = Pose::at("phi", p[0]).with("x", 0.0).with("y", 1.0);
+            let start = Pose::new("phi", p[0]).with("x", 0.0).with("y", 1.0);
             Simulation::new(model).unwrap().start(start).unwrap().limit(0.6)
         },
     };
@@ -278,7 +278,7 @@ fn a_bouncing_ball_has_the_derivatives_of_its_closed_form() {
         values: vec![("m", m), ("e", e), ("h", h), ("g", g), ("y", h)],
         model: |p| Bouncing { m: p[0], e: p[1], h: p[2], g: p[3] },
         simulate: |model, p| {
-            Simulation::new(model).unwrap().start(Pose::at("y", p[4]).with("x'", 1.0)).unwrap().limit(1.5)
+            Simulation::new(model).unwrap().start(Pose::new("y", p[4]).with("x'", 1.0)).unwrap().limit(1.5)
         },
     };
     let run = case.run();
@@ -328,7 +328,7 @@ fn rough_bar(mu: f64, speed: f64) -> Case<RoughBar> {
         model: |p| RoughBar { m: p[0], l: p[1], g: p[2], e: p[3], mu: p[4] },
         simulate: |model, p| {
             let start =
-                Pose::at("phi", p[5]).with("phi'", p[6]).with("x'", p[7]).with("x", 0.0).with("y", 0.5);
+                Pose::new("phi", p[5]).with("phi'", p[6]).with("x'", p[7]).with("x", 0.0).with("y", 0.5);
             Simulation::new(model).unwrap().start(start).unwrap().limit(0.6).tolerance(1e-13)
         },
     }
@@ -367,7 +367,7 @@ fn a_block_that_rocks_on_friction_has_the_derivatives_of_its_differences() {
         values: vec![("m", 1.3), ("b", 0.3), ("h", 0.7), ("g", 9.0), ("mu", 0.9), ("phi", 0.2)],
         model: |p| RoughBlock { m: p[0], b: p[1], h: p[2], g: p[3], mu: p[4] },
         simulate: |model, p| {
-            Simulation::new(model).unwrap().start(Pose::at("phi", p[5])).unwrap().limit(1.5).tolerance(1e-13)
+            Simulation::new(model).unwrap().start(Pose::new("phi", p[5])).unwrap().limit(1.5).tolerance(1e-13)
         },
     }
     .check();

@@ -42,7 +42,7 @@ fn a_double_pendulum_of_bars_has_its_frequencies() {
 fn a_double_pendulum_has_four_equilibria() {
     let all = [(0.0, 0.0, 0), (PI, PI, 2), (0.0, PI, 1), (PI, 0.0, 1)];
     let model = DoublePendulum { m: 1.0, l: 1.0, g: 9.81 };
-    let from = |a: f64, b: f64| equilibria(&subject(&model, Pose::at("a", a).with("b", b))).unwrap();
+    let from = |a: f64, b: f64| equilibria(&subject(&model, Pose::new("a", a).with("b", b))).unwrap();
     let is_near = |rest: &Equilibrium, place: [f64; 2]| {
         let turn = |i: usize| (rest.positions[i] - place[i]) / (2.0 * PI);
         (0..2).all(|i| (turn(i) - turn(i).round()).abs() < 1e-15)
@@ -98,7 +98,7 @@ fn reflection() -> DMatrix<f64> {
 }
 
 fn frame(lambda: f64, angles: [f64; 4]) -> Subject {
-    let start = Pose::at("x", 0.0).with("y", 0.0);
+    let start = Pose::new("x", 0.0).with("y", 0.0);
     let names = ["ab", "bc", "cd", "de"].iter().zip(angles);
     let start = names.fold(start, |pose, (name, angle)| pose.with(*name, angle));
     subject(&Frame { m1: 1.0 - lambda, m2: lambda, l: 1.3, g: 9.81 }, start)
@@ -177,7 +177,7 @@ struct Ladder {
 #[test]
 fn a_ladder_held_by_a_spring_vibrates() {
     let (m, l, k, r, g) = (3.0, 2.0, 400.0, 0.9, 9.81);
-    let subject = subject(&Ladder { m, l, k, r, g }, Pose::at("phi", 1.1));
+    let subject = subject(&Ladder { m, l, k, r, g }, Pose::new("phi", 1.1));
     let found = equilibria(&subject).unwrap();
     let both = found.iter().find(|rest| rest.closed == ["A", "B"]).unwrap();
     let phi = both.coordinate("phi").unwrap();

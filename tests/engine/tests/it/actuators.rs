@@ -37,7 +37,7 @@ fn a_telescope_pushes_two_masses_apart() {
     let (m, p, l, b, w, spin) = (1.5, 0.8, 1.2, 0.3, 4.0, 0.9);
     let telescope = Telescope { m, p, l, b, w };
     // Both turn about A at first, with the rate of the distance along them.
-    let pose = ["x", "y", "v", "x'", "y'"].iter().fold(Pose::at("u", l), |pose, name| pose.with(*name, 0.0));
+    let pose = ["x", "y", "v", "x'", "y'"].iter().fold(Pose::new("u", l), |pose, name| pose.with(*name, 0.0));
     let pose = pose.with("u'", b * w).with("v'", l * spin);
     let record = run(Simulation::new(&telescope).unwrap().start(pose).unwrap().limit(2.0).tolerance(1e-12));
     for t in [0.4, 1.1, 1.9] {
@@ -78,7 +78,7 @@ fn a_motor_between_two_bars_turns_both() {
     let (m, p, l, b, c, w) = (1.5, 0.8, 1.2, 0.7, 0.5, 3.0);
     let (first, second) = (m * l * l / 3.0, p * b * b / 3.0);
     let share = second / (first + second);
-    let pose = Pose::at("phi", 0.0).with("psi", 0.0).with("phi'", -share * c * w);
+    let pose = Pose::new("phi", 0.0).with("psi", 0.0).with("phi'", -share * c * w);
     let pose = pose.with("psi'", (1.0 - share) * c * w);
     let simulation = Simulation::new(&Motor { m, p, l, b, c, w }).unwrap().start(pose).unwrap();
     let record = run(simulation.limit(2.0).tolerance(1e-12));
@@ -114,7 +114,7 @@ struct Spindle {
 #[test]
 fn a_spindle_draws_a_mass_along_a_turning_bar() {
     let (m, p, l, c, w, spin) = (1.5, 0.8, 1.2, 0.3, 3.0, 2.0);
-    let pose = Pose::at("phi", 0.0).with("x", l / 2.0).with("y", 0.0).with("phi'", spin);
+    let pose = Pose::new("phi", 0.0).with("x", l / 2.0).with("y", 0.0).with("phi'", spin);
     let pose = pose.with("x'", c * w).with("y'", l / 2.0 * spin);
     let simulation = Simulation::new(&Spindle { m, p, l, c, w }).unwrap().start(pose).unwrap();
     let record = run(simulation.limit(2.0).tolerance(1e-12));
@@ -157,7 +157,7 @@ struct Gears {
 fn gears_turn_together() {
     let (m, p, l, b, c, k) = (1.5, 0.8, 1.2, 0.7, 0.9, 2.0);
     let gears = Gears { m, p, l, b, c, k };
-    let pose = Pose::at("phi", 0.0).with("phi'", 0.0);
+    let pose = Pose::new("phi", 0.0).with("phi'", 0.0);
     let record = run(Simulation::new(&gears).unwrap().start(pose).unwrap().limit(3.0).tolerance(1e-12));
     let own = (4.0 * k / (m * l * l / 3.0 + 4.0 * p * b * b / 3.0)).sqrt();
     for t in [0.4, 1.7, 2.9] {
@@ -204,7 +204,7 @@ fn a_driven_distance_that_comes_to_zero_ends_a_run() {
             let drawn = DrawnIn { m: 1.0, a: 1.0, v: 0.5 };
             let pose =
                 [("x", 0.0), ("y", 0.0), ("w", 0.0), ("x'", 0.0), ("y'", 0.0), ("u'", -0.5), ("w'", spin)];
-            let pose = pose.iter().fold(Pose::at("u", 1.0), |pose, (name, value)| pose.with(*name, *value));
+            let pose = pose.iter().fold(Pose::new("u", 1.0), |pose, (name, value)| pose.with(*name, *value));
             let run = Simulation::new(&drawn).unwrap().start(pose).unwrap().method(method).limit(3.0).run();
             let error = run.map(|_| ()).unwrap_err();
             let RunCause::DrivenDistance { t, drive } = error.cause() else { panic!("{method:?} {error}") };
@@ -238,7 +238,7 @@ struct LetGo {
 #[test]
 fn a_driven_distance_on_a_condition_is_above_zero_while_it_is_there() {
     let pose = [("x", 0.0), ("y", 0.0), ("w", 0.0), ("x'", 0.0), ("y'", 0.0), ("u'", -0.5), ("w'", 0.0)];
-    let pose = pose.iter().fold(Pose::at("u", 1.0), |pose, (name, value)| pose.with(*name, *value));
+    let pose = pose.iter().fold(Pose::new("u", 1.0), |pose, (name, value)| pose.with(*name, *value));
     let started = |s: f64| {
         let model = LetGo { m: 1.0, a: 1.0, v: 0.5, s };
         Simulation::new(&model).unwrap().start(pose.clone()).unwrap().limit(3.0).run()

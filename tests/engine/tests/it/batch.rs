@@ -107,7 +107,7 @@ fn chains_of_little_inertia_keep_their_digits() {
         let beads = Beads { m: 1.0, l: 1.0, j, g: 9.81 };
         let ends = [MethodId::Dop853, MethodId::Taylor].map(|method| {
             let simulation = Simulation::new(&beads).unwrap().method(method).limit(0.2).tolerance(1e-10);
-            let start = Pose::at("phi_1", 1.0).with("phi_4", -0.5);
+            let start = Pose::new("phi_1", 1.0).with("phi_4", -0.5);
             simulation.start(start).unwrap().run().unwrap().final_state()
         });
         let size = ends[0].iter().fold(0.0f64, |size, x| size.max(x.abs()));

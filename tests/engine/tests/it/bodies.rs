@@ -32,7 +32,7 @@ struct Swept {
 #[test]
 fn a_turning_bar_flings_a_bead_off_its_end() {
     let (m, l, w) = (1.3, 2.0, 1.5);
-    let pose = Pose::at("phi", 0.0).with("x", 0.5).with("y", 0.0).with("x'", 0.0).with("y'", 0.5 * w);
+    let pose = Pose::new("phi", 0.0).with("x", 0.5).with("y", 0.0).with("x'", 0.0).with("y'", 0.5 * w);
     let simulation = Simulation::new(&Swept { m, l, w }).unwrap().start(pose).unwrap();
     let record = run(simulation.limit(2.0).tolerance(1e-12));
     let end = (l / 0.5).acosh() / w;
@@ -78,7 +78,7 @@ fn a_particle_strikes_a_free_rod_and_both_go_on() {
     let struck = Struck { m, p, l, e };
     let pose = ["phi", "u", "v", "phi'", "u'", "v'", "x'"]
         .iter()
-        .fold(Pose::at("y'", -v), |pose, name| pose.with(*name, 0.0));
+        .fold(Pose::new("y'", -v), |pose, name| pose.with(*name, 0.0));
     let pose = pose.with("x", 1.2).with("y", 0.9);
     let record = run(Simulation::new(&struck).unwrap().start(pose).unwrap().limit(1.0).tolerance(1e-12));
     let impact = record.events().iter().find(|event| event.kind == EventKind::Impact).expect("an impact");
@@ -126,7 +126,7 @@ fn a_block_slides_down_a_wedge_that_gives_way() {
     let (sin, cos) = a.sin_cos();
     for mu in [0.0, 0.2, 0.9] {
         let wedge = Wedge { m, p, l, g, a, mu };
-        let pose = Pose::at("u", 0.0).with("x", 3.0 * cos).with("y", 3.0 * sin);
+        let pose = Pose::new("u", 0.0).with("x", 3.0 * cos).with("y", 3.0 * sin);
         let pose = pose.with("u'", 0.4).with("x'", 0.4).with("y'", 0.0);
         let record = run(Simulation::new(&wedge).unwrap().start(pose).unwrap().limit(0.5).tolerance(1e-11));
         let at = |text: &str| value(&record, Wedge::LAYOUT, text, 0.3);
@@ -166,7 +166,7 @@ struct Bead {
 #[test]
 fn a_bead_is_stopped_at_the_end_of_its_bar() {
     let (l, w, e, r) = (2.0_f64, 1.5, 0.6, 0.5_f64);
-    let pose = Pose::at("phi", 0.0).with("x", r).with("y", 0.0).with("x'", 0.0).with("y'", r * w);
+    let pose = Pose::new("phi", 0.0).with("x", r).with("y", 0.0).with("x'", 0.0).with("y'", r * w);
     let simulation = Simulation::new(&Bead { m: 1.3, l, w, e }).unwrap().start(pose).unwrap();
     let record = run(simulation.limit(2.0).tolerance(1e-12));
     let struck = (l / r).acosh() / w;

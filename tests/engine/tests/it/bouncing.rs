@@ -74,7 +74,7 @@ fn a_flight_is_one_step_of_taylors_method() {
 /// Rates that drive a closed contact into its support are an impact at t = 0.
 #[test]
 fn a_start_may_be_an_impact() {
-    let start = Pose::at("y", 0.0).with("y'", -1.0);
+    let start = Pose::new("y", 0.0).with("y'", -1.0);
     let run = drop(0.5).start(start.clone()).unwrap().limit(0.5).run().unwrap();
     let [begin, impact, _] = run.events() else { panic!("{:?}", run.events()) };
     assert_eq!((begin.kind, begin.state[3]), (EventKind::Start, -1.0));
@@ -89,7 +89,7 @@ fn a_start_may_be_an_impact() {
 /// loses nothing has no end.
 #[test]
 fn tiny_flights() {
-    let start = |v: f64| Pose::at("y", 0.0).with("y'", -v);
+    let start = |v: f64| Pose::new("y", 0.0).with("y'", -v);
     let run = drop(0.5).start(start(1e-9)).unwrap().limit(1.0).run().unwrap();
     let settle = &run.events()[2];
     assert_eq!(settle.kind, EventKind::Settle);

@@ -34,7 +34,7 @@ fn a_run_stops_at_its_budget_with_its_motion_so_far() {
 #[test]
 fn a_run_that_ends_at_once_has_the_values_of_its_start() {
     let run = Simulation::new(&Particle { m: 1.0, g: 1.0, e: 0.5 }).unwrap().stop_at_impacts();
-    let run = run.start(Pose::at("y", 0.0).with("y'", -2.0)).unwrap().run().unwrap();
+    let run = run.start(Pose::new("y", 0.0).with("y'", -2.0)).unwrap().run().unwrap();
     let value = |text: &str| run.value(&run.output(text).unwrap(), 0.0);
     assert_eq!([value("y"), value("y'"), value("T")], [0.0, -2.0, 2.0]);
 }

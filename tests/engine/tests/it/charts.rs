@@ -32,7 +32,7 @@ fn starts_as_given(run: &Trajectory, pose: &[f64]) {
 fn a_bar_comes_to_rest_on_its_other_side() {
     for (e, phi) in [(0.0, PI), (0.5, 2.9)] {
         let bar = BouncingBar { m: 1.0, l: 1.0, g: 9.81, e };
-        let run = run(&bar, Pose::at("phi", phi).with("x", 0.0).with("y", 1.0), 5.0);
+        let run = run(&bar, Pose::new("phi", phi).with("x", 0.0).with("y", 1.0), 5.0);
         let end = run.final_state();
         assert!((end[0] - PI).abs() < 1e-9, "{end:?}");
         let forms: Vec<_> = run.segments().iter().map(|segment| segment.form).collect();
@@ -49,7 +49,7 @@ fn a_bar_comes_to_rest_on_its_other_side() {
 #[test]
 fn a_bar_comes_to_rest_on_the_side_of_the_figure() {
     let bar = BouncingBar { m: 1.0, l: 1.0, g: 9.81, e: 0.0 };
-    let run = run(&bar, Pose::at("phi", 0.3).with("x", 0.0).with("y", 1.0), 2.0);
+    let run = run(&bar, Pose::new("phi", 0.3).with("x", 0.0).with("y", 1.0), 2.0);
     let last = run.segments().pop().unwrap();
     assert_eq!((last.form, last.set.len()), (Form::Closed, 2));
     assert_eq!(run.final_state()[0], 0.0);
@@ -60,8 +60,8 @@ fn a_bar_comes_to_rest_on_the_side_of_the_figure() {
 #[test]
 fn feet_close_on_the_other_branch() {
     for (inner, outer) in [(2.0, 1.14), (1.0, 2.3)] {
-        run(&ZIGZAG, Pose::at("phi_inner", inner).with("phi_outer", outer).with("y", 0.1), 0.6);
-        run(&ZIGZAG, Pose::at("phi_inner", inner).with("phi_outer", outer), 0.6);
+        run(&ZIGZAG, Pose::new("phi_inner", inner).with("phi_outer", outer).with("y", 0.1), 0.6);
+        run(&ZIGZAG, Pose::new("phi_inner", inner).with("phi_outer", outer), 0.6);
     }
 }
 
@@ -69,7 +69,7 @@ fn feet_close_on_the_other_branch() {
 #[test]
 fn a_start_on_the_other_branch_is_kept() {
     for inner in [2.0, 1.0] {
-        let pose = Pose::at("phi_inner", inner).with("phi_outer", PI - inner);
+        let pose = Pose::new("phi_inner", inner).with("phi_outer", PI - inner);
         let run = run(&ZIGZAG, pose, 0.3);
         starts_as_given(&run, &[inner, PI - inner, 0.0, 0.0, 0.0, 0.0]);
         assert_eq!(run.segments()[0].form, Form::Projected);
@@ -79,7 +79,7 @@ fn a_start_on_the_other_branch_is_kept() {
 /// Where both branches meet, rates between them satisfy both contacts to first order: one of these opens, unless it is held.
 #[test]
 fn rates_where_the_branches_meet_are_kept_or_refused() {
-    let upright = Pose::at("phi_inner", PI / 2.0).with("phi_outer", PI / 2.0);
+    let upright = Pose::new("phi_inner", PI / 2.0).with("phi_outer", PI / 2.0);
     let start = upright.with("phi_inner'", 1.0).with("phi_outer'", 0.5);
     starts_as_given(&run(&ZIGZAG, start.clone(), 0.2), &[PI / 2.0, PI / 2.0, 0.0, 1.0, 0.5, 0.0]);
     let held = Simulation::new(&ZIGZAG).unwrap().start(start).unwrap().hold("A").unwrap().hold("C").unwrap();
@@ -92,7 +92,7 @@ fn rates_where_the_branches_meet_are_kept_or_refused() {
 fn a_turned_rod_stays_turned() {
     let rod = RodOnSupports { m: 1.0, l: 1.0, g: 1.0 };
     for turned in [PI, -PI, 2.0 * PI] {
-        let simulation = Simulation::new(&rod).unwrap().start(Pose::at("theta", turned)).unwrap();
+        let simulation = Simulation::new(&rod).unwrap().start(Pose::new("theta", turned)).unwrap();
         let run = simulation.release("A", 0.1).unwrap().limit(0.4).run().unwrap();
         assert_eq!(breaches(&run), [""; 0]);
         assert!((run.state(0.1)[0] - turned).abs() < 1e-12);
@@ -105,7 +105,7 @@ fn a_turned_rod_stays_turned() {
 fn a_start_where_gaps_are_flat_is_on_the_closed_form() {
     let bars = liftoff_fixtures::Zigzag { m1: 1.0, m2: 1.0, l: 1.0, g: 9.81 };
     for angle in [PI / 2.0 - 3e-8, PI / 2.0 - 1e-4, 1.2] {
-        let simulation = Simulation::new(&bars).unwrap().start(Pose::at("phi_outer", angle)).unwrap();
+        let simulation = Simulation::new(&bars).unwrap().start(Pose::new("phi_outer", angle)).unwrap();
         let run = simulation.limit(0.01).run().unwrap();
         let start = &run.events()[0].state;
         assert!(
@@ -113,7 +113,7 @@ fn a_start_where_gaps_are_flat_is_on_the_closed_form() {
             "{angle}: {start:?}"
         );
     }
-    let upright = Simulation::new(&bars).unwrap().start(Pose::at("phi_outer", PI / 2.0)).unwrap();
+    let upright = Simulation::new(&bars).unwrap().start(Pose::new("phi_outer", PI / 2.0)).unwrap();
     let refused = upright.run().map_err(|error| error.cause().clone()).map(drop);
     assert!(
         matches!(refused, Err(liftoff::RunCause::Start(liftoff::StartError::Equilibrium))),

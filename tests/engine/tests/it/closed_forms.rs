@@ -43,7 +43,7 @@ struct WholePair {
 fn a_small_pivot_goes_over_to_multipliers_in_mid_run() {
     let model = NarrowGap { m: 1.0, l: 1.0, w: 0.02, g: 1.0 };
     let run = |form| {
-        let start = Pose::at("phi", 0.5).with("phi'", 3.0);
+        let start = Pose::new("phi", 0.5).with("phi'", 3.0);
         let simulation = Simulation::new(&model).unwrap().form(form).start(start).unwrap();
         simulation.hold("P").unwrap().limit(1.0).run().unwrap()
     };
@@ -64,7 +64,7 @@ fn a_small_pivot_goes_over_to_multipliers_in_mid_run() {
 #[test]
 fn a_pivot_may_be_small_from_the_start() {
     let model = WholePair { m: 1.0, l: 1.0, g: 1.0 };
-    let pose = Pose::at("left", 0.1).with("right", 0.1);
+    let pose = Pose::new("left", 0.1).with("right", 0.1);
     let run =
         Simulation::new(&model).unwrap().start(pose).unwrap().until("left = pi/2").unwrap().run().unwrap();
     let open = &run.events()[1];
@@ -80,7 +80,7 @@ fn a_vanishing_pivot_is_no_singularity_of_the_motion() {
     let run = Simulation::new(&WholePair { m: 1.0, l: 1.0, g: 1.0 }).unwrap().run();
     assert_eq!(*run.unwrap_err().cause(), liftoff::RunCause::Start(liftoff::StartError::Equilibrium));
     let sliding = Simulation::new(&WholePair { m: 1.0, l: 1.0, g: 1.0 }).unwrap();
-    let run = sliding.start(Pose::at("x'", 0.1)).unwrap().limit(0.5).run().unwrap();
+    let run = sliding.start(Pose::new("x'", 0.1)).unwrap().limit(0.5).run().unwrap();
     assert_eq!(run.segments()[0].form, Form::Projected);
     let value = |text: &str, t: f64| run.value(&Output::parse(WholePair::LAYOUT, text).unwrap(), t);
     assert!((value("E", 0.5) - value("E", 0.0)).abs() < 1e-12);

@@ -15,7 +15,7 @@ fn ladder_leaves_the_wall_and_lands() {
             .unwrap()
             .form(form)
             .tolerance(1e-13)
-            .start(Pose::at("theta", 75f64.to_radians()))
+            .start(Pose::new("theta", 75f64.to_radians()))
             .unwrap()
             .until("theta = 0")
             .unwrap()
@@ -74,7 +74,7 @@ fn two_roots_in_one_step_are_found() {
             let sum = 1.0 + excess;
             let spin = (3.0 * (sum - start.sin()) / l).sqrt();
             let run = Simulation::new(&AFrame { m: 1.0, l, g: 1.0 }).unwrap().form(form);
-            let pose = Pose::at("phi", start).with("phi'", -spin);
+            let pose = Pose::new("phi", start).with("phi'", -spin);
             let run = run.start(pose).unwrap().until("h = 0.1").unwrap().run().unwrap();
             let open = &run.events()[1];
             let expected = (sum + (sum * sum - 1.0).sqrt()) / 3.0;
@@ -93,7 +93,7 @@ fn a_touch_does_not_open() {
         let start = 80f64.to_radians();
         let spin = (3.0 * (1.0 - start.sin())).sqrt();
         let run = Simulation::new(&AFrame { m: 1.0, l: 1.0, g: 1.0 }).unwrap().form(form);
-        let pose = Pose::at("phi", start).with("phi'", -spin);
+        let pose = Pose::new("phi", start).with("phi'", -spin);
         let run = run.start(pose).unwrap().until("h = 0.1").unwrap().run().unwrap();
         let kinds: Vec<_> = run.events().iter().map(|e| e.kind).collect();
         assert_eq!(kinds, [EventKind::Start, EventKind::Touch, EventKind::Stop]);
@@ -111,7 +111,7 @@ fn a_frame_collapses() {
             .unwrap()
             .form(form)
             .tolerance(1e-13)
-            .start(Pose::at("phi", 80f64.to_radians()))
+            .start(Pose::new("phi", 80f64.to_radians()))
             .unwrap()
             .until("h = 0")
             .unwrap()
@@ -133,7 +133,7 @@ fn a_frame_collapses() {
 fn a_reaction_within_its_bound_does_not_stop_the_time() {
     for (tolerance, flat) in [(1e-4, 1e-8), (1e-6, 1e-8), (1e-5, 1e-7)] {
         let ladder = Simulation::new(&Ladder { m: 1.0, l: 1.0, g: 1.0 }).unwrap().tolerance(tolerance);
-        let start = Pose::at("theta", flat).with("x", 0.5 * flat.cos()).with("y", 0.5 * flat.sin());
+        let start = Pose::new("theta", flat).with("x", 0.5 * flat.cos()).with("y", 0.5 * flat.sin());
         let start = start.with("x'", -0.6).with("theta'", 0.0).with("y'", 0.0);
         let run = ladder.start(start).unwrap().until("theta = 0").unwrap().run();
         let run = run.unwrap_or_else(|error| panic!("{tolerance:e}: {error}"));
@@ -174,14 +174,14 @@ fn fast_points_meet_what_is_near() {
     for speed in [1.0, 100.0, 3e3, 1e6] {
         for tolerance in [1e-3, 4.5e-5, 1e-7, 1e-12] {
             let ring = Ring { m: 1.0, r: 1.0, g: 9.81 };
-            let start = Pose::at("x", 0.24).with("y", 0.16).with("y'", speed);
+            let start = Pose::new("x", 0.24).with("y", 0.16).with("y'", speed);
             let run = Simulation::new(&ring).unwrap().start(start).unwrap().tolerance(tolerance);
             let run = run.limit(1.0 / speed).run().unwrap();
             let close = &run.events()[1];
             let off = close["x"].hypot(close["y"]) - 1.0;
             assert!(close.kind == EventKind::Close && off.abs() < 1e-9, "{speed} {tolerance}: {off:e}");
             let wall = Wall { m: 1.0, g: 9.81 };
-            let start = Pose::at("x", 1.0).with("y", 1.0).with("x'", -speed);
+            let start = Pose::new("x", 1.0).with("y", 1.0).with("x'", -speed);
             let run = Simulation::new(&wall).unwrap().start(start).unwrap().tolerance(tolerance);
             let run = run.limit(2.0 / speed).run().unwrap();
             let impact = &run.events()[1];

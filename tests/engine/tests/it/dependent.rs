@@ -58,7 +58,7 @@ struct Pinion {
 #[test]
 fn a_rough_rack_beside_a_guide_is_rolled_on() {
     let wheel = Pinion { m: 1.5, j: 0.02, r: 0.1, g: 9.81 };
-    let start = Pose::at("y", 0.0).with("phi", 0.0).with("y'", 0.0).with("phi'", 0.0);
+    let start = Pose::new("y", 0.0).with("phi", 0.0).with("y'", 0.0).with("phi'", 0.0);
     let run = Simulation::new(&wheel).unwrap().start(start).unwrap().limit(1.0).run().unwrap();
     let [y, phi] = ["y", "phi"].map(|text| run.output(text).unwrap());
     let fallen = -0.5 * 9.81 / (1.0 + 0.02 / (1.5 * 0.01));
@@ -262,7 +262,7 @@ struct Lifted {
 fn a_foot_without_load_opens_no_other() {
     for tolerance in [1e-5, 1e-9, 1e-13] {
         let lifted = Lifted { f: 6.0 };
-        let start = Pose::at("phi", 0.0).with("x", 0.0).with("y", 0.0);
+        let start = Pose::new("phi", 0.0).with("x", 0.0).with("y", 0.0);
         let simulation = Simulation::new(&lifted).unwrap().start(start).unwrap();
         let run = simulation.tolerance(tolerance).limit(1.5).run().unwrap();
         let opened: Vec<&Event> =

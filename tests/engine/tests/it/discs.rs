@@ -38,7 +38,7 @@ fn a_disc_rolls_or_slides_down_a_slope() {
     for mu in [0.3, 0.1] {
         let wheel = Rolling { m: 1.7, r, g, a, mu };
         // The centre is r from the slope.
-        let pose = Pose::at("x", r * sin).with("y", r * cos).with("phi", 0.0);
+        let pose = Pose::new("x", r * sin).with("y", r * cos).with("phi", 0.0);
         let pose = pose.with("x'", 0.0).with("y'", 0.0).with("phi'", 0.0);
         let record = run(Simulation::new(&wheel).unwrap().start(pose).unwrap().limit(1.0).tolerance(1e-11));
         let at = |text: &str| value(&record, Rolling::LAYOUT, text, 0.8);
@@ -58,7 +58,7 @@ fn a_disc_slides_on_a_level_slope() {
     let (r, g, mu, v) = (0.4, 9.81, 0.2, 2.0);
     for a in [0.0, 2e-10, -1e-8, 1e-6] {
         let wheel = Rolling { m: 1.7, r, g, a, mu };
-        let pose = Pose::at("x", r * a.sin()).with("y", r * a.cos()).with("phi", 0.0);
+        let pose = Pose::new("x", r * a.sin()).with("y", r * a.cos()).with("phi", 0.0);
         let pose = pose.with("x'", v).with("y'", -v * a.tan()).with("phi'", 0.0);
         let record = run(Simulation::new(&wheel).unwrap().start(pose).unwrap().limit(0.1).tolerance(1e-12));
         let x = r * a.sin() + 0.1 * v - 0.5 * g * (mu - a) * 0.01;
@@ -92,7 +92,7 @@ struct OnTop {
 fn a_disc_rolls_off_another() {
     let (r, c, start) = (0.3, 0.9, 0.2_f64);
     let reach = r + c;
-    let pose = Pose::at("x", reach * start.sin()).with("y", reach * start.cos()).with("phi", 0.0);
+    let pose = Pose::new("x", reach * start.sin()).with("y", reach * start.cos()).with("phi", 0.0);
     let pose = pose.with("x'", 0.0).with("y'", 0.0).with("phi'", 0.0);
     let simulation = Simulation::new(&OnTop { m: 1.1, r, c, g: 9.81 }).unwrap().start(pose).unwrap();
     let record = run(simulation.limit(2.0).tolerance(1e-12));
@@ -131,7 +131,7 @@ struct Plank {
 fn a_disc_rolls_on_a_plank_that_is_pulled_away() {
     let (m, p, r, f) = (1.5, 2.0, 0.25, 3.0);
     let plank = Plank { m, p, r, l: 4.0, f, g: 9.81 };
-    let pose = Pose::at("x", 0.0).with("y", r).with("u", -2.0).with("phi", 0.0);
+    let pose = Pose::new("x", 0.0).with("y", r).with("u", -2.0).with("phi", 0.0);
     let pose = pose.with("x'", 0.0).with("y'", 0.0).with("u'", 0.0).with("phi'", 0.0);
     let record = run(Simulation::new(&plank).unwrap().start(pose).unwrap().limit(1.0).tolerance(1e-12));
     let at = |text: &str| value(&record, Plank::LAYOUT, text, 0.9);
@@ -170,7 +170,7 @@ struct Curling {
 fn spinning_discs_collide_with_friction() {
     let (m, r, c, mu, e, v, spin) = (1.3, 0.5, 0.8, 0.1, 0.7, 2.0, 20.0);
     let names = ["y", "u", "v", "phi", "psi", "y'", "u'", "v'", "psi'"];
-    let pose = names.iter().fold(Pose::at("x'", v), |pose, name| pose.with(*name, 0.0));
+    let pose = names.iter().fold(Pose::new("x'", v), |pose, name| pose.with(*name, 0.0));
     let pose = pose.with("x", -2.0).with("phi'", spin);
     let simulation = Simulation::new(&Curling { m, r, c, mu, e }).unwrap().start(pose).unwrap();
     let record = run(simulation.limit(1.0).tolerance(1e-12));
@@ -227,7 +227,7 @@ impl Cradle {
     fn run(&self, apart: f64) -> Trajectory {
         let names = ["b", "c", "d", "z"];
         let step = 2.0 * self.r + apart;
-        let pose = Pose::at("a", -step).with("a'", 1.0);
+        let pose = Pose::new("a", -step).with("a'", 1.0);
         let pose = names.iter().zip(0..).fold(pose, |pose, (name, k)| {
             pose.with(*name, f64::from(k) * step).with(format!("{name}'"), 0.0)
         });
@@ -289,7 +289,7 @@ fn a_pin_goes_round_a_hole_of_a_free_plate() {
     let (m, p, r, c, w) = (2.0, 0.5, 0.3, 0.5, 1.4);
     let play: f64 = c - r;
     let names = ["y", "u", "v", "x'", "u'", "v'"];
-    let pose = names.iter().fold(Pose::at("x", play), |pose, name| pose.with(*name, 0.0)).with("y'", w);
+    let pose = names.iter().fold(Pose::new("x", play), |pose, name| pose.with(*name, 0.0)).with("y'", w);
     let simulation = Simulation::new(&Clearance { m, p, l: 1.0, r, c }).unwrap().start(pose).unwrap();
     let record = run(simulation.limit(3.0).tolerance(1e-12));
     let t = 2.7;
@@ -323,7 +323,7 @@ struct Hoop {
 fn a_bead_on_a_hoop_is_held_from_both_sides() {
     let (m, r, c, g) = (1.3, 0.5, 0.2, 9.81_f64);
     let start = (2.25 * g * r).sqrt();
-    let pose = Pose::at("x", c).with("y", -r).with("x'", start).with("y'", 0.0);
+    let pose = Pose::new("x", c).with("y", -r).with("x'", start).with("y'", 0.0);
     let simulation = Simulation::new(&Hoop { m, r, c, g }).unwrap().start(pose).unwrap();
     let record = run(simulation.limit(1.0).tolerance(1e-12));
     let mut signs = [false; 2];
@@ -373,7 +373,7 @@ fn a_plank_rocks_on_a_cylinder() {
         / f64::from(parts);
     let (sin, cos) = tilt.sin_cos();
     let back = r * tilt - l / 2.0;
-    let pose = Pose::at("phi", tilt).with("x", -r * sin + back * cos).with("y", r * cos + back * sin);
+    let pose = Pose::new("phi", tilt).with("x", -r * sin + back * cos).with("y", r * cos + back * sin);
     let simulation = Simulation::new(&Rocker { m, l, r, g }).unwrap().tolerance(1e-12).start(pose).unwrap();
     let record = run(simulation.until("phi = 0").unwrap());
     let end = record.events().last().unwrap();

@@ -14,7 +14,7 @@ fn value(run: &Trajectory, output: &str, t: f64) -> f64 {
 #[test]
 fn friction_takes_its_force_times_the_way() {
     let oscillator = Belt { m: 1.0, g: 10.0, k: 1.0, mu: 0.1, mu_s: 0.1, w: 0.0 };
-    let start = Pose::at("x", 12.0).with("x'", 6.0);
+    let start = Pose::new("x", 12.0).with("x'", 6.0);
     let run = Simulation::new(&oscillator).unwrap().start(start).unwrap().limit(40.0).tolerance(1e-12).run();
     let run = run.unwrap();
     let turn = 205.0_f64.sqrt() - 1.0;
@@ -36,7 +36,7 @@ fn a_moving_surface_does_work() {
     for w in [-0.7, 0.0, 1.5] {
         let belt = Belt { m: 2.0, g: 10.0, k: 0.0, mu: 0.3, mu_s: 0.3, w };
         let slip = 1.2;
-        let start = Pose::at("x", 2.0).with("x'", w - slip);
+        let start = Pose::new("x", 2.0).with("x'", w - slip);
         let run =
             Simulation::new(&belt).unwrap().start(start).unwrap().limit(1.0).tolerance(1e-12).run().unwrap();
         assert!((value(&run, "D", 1.0) - slip * slip).abs() < 1e-10);
@@ -50,7 +50,7 @@ fn a_moving_surface_does_work() {
 #[test]
 fn an_impact_takes_what_its_impulses_do_along_the_slip() {
     let belt = Belt { m: 2.0, g: 10.0, k: 0.0, mu: 0.2, mu_s: 0.2, w: 0.5 };
-    let thrown = Pose::at("x", 3.0).with("y", 0.1).with("x'", 3.0).with("y'", -3.0);
+    let thrown = Pose::new("x", 3.0).with("y", 0.1).with("x'", 3.0).with("y'", -3.0);
     let run =
         Simulation::new(&belt).unwrap().start(thrown).unwrap().limit(0.1).tolerance(1e-12).run().unwrap();
     let impact = run.events().iter().find(|event| event.kind == EventKind::Impact).unwrap();
@@ -87,7 +87,7 @@ struct Damped {
 #[test]
 fn dampers_take_what_loads_give() {
     let damped = Damped { m: 2.0, l: 1.0, k: 26.0, c: 1.5, f: 5.0 };
-    let start = Pose::at("x", 1.3).with("phi", 0.5 * PI + 0.2).with("phi'", 1.0);
+    let start = Pose::new("x", 1.3).with("phi", 0.5 * PI + 0.2).with("phi'", 1.0);
     let run =
         Simulation::new(&damped).unwrap().start(start).unwrap().limit(2.0).tolerance(1e-12).run().unwrap();
     for t in [0.01, 0.3, 1.0, 2.0] {
@@ -103,7 +103,7 @@ fn dampers_take_what_loads_give() {
 fn what_was_lost_is_known_of_recorded_motions_only() {
     let belt = Belt { m: 2.0, g: 10.0, k: 0.0, mu: 0.3, mu_s: 0.3, w: 0.0 };
     let simulation = || {
-        let start = Pose::at("x", 1.0).with("x'", 1.0);
+        let start = Pose::new("x", 1.0).with("x'", 1.0);
         Simulation::new(&belt).unwrap().start(start).unwrap().limit(1.0)
     };
     let error = liftoff::Condition::parse(Belt::LAYOUT, "2 * D = 1").unwrap_err();

@@ -71,7 +71,7 @@ fn a_drive_that_starts_where_it_turns_round_tells_the_time() {
     for w in [2f64.powi(-30), 1.0, 2f64.powi(30)] {
         let model = Swung { m: 1.0, l: 1.0, b: 0.3, w, p: core::f64::consts::FRAC_PI_2 };
         for rate in [Some(0.0), None] {
-            let start = Pose::at("phi", -0.3);
+            let start = Pose::new("phi", -0.3);
             let start = rate.map_or(start.clone(), |rate| start.with("phi'", rate));
             let simulation = Simulation::new(&model).unwrap().start(start).unwrap().limit(3.0 / w);
             let natural = simulation.scales().time * w;

@@ -78,18 +78,18 @@ fn what_is_lost_beside_the_largest() {
 #[test]
 fn starts() {
     for (pose, expected) in [
-        (Pose::at("phj", 0.1), "no coordinate `phj`; did you mean `phi`?"),
-        (Pose::at("phi", f64::NAN), "`phi` starts at NaN"),
-        (Pose::at("phi", 0.1).with("phi", 0.2), "`phi` is given twice"),
-        (Pose::at("phi", 0.1).with("y", -1.0), "support P, Q is penetrated by 9.451e-1"),
-        (Pose::at("phi", 1.2), "the contact P, Q lies beyond the end of its bar by 3.79"),
+        (Pose::new("phj", 0.1), "no coordinate `phj`; did you mean `phi`?"),
+        (Pose::new("phi", f64::NAN), "`phi` starts at NaN"),
+        (Pose::new("phi", 0.1).with("phi", 0.2), "`phi` is given twice"),
+        (Pose::new("phi", 0.1).with("y", -1.0), "support P, Q is penetrated by 9.451e-1"),
+        (Pose::new("phi", 1.2), "the contact P, Q lies beyond the end of its bar by 3.79"),
     ] {
         let told = message(pair().start(pose));
         assert!(told.starts_with(expected), "{told}");
     }
-    let told = message(pair().start(Pose::at("phi", 0.1)).unwrap().on_energy_of(Pose::at("phi", 0.2)));
+    let told = message(pair().start(Pose::new("phi", 0.1)).unwrap().on_energy_of(Pose::new("phi", 0.2)));
     assert!(told.starts_with("the start lies 3.539"), "{told}");
-    let free = Pose::at("phi", 0.1).with("y", 1.0);
+    let free = Pose::new("phi", 0.1).with("y", 1.0);
     let told = message(pair().start(free.clone()).unwrap().on_energy_of(free));
     assert_eq!(told, "an energy level gives the rate of one degree of freedom, here are 2");
 }
@@ -103,26 +103,26 @@ fn poses_are_completed() {
                 Simulation::new(&Ladder { m: 1.0, l: 1.0, g: 1.0 }).unwrap().form(form).start(pose).unwrap();
             run.limit(1e-3).run().unwrap().events()[0].clone()
         };
-        let off_wall = start(Pose::at("theta", 1.0).with("x", 0.5));
+        let off_wall = start(Pose::new("theta", 1.0).with("x", 0.5));
         assert_eq!(off_wall.reactions[1].value, 0.0);
         assert!((off_wall.state[2] - 0.5 * 1f64.sin()).abs() < 1e-15);
-        let sliding = start(Pose::at("theta", 1.0).with("theta'", -0.5));
+        let sliding = start(Pose::new("theta", 1.0).with("theta'", -0.5));
         for (computed, expected) in
             sliding.state[3..].iter().zip([-0.5, 0.25 * 1f64.sin(), -0.25 * 1f64.cos()])
         {
             assert!((computed - expected).abs() < 1e-15);
         }
-        let leaving = start(Pose::at("theta", 1.0).with("x'", 0.3).with("theta'", 0.0));
+        let leaving = start(Pose::new("theta", 1.0).with("x'", 0.3).with("theta'", 0.0));
         assert_eq!((leaving.reactions[1].value, leaving.state[4]), (0.0, 0.3));
     }
 }
 
 #[test]
 fn runs_keep_what_they_computed() {
-    let started = || pair().start(Pose::at("phi", 0.1)).unwrap();
+    let started = || pair().start(Pose::new("phi", 0.1)).unwrap();
     assert!(matches!(started().tolerance(f64::NAN).run().unwrap_err().cause(), RunCause::Tolerance(_)));
     assert!(matches!(started().limit(-1.0).run().unwrap_err().cause(), RunCause::Limit(_)));
-    let free = pair().start(Pose::at("phi", 0.1).with("y", 1.0)).unwrap();
+    let free = pair().start(Pose::new("phi", 0.1).with("y", 1.0)).unwrap();
     let error = free.hold("P").unwrap().run().unwrap_err();
     assert!(matches!(error.cause(), RunCause::Start(StartError::HeldOpen { .. })));
     // A step so short that time cannot resolve it.
@@ -151,7 +151,7 @@ fn massless_motion_is_singular() {
 fn no_contact_opens_where_the_inertia_vanishes() {
     for method in MethodId::ALL {
         let zigzag = Simulation::new(&Zigzag { m1: 0.0, m2: 1.0, l: 1.0, g: 1.0 }).unwrap().method(method);
-        let error = zigzag.start(Pose::at("phi_inner", 0.8)).unwrap().run().unwrap_err();
+        let error = zigzag.start(Pose::new("phi_inner", 0.8)).unwrap().run().unwrap_err();
         let told = error.cause().to_string();
         assert!(told.ends_with("no mass resists phi_inner, y (without mass: bar BC, bar CD)"), "{told}");
         let run = error.trajectory();
@@ -170,7 +170,7 @@ fn no_contact_opens_where_the_inertia_vanishes() {
 #[test]
 fn creeping_towards_a_singularity_ends() {
     let zigzag = Simulation::new(&Zigzag { m1: 0.0, m2: 1.0, l: 1.0, g: 1.0 }).unwrap();
-    let error = zigzag.start(Pose::at("phi_inner", 0.8)).unwrap().run().unwrap_err();
+    let error = zigzag.start(Pose::new("phi_inner", 0.8)).unwrap().run().unwrap_err();
     let RunCause::Contact { source: ContactError::Singular { .. }, .. } = error.cause() else {
         panic!("{:?}", error.cause())
     };
@@ -231,7 +231,7 @@ fn static_friction_is_that_of_no_slip() {
 fn friction_that_becomes_negative_ends_a_run() {
     for method in [MethodId::Auto, MethodId::Taylor, MethodId::Dop853, MethodId::Radau] {
         let block = Stribeck { c: -0.05, f: 4.0, ..STRIBECK };
-        let start = Pose::at("x", 0.0).with("x'", 1e-3);
+        let start = Pose::new("x", 0.0).with("x'", 1e-3);
         let run = Simulation::new(&block).unwrap().start(start).unwrap().method(method).limit(5.0).run();
         let error = run.map(|_| ()).unwrap_err();
         let RunCause::NegativeFriction { t, contact, velocity } = error.cause() else { panic!("{error}") };
@@ -240,7 +240,7 @@ fn friction_that_becomes_negative_ends_a_run() {
     }
     // At once where it starts so fast.
     let block = Stribeck { c: -0.05, ..STRIBECK };
-    let start = Simulation::new(&block).unwrap().start(Pose::at("x", 0.0).with("x'", 3.0)).unwrap();
+    let start = Simulation::new(&block).unwrap().start(Pose::new("x", 0.0).with("x'", 3.0)).unwrap();
     let told = message(start.limit(1.0).run());
     assert!(told.contains("friction of P is negative at this slip velocity: -0.25"), "{told}");
 }

@@ -17,9 +17,9 @@ fn fall(form: Form, tolerance: f64) -> Trajectory {
         .unwrap()
         .tolerance(tolerance)
         .form(form)
-        .start(Pose::at("phi", 0.1))
+        .start(Pose::new("phi", 0.1))
         .unwrap()
-        .on_energy_of(Pose::at("phi", 0.0))
+        .on_energy_of(Pose::new("phi", 0.0))
         .unwrap()
         .until("phi = pi/2")
         .unwrap()
@@ -61,7 +61,7 @@ fn starts_from_rest() {
         (1e-2, 0.814912203729558, 9.377697720538645, 1e-11),
         (1e-4, 0.814911663028116, 98.6120609142667, 1e-10),
     ] {
-        let run = Simulation::new(&unit()).unwrap().start(Pose::at("phi", start)).unwrap();
+        let run = Simulation::new(&unit()).unwrap().start(Pose::new("phi", start)).unwrap();
         let run = run.until("gap(P) > 0.01").unwrap().run().unwrap();
         let open = &run.events()[1];
         println!("{start} {} {} {:?}", open.state[0] - phi, open.t - t, run.statistics());
@@ -77,7 +77,7 @@ fn degenerate_equilibrium_is_said() {
     assert_eq!(*error.cause(), liftoff::RunCause::Start(liftoff::StartError::Equilibrium));
     // φ₀ = 1e-12 does move, after a million natural times.
     let run =
-        Simulation::new(&unit()).unwrap().start(Pose::at("phi", 1e-12)).unwrap().limit(10.0).run().unwrap();
+        Simulation::new(&unit()).unwrap().start(Pose::new("phi", 1e-12)).unwrap().limit(10.0).run().unwrap();
     assert_eq!(run.events().last().unwrap().kind, EventKind::End);
 }
 
@@ -95,7 +95,7 @@ fn forms_agree_through_the_lift_off() {
 
 #[test]
 fn held_corners_pull() {
-    let run = Simulation::new(&unit()).unwrap().start(Pose::at("phi", 0.1)).unwrap();
+    let run = Simulation::new(&unit()).unwrap().start(Pose::new("phi", 0.1)).unwrap();
     let run = run.hold("Q").unwrap().until("phi = 1").unwrap().run().unwrap();
     assert_eq!(run.events().len(), 2);
     let reaction = Output::parse(FallingPair::LAYOUT, "N(Q)").unwrap();
@@ -110,7 +110,7 @@ fn held_corners_pull() {
 
 #[test]
 fn slides_off_its_bar() {
-    let run = Simulation::new(&unit()).unwrap().start(Pose::at("phi", 0.1)).unwrap();
+    let run = Simulation::new(&unit()).unwrap().start(Pose::new("phi", 0.1)).unwrap();
     let run = run.hold("P").unwrap().until("phi = 7 * pi / 16").unwrap().run().unwrap();
     let [_, off, stop] = run.events() else { panic!("{:?}", run.events()) };
     assert_eq!((off.kind, &off.supports[..]), (EventKind::SlideOff, &["P", "Q"][..]));
@@ -126,7 +126,7 @@ fn slides_off_its_bar() {
 #[test]
 fn a_foot_that_has_slid_off_does_not_settle() {
     for rate in 1..=60 {
-        let start = Pose::at("phi", 0.0).with("phi'", -10.0 * f64::from(rate));
+        let start = Pose::new("phi", 0.0).with("phi'", -10.0 * f64::from(rate));
         let run = Simulation::new(&unit()).unwrap().tolerance(1e-11).start(start).unwrap();
         let run = run.method(MethodId::Dop853).limit(1.0).run().unwrap();
         let kinds: Vec<EventKind> = run.events().iter().map(|event| event.kind).collect();
@@ -137,7 +137,7 @@ fn a_foot_that_has_slid_off_does_not_settle() {
 
 #[test]
 fn free_start_closes() {
-    let run = Simulation::new(&unit()).unwrap().start(Pose::at("phi", 0.3).with("y", 0.2)).unwrap();
+    let run = Simulation::new(&unit()).unwrap().start(Pose::new("phi", 0.3).with("y", 0.2)).unwrap();
     let run = run.stop_at_impacts().run().unwrap();
     let last = run.events().last().unwrap();
     assert_eq!(last.kind, EventKind::Close);

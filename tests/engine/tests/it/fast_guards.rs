@@ -9,7 +9,7 @@ use liftoff_fixtures::RodOnSupports;
 /// When a condition ends a run of the pendulum from a = 1 at rest, and a then. a falls from 1 through zero.
 fn end(condition: &str) -> [f64; 2] {
     let model = DoublePendulum { m: 1.0, l: 1.0, g: 1.0 };
-    let start = Pose::at("a", 1.0).with("b", 1.0);
+    let start = Pose::new("a", 1.0).with("b", 1.0);
     let run = Simulation::new(&model).unwrap().start(start).unwrap().limit(3.0);
     let run = run.until(condition).unwrap().run().unwrap();
     let a = Output::parse(DoublePendulum::LAYOUT, "a").unwrap();
@@ -55,7 +55,7 @@ fn spikes(method: impl Method + Clone) {
     let model = DoublePendulum { m: 1.0, l: 1.0, g: 1.0 };
     for steep in [1e3, 1e6] {
         let run = Simulation::new(&model).unwrap().method(method.clone()).tolerance(1e-9);
-        let run = run.start(Pose::at("a", 1.0).with("b", 1.0)).unwrap().limit(3.0);
+        let run = run.start(Pose::new("a", 1.0).with("b", 1.0)).unwrap().limit(3.0);
         let run = run.until(&format!("1 - abs(a - 0.5)*{steep} > 0")).unwrap().run().unwrap();
         let a = run.final_state()[0];
         assert!((a - 0.5 - 1.0 / steep).abs() < 1e-7, "{} {steep} {a}", method.name());
@@ -70,7 +70,7 @@ fn nothing_is_found_that_is_not_there() {
         ["1/(1+(1e6*(a-0.5))^2)=1.1", "sin(1e5*t) > 1.0000001", "1/(2+sin(1e4*a)) < 0.3333", "a^2 < -1e-9"]
     {
         let run =
-            Simulation::new(&model).unwrap().start(Pose::at("a", 1.0).with("b", 1.0)).unwrap().limit(3.0);
+            Simulation::new(&model).unwrap().start(Pose::new("a", 1.0).with("b", 1.0)).unwrap().limit(3.0);
         let run = run.until(condition).unwrap().run().unwrap();
         assert_eq!(run.events().last().unwrap().kind, EventKind::End, "{condition}");
     }
@@ -100,7 +100,7 @@ fn close_to_poles(method: impl Method + Clone) {
     for tolerance in [1e-4, 1e-6, 1e-9, 1e-12] {
         for (omega, height) in [(1302.37, 4593.7), (1302.37, 1e7), (10.0, 1e5), (10.0, 1e9), (10.0, 1e12)] {
             let run = Simulation::new(&model).unwrap().method(method.clone()).tolerance(tolerance);
-            let run = run.start(Pose::at("a", 1.0).with("b", 1.0)).unwrap().limit(3.0);
+            let run = run.start(Pose::new("a", 1.0).with("b", 1.0)).unwrap().limit(3.0);
             let run = run.until(&format!("tan({omega}*a)={height}")).unwrap().run();
             let run = run.unwrap_or_else(|e| panic!("{} {tolerance:e} {omega} {height}: {e}", method.name()));
             let turns = ((omega - f64::atan(height)) / core::f64::consts::PI).floor();
@@ -124,7 +124,7 @@ fn a_root_that_a_pole_hides_is_undecided() {
     let model = DoublePendulum { m: 1.0, l: 1.0, g: 1.0 };
     for tolerance in [1e-4, 1e-9] {
         let run = Simulation::new(&model).unwrap().method(Dop853).tolerance(tolerance);
-        let run = run.start(Pose::at("a", 1.0).with("b", 1.0)).unwrap().limit(3.0);
+        let run = run.start(Pose::new("a", 1.0).with("b", 1.0)).unwrap().limit(3.0);
         let undecided = |condition: &str| {
             let run = run.clone().until(condition).unwrap().run().unwrap();
             run.log().iter().filter(|entry| entry.decision == LoggedDecision::ConditionUndecided).count()
@@ -146,7 +146,7 @@ fn a_condition_of_rounding_is_undecided_and_soon() {
     let model = DoublePendulum { m: 1.0, l: 1.0, g: 9.81 };
     for method in [MethodId::Auto, MethodId::Dop853, MethodId::Gauss] {
         let run = Simulation::new(&model).unwrap().method(method).tolerance(1e-6);
-        let run = run.start(Pose::at("a", 1.0).with("b", 1.0)).unwrap().limit(0.3);
+        let run = run.start(Pose::new("a", 1.0).with("b", 1.0)).unwrap().limit(0.3);
         for noise in ["E - T - V", "T + V - E > 0", "E - T < V", "abs(E^(-1)) > tan(1e8*(a'')^(-1))"] {
             let begun = std::time::Instant::now();
             let run = run.clone().until(noise).unwrap().run().unwrap();
@@ -164,7 +164,7 @@ fn a_condition_of_rounding_is_undecided_and_soon() {
 /// A rod falls from 5 with 1000 rad/s: its lower end is y − |sin ωt|/2 high, y = 5 − t²/2. Before t = 3 it is above.
 #[test]
 fn a_spinning_rod_strikes_with_the_first_end_that_reaches() {
-    let start = Pose::at("theta", 0.0).with("theta'", 1000.0).with("y", 5.0);
+    let start = Pose::new("theta", 0.0).with("theta'", 1000.0).with("y", 5.0);
     let run = Simulation::new(&RodOnSupports { m: 1.0, l: 1.0, g: 1.0 }).unwrap().start(start).unwrap();
     let run = run.limit(4.0).until_event(EventKind::Impact, None).unwrap().run().unwrap();
     let height = |t: f64| 5.0 - 0.5 * t * t - 0.5 * (1000.0 * t).sin().abs();

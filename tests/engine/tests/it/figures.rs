@@ -29,7 +29,7 @@ fn a_ladder_leans_on_the_wall_in_front_of_it() {
     let ladder = Ladder { m: 1.0, l: 1.0, g: 9.81, h };
     let phi = ladder.nominal()[0];
     assert!((phi - h.atan2((1.0 - h * h).sqrt())).abs() < ROUNDING, "{phi}");
-    let simulation = Simulation::new(&ladder).unwrap().start(Pose::at("phi", 1.0)).unwrap();
+    let simulation = Simulation::new(&ladder).unwrap().start(Pose::new("phi", 1.0)).unwrap();
     let start = simulation.limit(0.01).run().unwrap().events()[0].clone();
     // The foot on the floor in front of the wall, the head at the wall.
     assert!((start.state[1] - 1f64.cos()).abs() < ROUNDING, "{:?}", start.state);
@@ -71,7 +71,7 @@ fn a_crank_s_rod_is_measured_where_it_is_drawn() {
     let phi = (2.0 * r).atan2((l * l - 4.0 * r * r).sqrt());
     assert!((nominal[0] - core::f64::consts::FRAC_PI_2).abs() < ROUNDING, "{nominal:?}");
     assert!((nominal[1] - phi).abs() < ROUNDING, "{nominal:?}");
-    let simulation = Simulation::new(&crank).unwrap().start(Pose::at("theta", 1.0)).unwrap();
+    let simulation = Simulation::new(&crank).unwrap().start(Pose::new("theta", 1.0)).unwrap();
     let start = simulation.limit(0.01).run().unwrap().events()[0].clone();
     let closed = (r * (1.0 + 1f64.sin()) / l).asin();
     assert!((start.state[1] - closed).abs() < ROUNDING, "{:?}", start.state);

@@ -82,7 +82,7 @@ fn a_crank_takes_its_rocker_round_without_a_jump() {
             for k in 0..60 {
                 let phi = -12.3 + 0.41 * f64::from(k);
                 let [psi, chi] = followed(&of, phi).unwrap();
-                let found = start(&of, Pose::at("phi", phi)).unwrap();
+                let found = start(&of, Pose::new("phi", phi)).unwrap();
                 assert!((found[1] - psi).abs() < 1e-8, "{of:?} {phi}: {} for {psi}", found[1]);
                 assert!((found[2] - chi).abs() < 1e-8, "{of:?} {phi}: {} for {chi}", found[2]);
             }
@@ -106,7 +106,7 @@ fn a_crank_that_does_not_go_round_stands_where_its_bars_reach() {
             let ways = [near, near - TAU.copysign(near - FRAC_PI_2)];
             let reached: Vec<_> = ways.iter().filter_map(|&phi| followed(&of, phi)).collect();
             met[usize::from(reached.is_empty())] += 1;
-            match start(&of, Pose::at("phi", phi)) {
+            match start(&of, Pose::new("phi", phi)) {
                 Ok(found) => assert!(
                     reached.iter().any(|way| way.iter().zip(&found[1..]).all(|(a, b)| (a - b).abs() < 1e-8)),
                     "{of:?} {phi}: {found:?} for {reached:?}"
@@ -125,7 +125,7 @@ fn a_rocker_leaves_its_dead_centre_behind() {
     let mut last = 1.55;
     for k in 0..40 {
         let psi = 1.94 + 0.061 * f64::from(k);
-        let [phi, _, chi] = start(&of, Pose::at("psi", psi)).unwrap()[..] else {
+        let [phi, _, chi] = start(&of, Pose::new("psi", psi)).unwrap()[..] else {
             panic!("three coordinates")
         };
         let x = of.a * phi.cos() + of.b * chi.cos() - of.d - of.c * psi.cos();
@@ -139,7 +139,7 @@ fn a_rocker_leaves_its_dead_centre_behind() {
 /// Flat, with rates that neither the parallelogram nor the other branch has: what has to jump is named.
 #[test]
 fn rates_of_no_branch_are_refused_by_the_names_of_the_joints() {
-    let flat = Pose::at("phi", 0.0).with("psi", 0.0).with("chi", 0.0);
+    let flat = Pose::new("phi", 0.0).with("psi", 0.0).with("chi", 0.0);
     let simulation = Simulation::new(&four_bar([1.0, 2.0, 1.0, 2.0])).unwrap();
     let simulation = simulation.start(flat.with("phi'", 5.0).with("psi'", -2.0)).unwrap().limit(0.1);
     let error = simulation.run().unwrap_err().cause().to_string();
@@ -152,7 +152,7 @@ fn rates_of_no_branch_are_refused_by_the_names_of_the_joints() {
 fn a_crank_just_longer_than_its_rocker_does_not_pass_its_flat_position() {
     let end = |longer: f64| {
         let of = FourBar { g: 1.0, ..four_bar([1.0 + longer, 2.0, 1.0, 2.0]) };
-        let start = Pose::at("phi", 1.0).with("phi'", -1.0);
+        let start = Pose::new("phi", 1.0).with("phi'", -1.0);
         let run = Simulation::new(&of).unwrap().start(start).unwrap().limit(4.0).run().unwrap();
         let phi = run.value(&Output::parse(run.layout(), "phi").unwrap(), 4.0);
         assert!(phi > 0.0 && phi < core::f64::consts::PI, "{longer:e}: {phi}");
@@ -173,7 +173,7 @@ fn a_constant_step_past_a_flat_position_is_refused() {
     for longer in [1e-13, 1e-12, 1e-11] {
         let of = FourBar { g: 1.0, ..four_bar([1.0 + longer, 2.0, 1.0, 2.0]) };
         let simulation = Simulation::new(&of).unwrap().method(MethodId::Gauss);
-        let start = Pose::at("phi", 1.0).with("phi'", -1.0);
+        let start = Pose::new("phi", 1.0).with("phi'", -1.0);
         let error = simulation.start(start).unwrap().limit(4.0).run().unwrap_err().to_string();
         assert!(error.contains("auto, radau and dop853"), "{longer:e}: {error}");
     }

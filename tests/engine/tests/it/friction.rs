@@ -65,7 +65,7 @@ fn a_block_slides_up_stops_and_slides_back_or_stays() {
     let (g, v) = (9.81, 2.0);
     for (alpha, mu, mu_s) in [(0.3_f64, 0.2, 0.25), (0.5, 0.2, 0.3), (0.3, 0.4, 0.5)] {
         let block = Block { m: 1.3, g, alpha, mu, mu_s };
-        let pose = Pose::at("x", 0.0).with("x'", v * alpha.cos());
+        let pose = Pose::new("x", 0.0).with("x'", v * alpha.cos());
         let record = run(Simulation::new(&block).unwrap().start(pose).unwrap().limit(2.0).tolerance(1e-10));
         let deceleration = g * (alpha.sin() + mu * alpha.cos());
         let event = &record.events()[1];
@@ -87,7 +87,7 @@ fn a_block_slides_up_stops_and_slides_back_or_stays() {
 #[test]
 fn the_friction_oscillator_comes_to_rest() {
     let oscillator = Oscillator { m: 1.0, g: 10.0, k: 1.0, mu: 0.1 };
-    let pose = Pose::at("x", 12.0).with("x'", 6.0);
+    let pose = Pose::new("x", 12.0).with("x'", 6.0);
     for method in MethodId::ALL {
         let simulation = Simulation::new(&oscillator).unwrap().start(pose.clone()).unwrap();
         let record = run(simulation.limit(40.0).tolerance(1e-10).method(method));
@@ -121,7 +121,7 @@ fn a_toppling_rod_slips_at_known_angles() {
     for (mu, degrees) in angles {
         let rod = Toppling { m: 1.0, l: 1.0, g: 1.0, mu };
         let start = 1e-3_f64;
-        let pose = Pose::at("theta", start)
+        let pose = Pose::new("theta", start)
             .with("x'", 0.0)
             .with("theta'", (6.0 * (0.5 * start).sin().powi(2)).sqrt());
         let record = run(Simulation::new(&rod).unwrap().start(pose).unwrap().limit(60.0).tolerance(1e-14));
@@ -163,7 +163,7 @@ fn a_rod_on_an_edge_slips_at_a_known_angle() {
 #[test]
 fn a_block_on_a_belt_sticks_and_slips() {
     let belt = Belt { m: 1.0, g: 10.0, k: 4.0, mu: 0.2, mu_s: 0.5, w: 0.7 };
-    let pose = Pose::at("x", 0.1).with("x'", 0.7);
+    let pose = Pose::new("x", 0.1).with("x'", 0.7);
     let record = run(Simulation::new(&belt).unwrap().start(pose).unwrap().limit(20.0).tolerance(1e-11));
     let events = record.events();
     let slips: Vec<&Event> = events.iter().filter(|event| event.kind == EventKind::Slip).collect();
@@ -200,7 +200,7 @@ struct Weakening {
 #[test]
 fn friction_may_depend_on_the_slip_velocity() {
     let block = Weakening { m: 3.0, g: 9.81, mu: 0.3, s: 0.8 };
-    let pose = Pose::at("x", 0.0).with("x'", -2.0);
+    let pose = Pose::new("x", 0.0).with("x'", -2.0);
     let record = run(Simulation::new(&block).unwrap().start(pose).unwrap().limit(10.0).tolerance(1e-11));
     let stick = record.events().iter().find(|event| event.kind == EventKind::Stick).expect("rest");
     let expected = (2.0 + 8.0 / (3.0 * 0.64)) / (0.3 * 9.81);
@@ -233,7 +233,7 @@ fn a_block_that_starts_at_its_static_limit_slips_or_stays() {
     let belt = Belt { m: 1.0, g: 10.0, k: 4.0, mu: 0.2, mu_s: 0.5, w: 0.7 };
     for part in [-1e-14, -1e-16, 0.0, 1e-16, 1e-14] {
         for side in [1.0, -1.0] {
-            let pose = Pose::at("x", side * 1.25 * (1.0 + part)).with("x'", 0.7);
+            let pose = Pose::new("x", side * 1.25 * (1.0 + part)).with("x'", 0.7);
             let record =
                 run(Simulation::new(&belt).unwrap().start(pose).unwrap().limit(0.1).tolerance(1e-11));
             let x = match side > 0.0 {
@@ -249,7 +249,7 @@ fn a_block_that_starts_at_its_static_limit_slips_or_stays() {
 #[test]
 fn a_belt_does_work_at_an_impact() {
     let belt = Belt { m: 2.0, g: 10.0, k: 1e-9, mu: 0.5, mu_s: 0.5, w: 20.0 };
-    let pose = Pose::at("x", 0.0).with("y", 0.1).with("x'", 0.0).with("y'", -3.0);
+    let pose = Pose::new("x", 0.0).with("y", 0.1).with("x'", 0.0).with("y'", -3.0);
     let record = run(Simulation::new(&belt).unwrap().start(pose).unwrap().limit(0.2).tolerance(1e-10));
     let impact = &record.events()[1];
     assert_eq!(impact.kind, EventKind::Impact, "{impact}");
@@ -285,7 +285,7 @@ struct Slotted {
 fn a_slip_slower_than_the_tolerance_goes_on() {
     let (l, w, alpha) = (0.8128000759287005, 0.08128000759287006, -0.5_f64);
     let rod = Slotted { m: 1.4597626227738725, l, w, g: 9.81, k: 5.544747600083331, alpha, mu: 0.5 };
-    let pose = Pose::at("x", -0.4 * w * alpha.sin()).with("y", 0.4 * w * alpha.cos()).with("theta", PI);
+    let pose = Pose::new("x", -0.4 * w * alpha.sin()).with("y", 0.4 * w * alpha.cos()).with("theta", PI);
     let pose = pose.with("x'", 0.2109352412635388).with("y'", 0.0).with("theta'", 2.0);
     let at = |tolerance: f64| {
         let simulation = Simulation::new(&rod).unwrap().start(pose.clone()).unwrap();
@@ -373,7 +373,7 @@ fn a_bar_all_but_flat_slides_from_its_rough_wall() {
     let bar = LowLadder { m: 1.0, l: 1.0, mu: 0.3, nu: 0.3, g: 9.81 };
     for k in 12..=52 {
         let start = 10f64.powf(-0.25 * f64::from(k));
-        let simulation = Simulation::new(&bar).unwrap().start(Pose::at("phi", start)).unwrap();
+        let simulation = Simulation::new(&bar).unwrap().start(Pose::new("phi", start)).unwrap();
         match simulation.until("phi = 0").unwrap().limit(1.0).run() {
             Ok(run) => {
                 let expected = landing((bar.mu, bar.nu, bar.g), start);

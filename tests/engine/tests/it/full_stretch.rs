@@ -67,7 +67,7 @@ fn passes<M: BarSystem>(model: &M, d: Angle, (g, end): (f64, f64)) {
     for method in MethodId::ALL {
         for tolerance in [1e-4, 1e-9, 1e-12] {
             let simulation = Simulation::new(model).unwrap().tolerance(tolerance).method(method);
-            let run = simulation.start(Pose::at("phi", 1.0)).unwrap().limit(end).run();
+            let run = simulation.start(Pose::new("phi", 1.0)).unwrap().limit(end).run();
             let run = run.unwrap_or_else(|error| panic!("{} at {tolerance:e}: {error}", method.name()));
             assert!(run.audit().is_clean(), "{} at {tolerance:e}: {}", method.name(), run.audit());
             let value = |name: &str, t: f64| run.value(&run.output(name).unwrap(), t);

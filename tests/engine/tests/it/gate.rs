@@ -24,7 +24,7 @@ impl Method for Careless {
 fn damped(tolerance: f64) -> Simulation {
     let model = SpringPendulum { m: 1.0, l: 1.0, k: 50.0, c: 0.5, g: 9.81 };
     let run = Simulation::new(&model).unwrap().tolerance(tolerance).limit(4.0);
-    run.start(Pose::at("x", 0.8).with("y", 0.9)).unwrap()
+    run.start(Pose::new("x", 0.8).with("y", 0.9)).unwrap()
 }
 
 #[test]

@@ -23,7 +23,7 @@ fn a_ball_comes_to_rest_in_a_groove() {
     for (a, b) in [(0.6, 0.6), (0.9, 0.3)] {
         for e in [0.0, 0.3, 0.5, 0.8] {
             let groove = Groove { m: 2.0, a, b, e, g: 9.81 };
-            let start = Pose::at("x_P", 0.05).with("y_P", 1.0);
+            let start = Pose::new("x_P", 0.05).with("y_P", 1.0);
             let run = Simulation::new(&groove).unwrap().start(start).unwrap().limit(60.0).run().unwrap();
             let end = run.final_state();
             assert!(end.iter().all(|x| x.abs() < 1e-10), "{a} {b} {e}: {end:?}");
@@ -55,7 +55,7 @@ struct Tipping {
 #[test]
 fn a_bar_that_ends_before_a_corner_is_not_on_it() {
     let bar = Tipping { m: 1.0, l: 1.0, w: 0.3, g: 10.0 };
-    let start = Pose::at("x", -0.8).with("y", 0.0).with("phi", 0.0);
+    let start = Pose::new("x", -0.8).with("y", 0.0).with("phi", 0.0);
     let run = Simulation::new(&bar).unwrap().start(start).unwrap().until("t = 0.01").unwrap().run().unwrap();
     assert_eq!(run.segments()[0].closed, ["K"]);
     let turn = run.value(&Output::parse(Tipping::LAYOUT, "phi''").unwrap(), 0.0);

@@ -17,7 +17,7 @@ fn a_bar_end_strikes_the_floor() {
         for theta in [0.4f64, 1.1] {
             let fall = 0.25;
             let (x, y) = (2.0, fall + 0.5 * theta.sin());
-            let pose = Pose::at("theta", theta).with("x", x).with("y", y);
+            let pose = Pose::new("theta", theta).with("x", x).with("y", y);
             let run =
                 Simulation::new(&Ladder { m: 1.0, l: 1.0, g: 1.0 }).unwrap().form(form).start(pose).unwrap();
             let run = run.until("theta = 0.1").unwrap().run().unwrap();
@@ -54,7 +54,7 @@ impl Observer for Jumps {
 fn both_sides_of_an_impact_are_kept() {
     let (fall, theta) = (0.25, 0.4f64);
     let v = (2.0f64 * fall).sqrt();
-    let pose = Pose::at("theta", theta).with("x", 2.0).with("y", fall + 0.5 * theta.sin());
+    let pose = Pose::new("theta", theta).with("x", 2.0).with("y", fall + 0.5 * theta.sin());
     let ladder = Simulation::new(&Ladder { m: 1.0, l: 1.0, g: 1.0 }).unwrap();
     let simulation = ladder.start(pose).unwrap().until("theta = 0.1").unwrap();
     let run = simulation.run().unwrap();
@@ -93,7 +93,7 @@ fn both_ends_strike_at_once() {
     for form in FORMS {
         let start = || {
             let model = RodOnSupports { m: 1.0, l: 1.0, g: 1.0 };
-            Simulation::new(&model).unwrap().form(form).start(Pose::at("y", 0.5).with("theta", 0.0)).unwrap()
+            Simulation::new(&model).unwrap().form(form).start(Pose::new("y", 0.5).with("theta", 0.0)).unwrap()
         };
         let run = start().release("B", 0.1).unwrap().limit(2.0).run().unwrap();
         let impact = &run.events()[2];
@@ -132,7 +132,7 @@ fn a_chain_is_struck_at_its_end() {
 #[test]
 fn a_blow_opens_a_contact() {
     let ladder = Simulation::new(&Ladder { m: 1.0, l: 1.0, g: 1.0 }).unwrap();
-    let run = ladder.start(Pose::at("theta", 1.2)).unwrap().impulse("B", [0.05, 0.0], 0.1).unwrap();
+    let run = ladder.start(Pose::new("theta", 1.2)).unwrap().impulse("B", [0.05, 0.0], 0.1).unwrap();
     let run = run.limit(0.2).run().unwrap();
     let kinds: Vec<_> = run.events().iter().map(|e| (e.kind, e.supports.clone())).collect();
     assert_eq!(
@@ -153,7 +153,7 @@ fn a_blow_opens_a_contact() {
 fn a_support_vanishes_on_a_condition() {
     for form in FORMS {
         let ladder = Simulation::new(&Ladder { m: 1.0, l: 1.0, g: 1.0 }).unwrap().form(form);
-        let run = ladder.start(Pose::at("theta", 1.2)).unwrap().release_when("B", "theta = 1.1").unwrap();
+        let run = ladder.start(Pose::new("theta", 1.2)).unwrap().release_when("B", "theta = 1.1").unwrap();
         let run = run.until("theta = 0.2").unwrap().run().unwrap();
         let release = &run.events()[1];
         assert_eq!((release.kind, &release.supports[..]), (EventKind::Release, &["B"][..]));
@@ -184,7 +184,7 @@ fn plans_that_make_no_sense() {
 #[test]
 fn a_corner_at_the_end_of_its_bar() {
     let pair = liftoff_fixtures::FallingPair { m: 1.0, l: 1.0, g: 1.0 };
-    let refused = Simulation::new(&pair).unwrap().start(Pose::at("phi", core::f64::consts::FRAC_PI_3)).err();
+    let refused = Simulation::new(&pair).unwrap().start(Pose::new("phi", core::f64::consts::FRAC_PI_3)).err();
     let Some(StartError::AtEnd { support, end }) = refused else { panic!("{refused:?}") };
     assert_eq!((&support[..], end), ("P, Q", "first"));
 }
@@ -194,7 +194,7 @@ fn a_corner_at_the_end_of_its_bar() {
 fn a_corner_near_the_end_of_its_bar() {
     let pair = |phi: f64| {
         let pair = liftoff_fixtures::FallingPair { m: 1.0, l: 1.0, g: 1.0 };
-        Simulation::new(&pair).unwrap().start(Pose::at("phi", phi)).is_ok()
+        Simulation::new(&pair).unwrap().start(Pose::new("phi", phi)).is_ok()
     };
     let end = core::f64::consts::FRAC_PI_3;
     assert!(pair(end - 1e-11) && !pair(end + 1e-11));
@@ -204,7 +204,7 @@ fn a_corner_near_the_end_of_its_bar() {
 #[test]
 fn errors_keep_the_trajectory() {
     let rod = Simulation::new(&RodOnSupports { m: 1.0, l: 1.0, g: 1.0 }).unwrap();
-    let run = rod.start(Pose::at("y", 0.5).with("theta", 0.0)).unwrap();
+    let run = rod.start(Pose::new("y", 0.5).with("theta", 0.0)).unwrap();
     let error =
         run.until("sqrt(1.5 - t) = -1").unwrap().impulse("A", [0.0, 0.1], 1.2).unwrap().run().unwrap_err();
     assert!(matches!(error.cause(), RunCause::Step(_)), "{error}");
@@ -219,7 +219,7 @@ fn all_contacts_that_are_struck_are_named() {
     let bar = BouncingBar { m: 1.0, l: 1.0, g: 9.81, e: 0.5 };
     for tolerance in [1e-4, 1e-6, 1e-8, 1e-12] {
         let run = Simulation::new(&bar).unwrap().tolerance(tolerance).limit(1.0);
-        let pose = Pose::at("phi", 0.0).with("y", 0.3).with("y'", -0.03);
+        let pose = Pose::new("phi", 0.0).with("y", 0.3).with("y'", -0.03);
         let run = run.start(pose).unwrap().run().unwrap();
         let impacts = run.events().iter().filter(|event| event.kind == EventKind::Impact);
         for event in impacts {
@@ -252,7 +252,7 @@ struct Thrown {
 #[test]
 fn an_impact_at_the_start_has_a_side_before_it() {
     let ball = Thrown { m: 2.0, g: 10.0, e: 0.5 };
-    let start = Pose::at("y", 0.0).with("x", 0.0).with("x'", 3.0).with("y'", -4.0);
+    let start = Pose::new("y", 0.0).with("x", 0.0).with("x'", 3.0).with("y'", -4.0);
     let run = Simulation::new(&ball).unwrap().start(start).unwrap().limit(0.1).run().unwrap();
     let instants = run.instants();
     assert_eq!(instants.iter().map(|instant| instant.is_before).collect::<Vec<_>>()[..2], [true, false]);

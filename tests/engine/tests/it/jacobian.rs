@@ -139,7 +139,7 @@ fn rigid_bars_have_none_and_need_none() {
     let set = contact_set(FallingPair::LAYOUT, &["P", "Q"]).unwrap();
     assert!(Arc::clone(&lifted.system).phase(set, Form::Closed).jacobian().is_none());
     let run = |simulation: Simulation| {
-        let start = Pose::at("phi", 0.1);
+        let start = Pose::new("phi", 0.1);
         simulation.tolerance(1e-9).start(start).unwrap().until("phi = pi/2").unwrap().run().unwrap()
     };
     let stiff = run(Simulation::new(&pair).unwrap().method(Radau));

@@ -24,7 +24,7 @@ struct Ball {
 const BALL: Ball = Ball { m: 1.0, g: 2.0, e: 0.5, f: 1.0 };
 
 fn dropped(until: &[&str]) -> Trajectory {
-    let start = Pose::at("x", 0.0).with("y", 1.0).with("x'", 0.3);
+    let start = Pose::new("x", 0.0).with("y", 1.0).with("x'", 0.3);
     let simulation = Simulation::new(&BALL).unwrap().start(start).unwrap().limit(2.9).tolerance(1e-12);
     until.iter().fold(simulation, |run, text| run.until(text).unwrap()).run().unwrap()
 }
@@ -70,7 +70,7 @@ fn a_run_ends_where_an_impact_makes_its_condition_true() {
 #[test]
 fn a_reaction_that_falls_at_once_ends_a_run() {
     let model = Lifted { m: 1.0, l: 2.0, g: 10.0, f: 3.0 };
-    let simulation = Simulation::new(&model).unwrap().start(Pose::at("phi", 0.0).with("x", 0.0)).unwrap();
+    let simulation = Simulation::new(&model).unwrap().start(Pose::new("phi", 0.0).with("x", 0.0)).unwrap();
     let run = simulation.limit(2.0).until("N(A) < 4").unwrap().run().unwrap();
     let stop = run.events().last().unwrap();
     assert_eq!((stop.kind, stop.t), (EventKind::Stop, 1.0), "{:?}", run.events());
@@ -80,7 +80,7 @@ fn a_reaction_that_falls_at_once_ends_a_run() {
 #[test]
 fn what_rounding_leaves_is_not_met() {
     let ball = Ball { e: 0.0, ..BALL };
-    let start = Pose::at("x", 0.0).with("y", 1.0).with("x'", 0.3);
+    let start = Pose::new("x", 0.0).with("y", 1.0).with("x'", 0.3);
     let run = Simulation::new(&ball).unwrap().start(start).unwrap().limit(3.0).run().unwrap();
     assert!(list_events(&run).iter().all(|(kind, _)| *kind != EventKind::Arm), "{:?}", run.events());
 }

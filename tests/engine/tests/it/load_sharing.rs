@@ -31,7 +31,7 @@ fn a_plank_on_two_feet_slides_as_a_block() {
     for (alpha, mu) in [(0.3_f64, 0.2), (0.3, 0.5)] {
         let plank = Plank { m: 1.0, l: 1.0, g: 9.81, alpha, mu };
         let v = 1.5;
-        let pose = Pose::at("x", 0.0).with("x'", v * alpha.cos()).with("theta", alpha);
+        let pose = Pose::new("x", 0.0).with("x'", v * alpha.cos()).with("theta", alpha);
         let record = run(Simulation::new(&plank).unwrap().start(pose).unwrap().limit(1.5).tolerance(1e-10));
         let event = &record.events()[1];
         let deceleration = 9.81 * (alpha.sin() + mu * alpha.cos());
@@ -98,7 +98,7 @@ fn a_leaning_ladder_slips_at_the_limit_load() {
     let theta = 60.0_f64.to_radians();
     for mu in [0.35_f64, 0.4, 0.45] {
         let ladder = Leaning { m: 2.0, l: 1.0, g: 10.0, mu, f: 7.0 };
-        let pose = Pose::at("theta", theta).with("y", 0.0).with("x", -theta.cos());
+        let pose = Pose::new("theta", theta).with("y", 0.0).with("x", -theta.cos());
         let record = run(Simulation::new(&ladder).unwrap().start(pose).unwrap().limit(10.0).tolerance(1e-10));
         let k = mu * (theta.tan() + mu) / (1.0 + mu * mu);
         let load = (k - 0.5) * 20.0 / (1.0 - k);
@@ -135,7 +135,7 @@ struct Tripod {
 #[test]
 fn all_feet_of_a_plank_slide_back_together() {
     let plank = Tripod { m: 0.7, l: 1.0, c: 0.6, g: 9.81, k: 50.0, mu: 0.15 };
-    let pose = Pose::at("x", 1.2).with("x'", -3.0).with("y", 0.0).with("theta", 0.0);
+    let pose = Pose::new("x", 1.2).with("x'", -3.0).with("y", 0.0).with("theta", 0.0);
     let record = run(Simulation::new(&plank).unwrap().start(pose).unwrap().limit(1.0).tolerance(1e-10));
     let (omega, shift) = ((50.0_f64 / 0.7).sqrt(), 0.15 * 0.7 * 9.81 / 50.0);
     // The point C swings about the shift of its equilibrium that friction makes.
@@ -177,7 +177,7 @@ struct Uneven {
 fn a_motion_that_depends_on_how_the_load_is_shared_is_told() {
     let decided = |nu: f64| {
         let plank = Uneven { m: 1.0, l: 1.0, g: 10.0, mu: 0.2, nu };
-        let pose = Pose::at("x", 0.0).with("y", 0.0).with("theta", 0.0).with("x'", 1.0);
+        let pose = Pose::new("x", 0.0).with("y", 0.0).with("theta", 0.0).with("x'", 1.0);
         let record = run(Simulation::new(&plank).unwrap().start(pose).unwrap().limit(0.1).tolerance(1e-10));
         record.log().iter().any(|entry| entry.decision == LoggedDecision::MotionNotDetermined)
     };

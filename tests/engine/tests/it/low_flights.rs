@@ -22,7 +22,8 @@ fn opening_and_landing(excess: f64, method: impl Method, tolerance: f64) -> [f64
     let spin = (3.0 * (1.0 + excess - start.sin())).sqrt();
     let simulation =
         Simulation::new(&AFrame { m: 1.0, l: 1.0, g: 1.0 }).unwrap().method(method).tolerance(tolerance);
-    let run = simulation.start(Pose::at("phi", start).with("phi'", -spin)).unwrap().limit(1.0).run().unwrap();
+    let run =
+        simulation.start(Pose::new("phi", start).with("phi'", -spin)).unwrap().limit(1.0).run().unwrap();
     [1, 2].map(|k| run.events()[k].state[0].sin())
 }
 
@@ -58,7 +59,7 @@ fn falls_from_low_heights_end_on_the_floor() {
         (1e-9, [2e-10, 1e-9, 5e-9, 9e-9, 9.9e-9, 1e-8, 1.01e-8, 1e-7, 1e-6, 1e-5, 1e-4]),
     ] {
         for (h, v) in heights.into_iter().flat_map(|h| [0.0, 1e-3, 1.0].map(|v| (h, v))) {
-            let start = Pose::at("y", h).with("y'", -v).with("x'", 1.0);
+            let start = Pose::new("y", h).with("y'", -v).with("x'", 1.0);
             let lands = 2.0 * h / (v + (v * v + 2.0 * ball.g * h).sqrt());
             let simulation = Simulation::new(&ball).unwrap().tolerance(tolerance).start(start).unwrap();
             let run = simulation.limit(lands + 0.01).run().unwrap();
@@ -106,7 +107,7 @@ fn low_landings_are_found_or_told() {
         let angle = |(k, factor): (usize, f64)| (format!("phi_{k}"), FRAC_PI_2 - factor * delta);
         let angles = factors.into_iter().enumerate().map(angle);
         let pose =
-            angles.fold(Pose::at("x", 0.0).with("y", 0.0), |pose, (name, value)| pose.with(&name, value));
+            angles.fold(Pose::new("x", 0.0).with("y", 0.0), |pose, (name, value)| pose.with(&name, value));
         let run =
             Simulation::new(&TwoTents {}).unwrap().start(pose).unwrap().until_event(EventKind::Impact, "A");
         let run = run.unwrap().limit(1.0).run().unwrap();

@@ -32,7 +32,7 @@ fn a_bar_hanging_to_the_floor_swings() {
         for delta in [0.0, 1e-15, 1e-13, 1e-11, 1e-9, 1e-7, 1e-6, 1e-5, 1.4e-5, 1e-4, 1e-3] {
             for (start, c) in [(delta, -2.0), (-delta, -2.0), (delta, 2.0)] {
                 let bar = Hanging { m, l, c: c * m * l * l, e: 0.5 };
-                let pose = Pose::at("phi", start - FRAC_PI_2);
+                let pose = Pose::new("phi", start - FRAC_PI_2);
                 let run = Simulation::new(&bar).unwrap().start(pose).unwrap().limit(0.3).run();
                 let run = run.unwrap_or_else(|error| panic!("{l} {start:e} {c}: {error}"));
                 let phi = run.value(&Output::parse(run.layout(), "phi").unwrap(), 0.3);
@@ -48,7 +48,7 @@ fn a_bar_hanging_to_the_floor_swings() {
 fn a_bar_swings_past_its_lowest_point() {
     for rate in [1e-6, 1e-3, 1.0, 30.0] {
         let bar = Hanging { m: 1.0, l: 1.0, c: 0.0, e: 0.5 };
-        let pose = Pose::at("phi", -FRAC_PI_2).with("phi'", rate);
+        let pose = Pose::new("phi", -FRAC_PI_2).with("phi'", rate);
         let run = Simulation::new(&bar).unwrap().start(pose).unwrap().limit(1.0).run().unwrap();
         let phi = run.value(&Output::parse(run.layout(), "phi").unwrap(), 1.0);
         assert!((phi - (rate - FRAC_PI_2)).abs() < 1e-9, "{rate}: {phi}");
@@ -76,7 +76,7 @@ struct Line {
 fn bars_hanging_in_a_line_swing_as_without_a_floor() {
     let end = |low: f64| {
         let line = Line { low };
-        let run = Simulation::new(&line).unwrap().start(Pose::at("phi", 0.0).with("psi", 0.0)).unwrap();
+        let run = Simulation::new(&line).unwrap().start(Pose::new("phi", 0.0).with("psi", 0.0)).unwrap();
         let run = run.limit(0.4).run().unwrap_or_else(|error| panic!("{low}: {error}"));
         ["phi", "psi", "phi'", "psi'"].map(|name| run.value(&Output::parse(run.layout(), name).unwrap(), 0.4))
     };
@@ -107,7 +107,7 @@ struct Coupler {
 #[test]
 fn a_coupler_at_its_lowest_swings_as_without_a_floor() {
     let end = |low: f64| {
-        let pose = Pose::at("phi", 0.0).with("psi", 0.0);
+        let pose = Pose::new("phi", 0.0).with("psi", 0.0);
         let run = Simulation::new(&Coupler { low }).unwrap().start(pose).unwrap().limit(0.5).run();
         let run = run.unwrap_or_else(|error| panic!("{low}: {error}"));
         ["phi", "phi'"].map(|name| run.value(&Output::parse(run.layout(), name).unwrap(), 0.5))
@@ -133,7 +133,7 @@ struct Upright {}
 #[test]
 fn a_floor_at_the_greatest_height_is_not_passed() {
     for delta in [0.0, 1e-15, 1e-9, 1e-7] {
-        let pose = Pose::at("phi", FRAC_PI_2 - delta);
+        let pose = Pose::new("phi", FRAC_PI_2 - delta);
         let run = Simulation::new(&Upright {}).unwrap().start(pose).unwrap().limit(20.0).run();
         let phi = run.map(|run| run.value(&Output::parse(run.layout(), "phi").unwrap(), 20.0));
         assert!(phi.as_ref().is_ok_and(|phi| (phi - FRAC_PI_2).abs() < 1e-5) || phi.is_err(), "{phi:?}");
@@ -159,7 +159,7 @@ struct AlongThread {
 
 #[test]
 fn a_couple_on_a_bar_along_a_thread_is_jammed() {
-    let pose = || Pose::at("phi", -FRAC_PI_2).with("x_P", 3.0).with("y_P", 0.0);
+    let pose = || Pose::new("phi", -FRAC_PI_2).with("x_P", 3.0).with("y_P", 0.0);
     for c in [-1.0, -1e-3, 1e-3, 1.0, 1e3] {
         let model = AlongThread { c };
         let run = Simulation::new(&model).unwrap().start(pose()).unwrap().limit(1.0).run();

@@ -13,7 +13,7 @@ fn falls(method: impl Method, form: Form) {
     let (name, tolerance) = (method.name(), 1e-8);
     let pair = PairOnCorners { m: 1.0, l: 1.0, g: 9.81 };
     let simulation = Simulation::new(&pair).unwrap().method(method).tolerance(tolerance).form(form);
-    let run = simulation.start(Pose::at("phi", 0.1)).unwrap().until("phi = pi/2").unwrap().run().unwrap();
+    let run = simulation.start(Pose::new("phi", 0.1)).unwrap().until("phi = pi/2").unwrap().run().unwrap();
     let opens = &run.events()[1];
     assert_eq!(opens.supports, ["P", "Q"]);
     let (first, last) = ((opens.t - OPENS).abs(), (run.events().last().unwrap().t - ENDS).abs());
@@ -35,7 +35,7 @@ fn each_method_finds_the_lift_off() {
 fn find_method(method: impl Method, form: Form, tolerance: f64) -> &'static str {
     let pair = PairOnCorners { m: 1.0, l: 1.0, g: 9.81 };
     let simulation = Simulation::new(&pair).unwrap().method(method).tolerance(tolerance).form(form);
-    let run = simulation.start(Pose::at("phi", 0.1)).unwrap().limit(0.1).run().unwrap();
+    let run = simulation.start(Pose::new("phi", 0.1)).unwrap().limit(0.1).run().unwrap();
     run.segments()[0].choice.method
 }
 
@@ -58,7 +58,7 @@ fn long_series_are_left_without_loss_of_digits() {
     let chain = HangingChain { m: 0.7, l: 1.3, g: 9.81 };
     for k in 0..4 {
         let angle = |i: i32| 0.5 + (0.618 * f64::from(i + 7 * k)).fract();
-        let first = Pose::at("phi_1", angle(1));
+        let first = Pose::new("phi_1", angle(1));
         let pose = (2..=7).fold(first, |pose, i| pose.with(format!("phi_{i}"), angle(i)));
         let swings = Simulation::new(&chain).unwrap().limit(2.0).start(pose).unwrap();
         let exact = swings.clone().method(Taylor).tolerance(1e-14).run().unwrap().final_state();
@@ -84,7 +84,7 @@ fn radau_passes_over_stiff_springs() {
         let c = if damped { 2.0 * f64::sqrt(k) } else { 0.0 };
         let model = SpringPendulum { m: 1.0, k, l: 1.0, c, g: 1.0 };
         let r = 1.0 + start.cos() / k;
-        let pose = Pose::at("x", r * start.sin()).with("y", r * start.cos());
+        let pose = Pose::new("x", r * start.sin()).with("y", r * start.cos());
         let simulation = Simulation::new(&model).unwrap().method(Radau).tolerance(1e-6);
         let run = simulation.start(pose).unwrap().limit(core::f64::consts::TAU / mean).run().unwrap();
         let state = run.final_state();
@@ -99,7 +99,7 @@ fn swung(k: f64, longer: f64, method: impl Method, limit: f64) -> Trajectory {
     let start = 60f64.to_radians();
     let model = SpringPendulum { m: 1.0, k, l: 1.0, c: 0.0, g: 1.0 };
     let r = 1.0 + start.cos() / k + longer;
-    let pose = Pose::at("x", r * start.sin()).with("y", r * start.cos());
+    let pose = Pose::new("x", r * start.sin()).with("y", r * start.cos());
     let simulation = Simulation::new(&model).unwrap().method(method).tolerance(1e-6);
     simulation.start(pose).unwrap().limit(limit).run().unwrap()
 }
@@ -158,7 +158,7 @@ struct TwoMasses {
 
 fn hung(k: f64, d: f64, [longer, limit]: [f64; 2], tolerance: f64) -> Trajectory {
     let model = TwoMasses { m: 1.0, l: 1.0, g: 1.0, c: 1.0, k, d };
-    let pose = Pose::at("y", 3.5).with("z", 4.5 + longer);
+    let pose = Pose::new("y", 3.5).with("z", 4.5 + longer);
     let simulation = Simulation::new(&model).unwrap().start(pose).unwrap();
     simulation.limit(limit).tolerance(tolerance).run().unwrap()
 }
@@ -211,7 +211,7 @@ struct Seizing {
 
 fn seized(model: &Seizing, method: impl Method) -> Trajectory {
     let simulation = Simulation::new(model).unwrap().tolerance(1e-7).method(method);
-    simulation.start(Pose::at("phi", 1.0)).unwrap().limit(6.8).run().unwrap()
+    simulation.start(Pose::new("phi", 1.0)).unwrap().limit(6.8).run().unwrap()
 }
 
 /// To which methods a run has changed.
@@ -268,7 +268,7 @@ struct VanDerPol {
 fn auto_changes_its_method_at_each_jump_of_a_relaxation_oscillation() {
     let model = VanDerPol { eps: 1e-6 };
     let simulation = Simulation::new(&model).unwrap().tolerance(1e-9);
-    let run = simulation.start(Pose::at("x", 2.0).with("x'", 0.0)).unwrap().limit(2.0).run().unwrap();
+    let run = simulation.start(Pose::new("x", 2.0).with("x'", 0.0)).unwrap().limit(2.0).run().unwrap();
     let changes = changes(&run);
     // x = ±2 to ±1 three times.
     assert!(changes.len() >= 5 && changes.chunks(2).all(|pair| pair[0] == "radau"), "{changes:?}");

@@ -123,7 +123,7 @@ fn each<M: BarSystem>(model: &M, start: impl Fn() -> Pose, t: f64, (entry, exact
 }
 
 fn thrown() -> Pose {
-    Pose::at("x", 0.0).with("y", 0.0).with("y'", 5.0)
+    Pose::new("x", 0.0).with("y", 0.0).with("y'", 5.0)
 }
 
 /// v̇ = −g − c v² up, v̇ = −g + c v² down, m = 1: the speed is √(g/c) tan, then √(g/c) tanh of √(g c) times the time to and from
@@ -144,7 +144,7 @@ fn a_ball_thrown_up_through_air_turns_at_rest() {
 fn a_ball_falls_from_rest_through_air() {
     let c: f64 = 0.5;
     let y = -(G * c).sqrt().cosh().ln() / c;
-    each(&Drag { m: 1.0, c, g: G }, || Pose::at("x", 0.0).with("y", 0.0), 1.0, (1, y));
+    each(&Drag { m: 1.0, c, g: G }, || Pose::new("x", 0.0).with("y", 0.0), 1.0, (1, y));
 }
 
 /// Parabolas above, arcs of an oscillation about −g/k below, from y = 1 at rest.
@@ -171,7 +171,7 @@ fn bounced(k: f64, t: f64) -> f64 {
 fn a_ball_falls_on_a_one_sided_spring() {
     let bumper = Bumper { m: 1.0, k: 100.0, g: G };
     for t in [0.8, 1.0, 2.0] {
-        each(&bumper, || Pose::at("x", 0.0).with("y", 1.0), t, (1, bounced(100.0, t)));
+        each(&bumper, || Pose::new("x", 0.0).with("y", 1.0), t, (1, bounced(100.0, t)));
     }
 }
 
@@ -193,7 +193,7 @@ fn a_spring_passes_its_anchor() {
     for method in MethodId::ALL {
         for (n, tolerance) in (0..24).zip([1e-5, 1e-6, 1e-8, 1e-9, 1e-11, 1e-12].into_iter().cycle()) {
             let reach = 1.5 + 0.37 * f64::from(n);
-            let run = ran(&anchored, method, tolerance, Pose::at("x", 0.0).with("y", 1.0 + reach), 12.0);
+            let run = ran(&anchored, method, tolerance, Pose::new("x", 0.0).with("y", 1.0 + reach), 12.0);
             let error = (run.final_state()[1] - passed(1.0, reach, 12.0)).abs();
             if error.is_nan() || error > 50.0 * tolerance * reach {
                 wrong.push(format!("{} at {tolerance:e}, {reach}: {error:e}", method.name()));
@@ -207,8 +207,8 @@ fn a_spring_passes_its_anchor() {
 /// each zero of φ̇.
 #[test]
 fn a_pendulum_swings_through_air() {
-    each(&MAGNET, || Pose::at("phi", 0.0).with("phi'", 0.5), 3.0, (0, MOVING));
-    each(&MAGNET, || Pose::at("phi", 0.4), 2.0, (0, AT_REST));
+    each(&MAGNET, || Pose::new("phi", 0.0).with("phi'", 0.5), 3.0, (0, MOVING));
+    each(&MAGNET, || Pose::new("phi", 0.4), 2.0, (0, AT_REST));
 }
 
 /// v = √(g/c) tanh(√(g c) t) down to y = 0, where it stays at rest: what decides that asks for the derivatives of the root at
@@ -219,7 +219,7 @@ fn a_ball_lands_through_air_and_rests() {
     let lands = (c.exp().acosh()) / (G * c).sqrt();
     for method in MethodId::ALL {
         let dropped = Dropped { m: 1.0, c, g: G };
-        let run = ran(&dropped, method, 1e-9, Pose::at("x", 0.0).with("y", 1.0), 2.0);
+        let run = ran(&dropped, method, 1e-9, Pose::new("x", 0.0).with("y", 1.0), 2.0);
         let first = run.events().iter().map(|event| event.t).find(|t| *t > 0.0).unwrap();
         assert!((first - lands).abs() < 1e-8, "{}: {first} for {lands}", method.name());
         let [.., y, _, rate] = run.final_state()[..] else { panic!("four entries") };
@@ -247,7 +247,7 @@ fn a_ball_passes_its_top_slowly() {
 #[test]
 fn dry_friction_ends_with_what_was_computed() {
     let friction = Friction { m: 1.0, mu: 1.0 };
-    let start = || Pose::at("x", 0.0).with("y", 0.0).with("x'", 1.0);
+    let start = || Pose::new("x", 0.0).with("y", 0.0).with("x'", 1.0);
     for method in MethodId::ALL {
         let x = ran(&friction, method, 1e-8, start(), 0.9).final_state()[0];
         assert!((x - (0.9 - 0.5 * 0.81)).abs() < 1e-7, "{}: {x}", method.name());

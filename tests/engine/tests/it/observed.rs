@@ -54,11 +54,11 @@ fn an_observer_sees_what_is_kept() {
     let ball = Simulation::new(&Particle { m: 1.0, g: 1.0, e: 0.5 }).unwrap().limit(8.0);
     agree(&ball, &["y", "y'", "N(P)", "E"]);
     let pair = Simulation::new(&PairOnCorners { m: 1.0, l: 1.0, g: 9.81 }).unwrap();
-    let pair = pair.start(Pose::at("phi", 0.1)).unwrap().until("phi = pi/2").unwrap();
+    let pair = pair.start(Pose::new("phi", 0.1)).unwrap().until("phi = pi/2").unwrap();
     agree(&pair, &["phi", "N(P)", "gap(P)"]);
     agree(&pair.form(Form::Projected), &["phi", "N(P)", "gap(P)"]);
     let bar = Simulation::new(&BouncingBar { m: 1.0, l: 1.0, g: 9.81, e: 0.5 }).unwrap();
-    agree(&bar.start(Pose::at("y", 0.5).with("phi", 0.4)).unwrap().limit(1.0), &["phi", "x(B)", "N(A)"]);
+    agree(&bar.start(Pose::new("y", 0.5).with("phi", 0.4)).unwrap().limit(1.0), &["phi", "x(B)", "N(A)"]);
 }
 
 /// What of a run an observer was told, and whether it takes it.
@@ -84,7 +84,7 @@ fn a_ball_bounces_on_when_the_time_is_long() {
     let ball = Particle { m: 1.0, g: 9.81, e: 1.0 };
     for tolerance in [1e-9, 1e-14] {
         let simulation = Simulation::new(&ball).unwrap().tolerance(tolerance).limit(11_000.0);
-        let simulation = simulation.start(Pose::at("y", 1.0)).unwrap();
+        let simulation = simulation.start(Pose::new("y", 1.0)).unwrap();
         let mut told = Told { takes: true, ..Told::default() };
         let run = simulation.observe(&mut told).unwrap();
         let impacts: Vec<f64> =

@@ -36,7 +36,8 @@ fn a_rod_strikes_with_friction_as_routh_has_it() {
         (55.0, 0.75, 0.5, 1.0, 0.7356505710, 0.0482244150),
     ] {
         let rod = Rod { m: 1.0, l: 1.0, g: 0.0, mu, e };
-        let pose = Pose::at("theta", degrees.to_radians()).with("y", 0.001).with("x'", slip).with("y'", -1.0);
+        let pose =
+            Pose::new("theta", degrees.to_radians()).with("y", 0.001).with("x'", slip).with("y'", -1.0);
         let pose = pose.with("theta'", 0.0);
         let record = run(Simulation::new(&rod).unwrap().start(pose).unwrap().limit(0.002).tolerance(1e-12));
         let impact = record.events().iter().find(|event| event.kind == EventKind::Impact).expect("an impact");
@@ -73,7 +74,7 @@ struct Beside {
 /// the tip, whose angular momentum is kept, θ̇ = ³⁄₂ v sin θ.
 #[test]
 fn a_contact_without_load_elsewhere_changes_no_paradox() {
-    let pose = Pose::at("theta", 1.0).with("y", 0.0).with("u", 5.0).with("x'", -3.0);
+    let pose = Pose::new("theta", 1.0).with("y", 0.0).with("u", 5.0).with("x'", -3.0);
     let pose = ["theta'", "y'", "u'", "v'"].into_iter().fold(pose, |pose, rate| pose.with(rate, 0.0));
     let simulation = Simulation::new(&Beside { g: 10.0, mu: 1.6 }).unwrap().start(pose).unwrap();
     let record = run(simulation.limit(0.02).tolerance(1e-10));
@@ -90,7 +91,7 @@ fn painleve_paradox_is_answered_by_an_impact_without_collision() {
     let rod = Rod { m: 1.0, l: 1.0, g: 9.81, mu: 2.0, e: 0.0 };
     let theta = 60.0_f64.to_radians();
     let from = |v: f64| {
-        let pose = Pose::at("theta", theta).with("y", 0.0).with("x'", v).with("theta'", 0.0);
+        let pose = Pose::new("theta", theta).with("y", 0.0).with("x'", v).with("theta'", 0.0);
         run(Simulation::new(&rod).unwrap().start(pose).unwrap().limit(0.02).tolerance(1e-10))
     };
     let record = from(-3.0);
@@ -116,7 +117,7 @@ fn the_border_of_painleves_region_is_an_event() {
         for rate in [0.5, 2.0, 5.0] {
             let first = |mu: f64| {
                 let rod = Rod { m: 1.0, l: 1.0, g: 9.81, mu, e: 0.0 };
-                let pose = Pose::at("theta", PI / 6.0).with("y", 0.0).with("x'", -10.0).with("theta'", rate);
+                let pose = Pose::new("theta", PI / 6.0).with("y", 0.0).with("x'", -10.0).with("theta'", rate);
                 let simulation = Simulation::new(&rod).unwrap().start(pose).unwrap().limit(0.2);
                 run(simulation.tolerance(1e-10).method(method)).events()[1].clone()
             };
@@ -141,7 +142,7 @@ fn the_border_of_painleves_region_is_an_event() {
 fn the_critical_coefficient_of_friction() {
     for (mu, jams) in [(4.0 / 3.0 - 1e-8, false), (4.0 / 3.0 + 1e-8, true)] {
         let rod = Rod { m: 1.0, l: 1.0, g: 9.81, mu, e: 0.0 };
-        let pose = Pose::at("theta", 2.0_f64.atan()).with("y", 0.0).with("x'", -3.0).with("theta'", 0.0);
+        let pose = Pose::new("theta", 2.0_f64.atan()).with("y", 0.0).with("x'", -3.0).with("theta'", 0.0);
         let record = run(Simulation::new(&rod).unwrap().start(pose).unwrap().limit(1e-3).tolerance(1e-10));
         assert_eq!(record.events()[1].note == Some(Note::WithoutCollision), jams, "{mu}");
     }
@@ -155,7 +156,7 @@ fn a_tip_under_much_friction_slips_before_it_opens() {
     for mu in [30.0, 1e3, 1e6, 1.6e9] {
         for tolerance in [1e-6, 8e-9, 1e-11] {
             let rod = Rod { m: 1.0, l: 1.0, g: 9.81, mu, e: 0.0 };
-            let pose = Pose::at("theta", 0.0).with("y", 0.0).with("x'", 0.0).with("theta'", 6.5613);
+            let pose = Pose::new("theta", 0.0).with("y", 0.0).with("x'", 0.0).with("theta'", 6.5613);
             let simulation = Simulation::new(&rod).unwrap().start(pose).unwrap().limit(1.0);
             let record = run(simulation.tolerance(tolerance).method(MethodId::Radau));
             let kinds: Vec<_> = record.events().iter().map(|event| event.kind).collect();

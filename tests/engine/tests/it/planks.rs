@@ -5,7 +5,7 @@ use liftoff::{EventKind, Output};
 use liftoff_fixtures::{LongPlank, Plank};
 
 fn slide() -> Pose {
-    Pose::at("phi", 0.0).with("x", 0.0).with("y", 0.0).with("phi'", 0.0).with("x'", 0.5).with("y'", 0.0)
+    Pose::new("phi", 0.0).with("x", 0.0).with("y", 0.0).with("phi'", 0.0).with("x'", 0.5).with("y'", 0.0)
 }
 
 /// It goes on at its speed on all feet, and every foot's share is of least norm: (α + β x)₊.
@@ -46,7 +46,7 @@ fn a_plank_on_two_hundred_feet() {
     let run = simulation().start(slide()).unwrap().limit(1.0).run().unwrap();
     assert_eq!(run.segments()[0].closed.len(), 200);
     assert!((run.final_state()[1] - 0.5).abs() < 1e-10);
-    let dropped = Pose::at("phi", 0.0).with("x", 0.0).with("y", 1.0).with("phi'", 0.0).with("x'", 0.5);
+    let dropped = Pose::new("phi", 0.0).with("x", 0.0).with("y", 1.0).with("phi'", 0.0).with("x'", 0.5);
     let run = simulation().start(dropped).unwrap().limit(1.0).run().unwrap();
     let impact = &run.events()[1];
     assert_eq!((impact.kind, impact.supports.len()), (EventKind::Impact, 200));

@@ -47,7 +47,8 @@ fn agree<M: BarSystem>(model: &M, f: &impl Fn(&State) -> State, kinks: &impl Fn(
     let (expected, cuts) = cut_by_hand(f, kinks);
     for method in MethodId::ALL {
         for tolerance in [1e-5, 1e-8, 1e-11] {
-            let start = Pose::at("x", START[0]).with("y", START[1]).with("x'", START[2]).with("y'", START[3]);
+            let start =
+                Pose::new("x", START[0]).with("y", START[1]).with("x'", START[2]).with("y'", START[3]);
             let simulation = Simulation::new(model).unwrap().tolerance(tolerance).method(method);
             let run = simulation.start(start).unwrap().limit(END).run().unwrap();
             let error =

@@ -64,7 +64,7 @@ fn value(run: &Trajectory, output: &str, t: f64) -> f64 {
 #[test]
 fn a_third_crank_is_as_a_heavier_one() {
     for (phi, rate) in [(1.0, 0.0), (2.0, 0.0), (-3.0, 0.0), (1.0, 9.0)] {
-        let pose = || Pose::at("phi", phi).with("phi'", rate);
+        let pose = || Pose::new("phi", phi).with("phi'", rate);
         let [three, two] = [run(&THREE, pose()), run(&TWO, pose())];
         for t in [0.0, 0.7, 1.9, 3.0] {
             for output in ["phi", "phi'"] {
@@ -115,7 +115,7 @@ struct Bars {
 fn bars_that_are_too_short_are_told_with_what_they_lack() {
     let from = |theta: f64, a: f64| (4.0 - a * theta.cos()).hypot(a * theta.sin());
     let nominal = |a: f64| (Pose::nominal(), a, 4.0 - 3.0 * a);
-    let given = |theta: f64, a: f64| (Pose::at("theta_OA", theta), a, from(theta, a) - 2.0 * a);
+    let given = |theta: f64, a: f64| (Pose::new("theta_OA", theta), a, from(theta, a) - 2.0 * a);
     for (pose, a, expected) in [nominal(1.0), nominal(1.2), given(-1.0, 1.2), given(2.0, 1.5)] {
         let simulation = Simulation::new(&Bars { a, g: 9.81 }).unwrap();
         let error = simulation.start(pose).map(drop).unwrap_err();
@@ -163,7 +163,7 @@ struct Pendulum {
 fn a_trammel_with_a_crank_is_a_pendulum() {
     let (trammel, pendulum) = (Trammel { m: 1.0, l: 1.0, g: 9.81 }, Pendulum { l: 1.5, g: 9.81 });
     for theta in [0.5, 2.0, 3.0, -1.0] {
-        let [a, b] = [run(&trammel, Pose::at("theta", theta)), run(&pendulum, Pose::at("theta", theta))];
+        let [a, b] = [run(&trammel, Pose::new("theta", theta)), run(&pendulum, Pose::new("theta", theta))];
         for t in [0.3, 1.1, 3.0] {
             let [a, b] = [&a, &b].map(|run| value(run, "theta", t));
             assert!((a - b).abs() < 1e-9, "{theta} {t}: {a} {b}");
@@ -211,7 +211,7 @@ struct HeavyCranks {
 
 #[test]
 fn four_cranks_move_as_two() {
-    let start = || Pose::at("phi", 0.5).with("phi'", 1.0);
+    let start = || Pose::new("phi", 0.5).with("phi'", 1.0);
     let four = run(&FourCranks { m: 1.3, r: 0.5, g: 9.81 }, start());
     let two = run(&HeavyCranks { m: 1.3, r: 0.5, g: 9.81 }, start());
     for t in [0.5, 1.3, 2.9] {
@@ -245,7 +245,7 @@ struct DrivenCranks {
 #[test]
 fn one_of_three_cranks_is_driven() {
     let (m, r, w, g) = (1.3, 0.5, 3.0, 9.81);
-    let run = run(&DrivenCranks { m, r, w, g }, Pose::at("phi", 0.5).with("phi'", w));
+    let run = run(&DrivenCranks { m, r, w, g }, Pose::new("phi", 0.5).with("phi'", w));
     for t in [0.1, 0.7, 1.9] {
         let phi = 0.5 + w * t;
         assert!((value(&run, "phi", t) - phi).abs() < 1e-9, "{t}");

@@ -7,7 +7,7 @@ fn rock(alpha: f64, tilt: f64, tolerance: f64) -> Trajectory {
     let block = Block { m: 1.0, b: alpha.sin(), h: alpha.cos(), g: 1.0 };
     // Tilted about A, which stays at (−b, 0).
     let (s, c) = tilt.sin_cos();
-    let pose = Pose::at("theta", tilt)
+    let pose = Pose::new("theta", tilt)
         .with("x", -block.b + c * block.b - s * block.h)
         .with("y", s * block.b + c * block.h);
     Simulation::new(&block).unwrap().tolerance(tolerance).start(pose).unwrap().limit(60.0).run().unwrap()

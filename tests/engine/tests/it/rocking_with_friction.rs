@@ -50,7 +50,7 @@ fn what_skips_along_a_floor_slows_down_by_its_weight() {
     for (e, tolerance) in [(0.5, 1e-8), (0.3, 1e-10), (0.8, 1e-6)] {
         for method in MethodId::ALL {
             let body = Skipping { m: 1.3, g, mu, e };
-            let pose = Pose::at("x", 0.0).with("y", 0.1).with("x'", v).with("y'", 0.0);
+            let pose = Pose::new("x", 0.0).with("y", 0.1).with("x'", v).with("y'", 0.0);
             let simulation = Simulation::new(&body).unwrap().start(pose).unwrap().method(method);
             let record = run(simulation.limit(4.0).tolerance(tolerance));
             let at = |kind: EventKind| record.events().iter().find(|event| event.kind == kind).expect("it");
@@ -94,7 +94,7 @@ fn a_block_that_bounces_on_its_feet_by_turns_comes_to_rest() {
         let block = Feet { m: 2.0, b, h: 1.0, g: 9.81, mu: 3.0, e, e_t: 0.0 };
         let tilt = 1e-6_f64;
         let (s, c) = tilt.sin_cos();
-        let pose = Pose::at("theta", tilt).with("x", -b + c * b - s).with("y", s * b + c);
+        let pose = Pose::new("theta", tilt).with("x", -b + c * b - s).with("y", s * b + c);
         let record = run(Simulation::new(&block).unwrap().start(pose).unwrap().limit(1.0).tolerance(1e-12));
         let deceleration = 9.81 * b / (4.0 / 3.0 * (b * b + 1.0));
         let first = (2.0 * deceleration * tilt).sqrt();
@@ -122,7 +122,7 @@ fn a_thrown_block_comes_to_rest_at_every_tolerance() {
         let block = Feet { m: 0.93876, b: 0.90158, h: 1.78686, g: 9.81, mu, e, e_t };
         let low = 0.1_f64.sin() * block.b + 0.1_f64.cos() * block.h;
         let rest = |tolerance: f64| {
-            let pose = Pose::at("theta", 0.1).with("x", 0.0).with("y", low + 0.2).with("x'", 1.0);
+            let pose = Pose::new("theta", 0.1).with("x", 0.0).with("y", low + 0.2).with("x'", 1.0);
             let pose = pose.with("y'", 0.0).with("theta'", 0.0);
             let record =
                 run(Simulation::new(&block).unwrap().start(pose).unwrap().limit(30.0).tolerance(tolerance));

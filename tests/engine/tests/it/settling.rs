@@ -7,7 +7,7 @@ use liftoff_fixtures::TwoBalls;
 
 fn drop(e: f64, heights: [f64; 2], tolerance: f64) -> Vec<Event> {
     let simulation = Simulation::new(&TwoBalls { m: 1.0, e, g: 1.0, h: 1.0 }).unwrap().tolerance(tolerance);
-    let pose = Pose::at("y", heights[0]).with("z", heights[1]).with("x", 0.0).with("w", 1.0);
+    let pose = Pose::new("y", heights[0]).with("z", heights[1]).with("x", 0.0).with("w", 1.0);
     simulation.start(pose).unwrap().limit(20.0).run().unwrap().events().to_vec()
 }
 
@@ -51,7 +51,7 @@ fn flights_too_low_to_be_seen_are_over_at_once() {
     // Slower ones rest from the start.
     for speed in [1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4] {
         for tolerance in [1e-4, 1e-6, 1e-9, 1e-12] {
-            let start = Pose::at("y", 0.0).with("z", 1.0).with("x", 0.0).with("w", 1.0).with("y'", speed);
+            let start = Pose::new("y", 0.0).with("z", 1.0).with("x", 0.0).with("w", 1.0).with("y'", speed);
             let run = Simulation::new(&model).unwrap().tolerance(tolerance).start(start).unwrap();
             let run = run.limit(1.0).run().unwrap();
             // Flights of 2 v e^k, in all 2 v/(1 - e).
@@ -69,7 +69,7 @@ fn flights_too_low_to_be_seen_are_over_at_once() {
 fn many_flights_end_at_their_time() {
     for tolerance in [1e-6, 1e-8, 1e-9, 1e-10, 1e-12] {
         let model = TwoBalls { m: 1.0, e: 0.99, g: 1.0, h: 1.0 };
-        let pose = Pose::at("y", 1.0).with("z", 0.0).with("x", 0.0).with("w", 1.0);
+        let pose = Pose::new("y", 1.0).with("z", 0.0).with("x", 0.0).with("w", 1.0);
         let run = Simulation::new(&model).unwrap().tolerance(tolerance).method(Dop853);
         let run = run.start(pose).unwrap().limit(282.0).run().unwrap();
         let error = settled(run.events(), "P") - 199.0 * 2f64.sqrt();

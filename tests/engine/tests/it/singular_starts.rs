@@ -22,7 +22,7 @@ fn rates<M: BarSystem>(model: &M, pose: Pose, names: &[&str]) -> Vec<f64> {
 fn a_rod_on_its_end_takes_off() {
     let rod = RodOnSupports { m: 2.0, l: 3.0, g: 10.0 };
     for theta in [FRAC_PI_2, FRAC_PI_2 + 1e-12] {
-        let pose = Pose::at("theta", theta).with("y'", 0.1);
+        let pose = Pose::new("theta", theta).with("y'", 0.1);
         let found = rates(&rod, pose, &["theta'", "x'", "y'"]);
         // Least energy: θ and x have no inertia in common with y.
         assert_eq!(found, [0.0, 0.0, 0.1], "{theta}");
@@ -33,7 +33,7 @@ fn a_rod_on_its_end_takes_off() {
 #[test]
 fn an_upright_frame_is_struck() {
     let frame = AFrame { m: 1.0, l: 1.0, g: 1.0 };
-    let start = Pose::at("phi", FRAC_PI_2).with("h", 1.0).with("h'", -1.0);
+    let start = Pose::new("phi", FRAC_PI_2).with("h", 1.0).with("h'", -1.0);
     let run = Simulation::new(&frame).unwrap().start(start).unwrap().limit(0.01).run();
     let run = run.unwrap_or_else(|error| panic!("{error}"));
     let kinds: Vec<_> = run.events().iter().map(|event| event.kind).collect();
@@ -47,7 +47,7 @@ fn an_upright_frame_is_struck() {
 fn a_steep_frame_moves() {
     let frame = AFrame { m: 1.0, l: 1.0, g: 1.0 };
     let phi = FRAC_PI_2 - 1e-3;
-    let found = rates(&frame, Pose::at("phi", phi).with("h'", -1e-3), &["phi'"]);
+    let found = rates(&frame, Pose::new("phi", phi).with("h'", -1e-3), &["phi'"]);
     // cos φ is good to 1e-16 of 1e-3.
     assert!((found[0] + 1e-3 / phi.cos()).abs() < 1e-11, "{found:?}");
 }
@@ -91,7 +91,7 @@ fn bars_folded_upright_stay_together() {
         (l * rate).powi(2) * moments + (m1 + m2) * g * l * phi.sin()
     };
     for (tolerance, start) in [(1e-6, -1.5), (1e-10, -1.5), (1e-8, 0.4)] {
-        let pose = Pose::at("phi_inner", FRAC_PI_2).with("phi_outer", FRAC_PI_2);
+        let pose = Pose::new("phi_inner", FRAC_PI_2).with("phi_outer", FRAC_PI_2);
         let pose = pose.with("phi_inner'", start).with("phi_outer'", start);
         let models: [Model; 2] = [(&Folded { m1, m2, l, s, g }).into(), (&Zigzag { m1, m2, l, g }).into()];
         for run in models.map(|model| Simulation::new(model).unwrap().tolerance(tolerance)) {
@@ -131,7 +131,7 @@ struct Marble {
 #[test]
 fn what_is_left_open_at_a_fold_is_on_the_fold() {
     let ball = Marble { m: 1.0, r: 2.0, g: 9.81 };
-    let start = |y: f64| Simulation::new(&ball).unwrap().start(Pose::at("y", y)).unwrap();
+    let start = |y: f64| Simulation::new(&ball).unwrap().start(Pose::new("y", y)).unwrap();
     let top = start(2.0);
     assert!(top.start_state().unwrap()[0].abs() < 1e-15, "{:?}", top.start_state());
     assert_eq!(*top.run().unwrap_err().cause(), RunCause::Start(StartError::Equilibrium));
@@ -148,7 +148,7 @@ fn what_is_left_open_at_a_fold_is_on_the_fold() {
 #[test]
 fn a_start_below_the_floor_keeps_its_rates() {
     let balls = TwoBalls { m: 1.0, e: 0.0, g: 10.0, h: 1.0 };
-    let start = Pose::at("y", -0.0005).with("x", 0.0).with("x'", 0.1).with("z", 1.0).with("w", 1.0);
+    let start = Pose::new("y", -0.0005).with("x", 0.0).with("x'", 0.1).with("z", 1.0).with("w", 1.0);
     let run =
         Simulation::new(&balls).unwrap().tolerance(1e-4).start(start).unwrap().limit(0.1).run().unwrap();
     let end = run.events().last().unwrap();
@@ -161,7 +161,7 @@ fn a_start_below_the_floor_keeps_its_rates() {
 fn a_slack_thread_whose_points_meet_decides_nothing() {
     for ([inner, outer], bearing) in [([0.98, -2.7], vec!["C"]), ([2.7, -0.98], vec!["A", "E"])] {
         let run = Simulation::new(&Folded { m1: 0.5, m2: 0.5, l: 1.0, s: 0.6, g: 9.81 }).unwrap();
-        let start = Pose::at("phi_inner", FRAC_PI_2).with("phi_inner'", inner).with("phi_outer'", outer);
+        let start = Pose::new("phi_inner", FRAC_PI_2).with("phi_inner'", inner).with("phi_outer'", outer);
         let run = run.start(start).unwrap().limit(0.05).run().unwrap();
         assert_eq!(run.segments()[0].closed, bearing);
         assert!(run.audit().is_clean(), "{}", run.audit());
@@ -173,7 +173,7 @@ fn a_slack_thread_whose_points_meet_decides_nothing() {
 #[test]
 fn a_start_that_is_moved_onto_its_contacts_does_not_strike_them() {
     let zigzag = Simulation::new(&Zigzag { m1: 0.9, m2: 0.5, l: 1.0, g: 9.81 }).unwrap();
-    let start = Pose::at("phi_inner", 1.56000001).with("phi_outer", 1.56).with("phi_outer'", -3.0);
+    let start = Pose::new("phi_inner", 1.56000001).with("phi_outer", 1.56).with("phi_outer'", -3.0);
     let run = zigzag.tolerance(1e-9).start(start.with("y'", 1.8)).unwrap();
     let state = run.start_state().unwrap();
     let value = |name: &str| state[run.layout().coordinates.iter().position(|c| c.name == name).unwrap()];
@@ -190,7 +190,7 @@ fn a_start_that_is_moved_onto_its_contacts_does_not_strike_them() {
 /// into the floor; with C to bear, nothing does.
 #[test]
 fn what_depends_on_others_upright_does_not_sink() {
-    let upright = || Pose::at("phi_inner", FRAC_PI_2).with("phi_outer", 2.5 * PI);
+    let upright = || Pose::new("phi_inner", FRAC_PI_2).with("phi_outer", 2.5 * PI);
     let [heavy, even] = [500.0, 0.5].map(|m1| Zigzag { m1, m2: 0.5, l: 1.0, g: 9.81 });
     let falling = (&heavy, upright().with("y", 1.0));
     let tilting = (&even, upright().with("phi_inner'", 0.0).with("phi_outer'", 1e-8));
@@ -226,7 +226,7 @@ struct Wedged {
 #[test]
 fn a_bar_without_room_ends_in_an_error_or_rests() {
     let wedged = Wedged { m: 1.0, l: 2.0, g: 10.0 };
-    let start = Pose::at("phi", 0.0).with("phi'", 0.0);
+    let start = Pose::new("phi", 0.0).with("phi'", 0.0);
     let run = Simulation::new(&wedged).unwrap().start(start).unwrap().limit(1.0).run();
     let trajectory = run.unwrap_or_else(|error| error.into_trajectory());
     assert!(trajectory.final_state()[0].abs() < 1e-3, "{:?}", trajectory.final_state());

@@ -7,7 +7,7 @@ use liftoff_fixtures::Belt;
 const BELT: Belt = Belt { m: 2.0, g: 10.0, k: 4.0, mu: 0.2, mu_s: 0.5, w: 0.5 };
 
 fn carried() -> Simulation {
-    let start = Pose::at("x", 0.0).with("x'", BELT.w);
+    let start = Pose::new("x", 0.0).with("x'", BELT.w);
     Simulation::new(&BELT).unwrap().start(start).unwrap().tolerance(1e-12).limit(20.0)
 }
 
@@ -62,7 +62,7 @@ fn events_tell_the_limit_that_decided_them() {
 fn what_comes_to_rest_at_its_limit_is_undecided() {
     let model = Belt { mu: 0.0, ..BELT };
     let rests = [1e-7, 1e-8, 1e-9, 1e-10, 1e-11].into_iter().flat_map(|tolerance| {
-        let start = Pose::at("x", 0.0).with("x'", BELT.w);
+        let start = Pose::new("x", 0.0).with("x'", BELT.w);
         let run = Simulation::new(&model).unwrap().start(start).unwrap();
         let run = run.tolerance(tolerance).limit(20.0).run().unwrap();
         run.events().iter().find(|event| event.kind == EventKind::Stick).map(|event| event.is_undecided())
@@ -74,7 +74,7 @@ fn what_comes_to_rest_at_its_limit_is_undecided() {
 /// Thrown onto a floor at 45°, it keeps v − μ (1 + e) |w|: the impulses are (1 + e) m |w| and μ of that, against the slip.
 #[test]
 fn impacts_have_friction_impulses() {
-    let thrown = Pose::at("x", 3.0).with("y", 0.1).with("x'", 3.0).with("y'", -3.0);
+    let thrown = Pose::new("x", 3.0).with("y", 0.1).with("x'", 3.0).with("y'", -3.0);
     let smooth = Belt { k: 0.0, w: 0.0, mu_s: 0.2, ..BELT };
     let run = Simulation::new(&smooth).unwrap().start(thrown).unwrap().limit(0.1).run().unwrap();
     let impact = run.events().iter().find(|event| event.kind == EventKind::Impact).unwrap();

@@ -43,12 +43,12 @@ fn splits(model: &liftoff_core::system::Model, start: Pose, end: f64) {
 #[test]
 fn a_split_run_is_the_whole_run() {
     let bar = BouncingBar { m: 1.0, l: 1.0, g: 9.81, e: 0.5 };
-    splits(&(&bar).into(), Pose::at("y", 0.5).with("phi", 0.4), 0.6);
-    splits(&(&PairOnCorners { m: 1.0, l: 1.0, g: 9.81 }).into(), Pose::at("phi", 0.1), 1.2);
-    splits(&(&Ladder { m: 1.0, l: 1.0, g: 1.0 }).into(), Pose::at("theta", 1.3), 1.7);
+    splits(&(&bar).into(), Pose::new("y", 0.5).with("phi", 0.4), 0.6);
+    splits(&(&PairOnCorners { m: 1.0, l: 1.0, g: 9.81 }).into(), Pose::new("phi", 0.1), 1.2);
+    splits(&(&Ladder { m: 1.0, l: 1.0, g: 1.0 }).into(), Pose::new("theta", 1.3), 1.7);
     splits(
         &(&Zigzag { m1: 0.5, m2: 0.5, l: 1.0, g: 9.81 }).into(),
-        Pose::at("phi_inner", 1.2).with("phi_outer", 1.2),
+        Pose::new("phi_inner", 1.2).with("phi_outer", 1.2),
         0.9,
     );
 }
@@ -59,7 +59,7 @@ fn a_start_may_penetrate_as_deep_as_its_tolerance_lets_a_motion() {
     let bar = BouncingBar { m: 1.0, l: 1.0, g: 9.81, e: 0.5 };
     let below = |tolerance: f64, depth: f64| {
         let run = Simulation::new(&bar).unwrap().tolerance(tolerance).limit(0.1);
-        let pose = Pose::at("phi", 1.0).with("x", 0.0).with("y", -depth);
+        let pose = Pose::new("phi", 1.0).with("x", 0.0).with("y", -depth);
         run.start(pose).map(|run| run.run().unwrap())
     };
     let told = |run: &Trajectory| {
@@ -74,7 +74,7 @@ fn a_start_may_penetrate_as_deep_as_its_tolerance_lets_a_motion() {
 fn a_start_does_not_depend_on_when_the_tolerance_is_set() {
     let bar = BouncingBar { m: 1.0, l: 1.0, g: 9.81, e: 0.5 };
     let new = || Simulation::new(&bar).unwrap().limit(0.1);
-    let at_depth = |depth: f64| Pose::at("phi", 1.0).with("x", 0.0).with("y", -depth);
+    let at_depth = |depth: f64| Pose::new("phi", 1.0).with("x", 0.0).with("y", -depth);
     let before = new().tolerance(1e-8).start(at_depth(1e-8)).unwrap();
     let after = new().tolerance(1e-5).start(at_depth(1e-8)).unwrap().tolerance(1e-8);
     assert_eq!(after.start_state(), before.start_state());

@@ -23,7 +23,7 @@ struct Plank {
 #[test]
 fn what_leaves_from_below_its_corners_comes_back_on_them() {
     for (y, speed) in [(-5e-11, 1e-6), (-5e-11, 3e-5), (5e-11, 3e-5), (0.0, 3e-5)] {
-        let pose = Pose::at("y", y).with("y'", speed).with("phi", 0.0).with("phi'", 0.0);
+        let pose = Pose::new("y", y).with("y'", speed).with("phi", 0.0).with("phi'", 0.0);
         let run = Simulation::new(&Plank { m: 1.0, l: 1.0, g: 9.81 }).unwrap().start(pose).unwrap();
         let run = run.tolerance(1e-12).limit(1.0).run().unwrap();
         assert!(run.audit().is_clean(), "{y} {speed}: {}", run.audit());
@@ -52,7 +52,7 @@ struct Slider {
 fn a_bar_that_is_pushed_over_a_corner_comes_down_on_it() {
     for tolerance in [1e-4, 1e-6, 1e-9] {
         for (beyond, speed, meets) in [(0.0, 10.0, true), (1e-12, 10.0, true), (0.0, -10.0, false)] {
-            let pose = Pose::at("x", -1.0 - beyond).with("x'", speed).with("y", 0.0).with("y'", 1e-4);
+            let pose = Pose::new("x", -1.0 - beyond).with("x'", speed).with("y", 0.0).with("y'", 1e-4);
             let run = Simulation::new(&Slider { m: 1.0, l: 1.0, g: 9.81 }).unwrap().tolerance(tolerance);
             let run = run.start(pose.with("phi", 0.0).with("phi'", 0.0)).unwrap().limit(0.05).run().unwrap();
             let met = run.events().iter().any(|event| event.kind == EventKind::Impact);
@@ -65,7 +65,7 @@ fn a_bar_that_is_pushed_over_a_corner_comes_down_on_it() {
 #[test]
 fn units_in_which_forces_are_lost_are_refused() {
     let plank = Simulation::new(&Plank { m: 1.0, l: 1.0, g: 1e-310 }).unwrap();
-    let refused = plank.start(Pose::at("phi", 0.1)).err();
+    let refused = plank.start(Pose::new("phi", 0.1)).err();
     assert!(matches!(refused, Some(StartError::Units { .. })), "{refused:?}");
 }
 
@@ -91,7 +91,7 @@ struct Plate {
 #[test]
 fn a_pose_that_would_be_turned_onto_its_contacts_is_refused() {
     let begun = |w: f64, phi: f64| {
-        let pose = Pose::at("phi", phi).with("phi'", 1.0).with("y", 0.0).with("y'", 0.0);
+        let pose = Pose::new("phi", phi).with("phi'", 1.0).with("y", 0.0).with("y'", 0.0);
         let plate = Simulation::new(&Plate { m: 1.0, w, h: 1.0, g: 9.81 }).unwrap();
         plate.tolerance(1e-5).limit(0.1).start(pose)
     };
@@ -120,7 +120,7 @@ struct Bowl {
 fn a_height_near_the_bottom_of_a_bowl_is_that_of_the_bowl() {
     for x in [1e-9, 1e-5, 1e-4, 5e-4, 1e-3, 1e-2, -1e-4] {
         let run = Simulation::new(&Bowl { m: 1.0, r: 1.0, g: 9.81 }).unwrap();
-        let state = run.start(Pose::at("x", x)).unwrap().start_state().unwrap();
+        let state = run.start(Pose::new("x", x)).unwrap().start_state().unwrap();
         assert!((state[1] + (1.0 - x * x).sqrt()).abs() < 1e-10, "{x}: {}", state[1]);
     }
 }
@@ -152,14 +152,14 @@ fn an_angle_that_follows_another_keeps_its_name() {
     let gears = Gears { m: 1.0, l: 1.0, g: 9.81 };
     let run =
         |pose: Pose| Simulation::new(&gears).unwrap().start(pose).unwrap().until("phi = 1").unwrap().run();
-    let expected = run(Pose::at("psi", -0.2).with("psi'", 0.1)).unwrap();
+    let expected = run(Pose::new("psi", -0.2).with("psi'", 0.1)).unwrap();
     let end = expected.events().last().expect("an end");
     assert!((end["phi"] - 1.0).abs() < 1e-12 && (end["psi"] + 0.5).abs() < 1e-12, "{end}");
     assert!((end["phi'"] + 2.0 * end["psi'"]).abs() < 1e-12, "{end}");
     let starts = [
-        Pose::at("phi", 0.4).with("phi'", -0.2),
-        Pose::at("phi", 0.4).with("psi", -0.2).with("psi'", 0.1),
-        Pose::at(Gears::CHI, core::f64::consts::PI - 0.2).with("chi'", 0.1),
+        Pose::new("phi", 0.4).with("phi'", -0.2),
+        Pose::new("phi", 0.4).with("psi", -0.2).with("psi'", 0.1),
+        Pose::new(Gears::CHI, core::f64::consts::PI - 0.2).with("chi'", 0.1),
     ];
     for start in starts {
         let found = run(start.clone()).unwrap_or_else(|error| panic!("{start:?}: {error}"));
@@ -167,9 +167,9 @@ fn an_angle_that_follows_another_keeps_its_name() {
         assert_eq!(found.value(&found.output("phi + 2 * psi").unwrap(), 0.1), 0.0, "{start:?}");
     }
     let start = |pose: Pose| Simulation::new(&gears).unwrap().start(pose).map(|_| ());
-    let refused = start(Pose::at("phi", 0.4).with("psi", 0.3));
+    let refused = start(Pose::new("phi", 0.4).with("psi", 0.3));
     assert!(matches!(refused, Err(StartError::Contradicts { .. })), "{refused:?}");
-    let refused = start(Pose::at("phi", 0.4).with("phi", 0.4));
+    let refused = start(Pose::new("phi", 0.4).with("phi", 0.4));
     assert!(matches!(refused, Err(StartError::Twice { .. })), "{refused:?}");
 }
 
@@ -194,9 +194,9 @@ struct Pendulums {
 fn an_angle_between_two_needs_one_of_them() {
     let pendulums = Pendulums { m: 1.0, l: 1.0, g: 9.81 };
     let start = |pose: Pose| Simulation::new(&pendulums).unwrap().start(pose);
-    let run = start(Pose::at("chi", 1.0).with("phi", 0.3)).unwrap().limit(0.1).run().unwrap();
+    let run = start(Pose::new("chi", 1.0).with("phi", 0.3)).unwrap().limit(0.1).run().unwrap();
     assert!((run.events()[0]["psi"] - 1.3).abs() < 1e-15, "{}", run.events()[0]);
-    let refused = start(Pose::at("chi", 1.0)).map(|_| ());
+    let refused = start(Pose::new("chi", 1.0)).map(|_| ());
     assert!(matches!(refused, Err(StartError::NotDetermined { .. })), "{refused:?}");
 }
 
@@ -222,7 +222,7 @@ struct Beside {
 #[test]
 fn a_state_round_the_end_of_an_edge_is_a_start_once_that_is_said() {
     let rates = [("x'", -1.0), ("y'", -2.0), ("phi'", 0.0)];
-    let pose = Pose::at("phi", 0.0).with("x", 2.2).with("y", 0.3);
+    let pose = Pose::new("phi", 0.0).with("x", 2.2).with("y", 0.3);
     let pose = rates.into_iter().fold(pose, |pose, (name, rate)| pose.with(name, rate));
     let simulation = || Simulation::new(&Beside { m: 1.0, g: 1.0 }).unwrap().limit(0.6);
     let run = simulation().start(pose.clone()).unwrap().run().unwrap();

@@ -23,7 +23,7 @@ struct Slide {
 #[test]
 fn friction_takes_over_from_a_stop() {
     let model = Slide { m: 2.0, mu: 0.5, n: 2.0, c: 1.0, d: 0.5 };
-    let start = Pose::at("x", 0.0).with("y", 0.0).with("x'", 0.0);
+    let start = Pose::new("x", 0.0).with("y", 0.0).with("x'", 0.0);
     let run = Simulation::new(&model).unwrap().start(start).unwrap().limit(3.0).run().unwrap();
     let slips: Vec<_> = run.events().iter().filter(|event| event.kind == EventKind::Slip).collect();
     assert_eq!(slips.len(), 1);
@@ -89,7 +89,7 @@ fn a_valve_alternates_between_its_stops() {
     for number in 1..=60 {
         let model = valve(number);
         let limit = 12.0 * core::f64::consts::TAU / model.w;
-        let start = Pose::at("x", 0.0).with("y", 0.0).with("x'", 0.0);
+        let start = Pose::new("x", 0.0).with("y", 0.0).with("x'", 0.0);
         let run = Simulation::new(&model).unwrap().start(start).unwrap().limit(limit).run();
         let run = run.unwrap_or_else(|error| panic!("{number}: {error}"));
         let audit = run.audit();

@@ -29,7 +29,8 @@ fn a_spring_that_acts_on_one_side_gives_back_what_it_took() {
             if (method, form) == (MethodId::Taylor, Form::Projected) {
                 continue;
             }
-            let simulation = Simulation::new(&BUMPER).unwrap().start(Pose::at("phi", 1.0).with("phi'", -1.0));
+            let simulation =
+                Simulation::new(&BUMPER).unwrap().start(Pose::new("phi", 1.0).with("phi'", -1.0));
             let simulation = simulation.unwrap().form(form).method(method).tolerance(1e-12).limit(5.0);
             let run = simulation.run().unwrap_or_else(|error| panic!("{method:?} {form:?}: {error}"));
             let [start, arm, disarm, end] = run.events() else { panic!("{:?}", run.events()) };
@@ -74,7 +75,7 @@ struct Pulled {
 #[test]
 fn what_acts_for_a_time_is_gone_after_it() {
     let pulled = Pulled { m: 1.0, f: 3.0, k: 1.0 };
-    let simulation = Simulation::new(&pulled).unwrap().start(Pose::at("x", 0.0).with("y", 1.0)).unwrap();
+    let simulation = Simulation::new(&pulled).unwrap().start(Pose::new("x", 0.0).with("y", 1.0)).unwrap();
     let run = simulation.tolerance(1e-12).limit(4.0).run().unwrap();
     let [_, force, end] = run.events() else { panic!("{:?}", run.events()) };
     assert_eq!((force.kind, force.t), (EventKind::Disarm, 2.0));
@@ -112,7 +113,7 @@ pub struct Lifted {
 #[test]
 fn a_load_that_comes_opens_a_contact() {
     let lifted = Lifted { m: 1.0, l: 2.0, g: 10.0, f: 8.0 };
-    let simulation = Simulation::new(&lifted).unwrap().start(Pose::at("phi", 0.0).with("x", 0.0)).unwrap();
+    let simulation = Simulation::new(&lifted).unwrap().start(Pose::new("phi", 0.0).with("x", 0.0)).unwrap();
     let run = simulation.tolerance(1e-12).limit(2.0).run().unwrap();
     let kinds: Vec<_> = run.events().iter().map(|event| (event.kind, event.t)).collect();
     use EventKind::{Arm, End, Open, Start};
@@ -120,7 +121,7 @@ fn a_load_that_comes_opens_a_contact() {
     assert!((run.events()[3]["y"] - 3.0).abs() < 1e-10);
     // One that is not enough leaves it on the floor with what it bears then.
     let lifted = Lifted { f: 3.0, ..lifted };
-    let simulation = Simulation::new(&lifted).unwrap().start(Pose::at("phi", 0.0).with("x", 0.0)).unwrap();
+    let simulation = Simulation::new(&lifted).unwrap().start(Pose::new("phi", 0.0).with("x", 0.0)).unwrap();
     let run = simulation.tolerance(1e-12).limit(2.0).run().unwrap();
     let total = run.function("N(A) + N(B)").unwrap();
     assert!((total(0.5) - 10.0).abs() < 1e-10 && (total(1.5) - 4.0).abs() < 1e-10);
@@ -143,7 +144,7 @@ struct Hovering {
 #[test]
 fn what_turns_its_own_condition_round_is_refused() {
     let model = Hovering { m: 1.0, g: 10.0, f: 15.0 };
-    let start = Pose::at("x", 0.0).with("y", 1.0).with("y'", -1.0);
+    let start = Pose::new("x", 0.0).with("y", 1.0).with("y'", -1.0);
     let outcome = Simulation::new(&model).unwrap().start(start).unwrap().limit(1.0).run();
     let error = outcome.expect_err("neither with the load nor without it");
     // It falls by 1 and slows down by f/m − g.
@@ -151,7 +152,7 @@ fn what_turns_its_own_condition_round_is_refused() {
     assert!(error.to_string().contains("force hold"), "{error}");
     // One that is too weak lets it fall.
     let model = Hovering { f: 5.0, ..model };
-    let start = Pose::at("x", 0.0).with("y", 1.0).with("y'", 1.0);
+    let start = Pose::new("x", 0.0).with("y", 1.0).with("y'", 1.0);
     let run = Simulation::new(&model).unwrap().start(start).unwrap().limit(1.0).run().unwrap();
     let [_, arm, _] = run.events() else { panic!("{:?}", run.events()) };
     assert!((arm.t - 0.1).abs() < 1e-12, "{arm}");
@@ -175,7 +176,7 @@ struct Relay {
 #[test]
 fn a_relay_swings_from_side_to_side() {
     let relay = Relay { m: 1.0, f: 2.0, c: 0.0 };
-    let simulation = Simulation::new(&relay).unwrap().start(Pose::at("x", 1.0).with("y", 0.0)).unwrap();
+    let simulation = Simulation::new(&relay).unwrap().start(Pose::new("x", 1.0).with("y", 0.0)).unwrap();
     let run = simulation.tolerance(1e-12).limit(4.5).run().unwrap();
     // x = 1 − t² to the middle; there and back in 4.
     let changes: Vec<_> =
@@ -185,7 +186,7 @@ fn a_relay_swings_from_side_to_side() {
     assert!((run.function("x").unwrap()(4.0) - 1.0).abs() < 1e-9);
     // One that loses energy ends its run after ever shorter swings, by name and with what was computed.
     let relay = Relay { c: 1.0, ..relay };
-    let simulation = Simulation::new(&relay).unwrap().start(Pose::at("x", 1.0).with("y", 0.0)).unwrap();
+    let simulation = Simulation::new(&relay).unwrap().start(Pose::new("x", 1.0).with("y", 0.0)).unwrap();
     let outcome = simulation.tolerance(1e-9).limit(1e3).run();
     let error = outcome.expect_err("an end before the time");
     assert!(error.trajectory().end_time() < 1e2, "{error}");
@@ -216,7 +217,7 @@ fn the_ends_of_a_spring_that_is_off_may_meet() {
         let cut = Cut { m: 1.0, k: 2.0, l: unit, c: 0.3, s: -1.0 };
         for &method in methods {
             for x in [0.0, 1.0] {
-                let pose = Pose::at("x", x * unit).with("y", 0.0).with("x'", -unit).with("y'", 0.0);
+                let pose = Pose::new("x", x * unit).with("y", 0.0).with("x'", -unit).with("y'", 0.0);
                 let run = Simulation::new(&cut).unwrap().start(pose).unwrap().method(method).limit(3.0).run();
                 let run = run.unwrap_or_else(|error| panic!("{unit} {method:?} {x}: {error}"));
                 assert!((run.final_state()[0] / unit - (x - 3.0)).abs() < 1e-10, "{method:?} {x}");

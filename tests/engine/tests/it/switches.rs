@@ -72,7 +72,7 @@ fn a_contact_armed_below_its_ground_waits() {
 /// It comes up at t = 1 − √0.1: from there on it is looked at.
 #[test]
 fn a_contact_armed_below_its_ground_is_audited_once_it_has_come_up() {
-    let pose = Pose::at("x", 0.0).with("y", -0.9).with("x'", 2.0).with("y'", 2.0);
+    let pose = Pose::new("x", 0.0).with("y", -0.9).with("x'", 2.0).with("y'", 2.0);
     for (limit, is_seen) in [(0.6, false), (1.2, true)] {
         let ledge = Simulation::new(&Ledge { m: 1.0, g: 2.0, e: 0.5, a: 1.0 }).unwrap();
         let audit = ledge.start(pose.clone()).unwrap().limit(limit).run().unwrap().audit();
@@ -85,7 +85,7 @@ fn a_contact_armed_below_its_ground_is_audited_once_it_has_come_up() {
 fn a_start_agrees_with_the_condition() {
     let ledge = |x: f64| {
         let ledge = Ledge { m: 1.0, g: 2.0, e: 0.5, a: 1.0 };
-        Simulation::new(&ledge).unwrap().start(Pose::at("x", x).with("y", -0.5)).map(|_| ())
+        Simulation::new(&ledge).unwrap().start(Pose::new("x", x).with("y", -0.5)).map(|_| ())
     };
     assert!(ledge(0.0).is_ok());
     assert!(matches!(ledge(2.0), Err(StartError::Penetrates { .. })));
@@ -128,7 +128,7 @@ struct Sliding {
 #[test]
 fn a_condition_met_at_the_end_of_a_step_counts() {
     for condition in ["x < 1", "1 > x", "x = 1", "x + 0*y < 1"] {
-        let pose = Pose::at("x", 2.0).with("y", 0.0).with("x'", -1.0).with("y'", 0.0);
+        let pose = Pose::new("x", 2.0).with("y", 0.0).with("x'", -1.0).with("y'", 0.0);
         let simulation = Simulation::new(&Sliding { m: 1.0, g: 2.0 }).unwrap().start(pose).unwrap();
         let record = simulation.limit(4.0).tolerance(1e-10).until(condition).unwrap().run().unwrap();
         let last = record.events().last().unwrap();

@@ -10,7 +10,7 @@ fn bob() -> Simulation {
 /// From (l/2, 0) at rest the bob falls √3/2 until the thread is taut; of its velocity the part across stays.
 #[test]
 fn a_falling_bob_is_caught() {
-    let run = bob().start(Pose::at("x", 0.5).with("y", 0.0)).unwrap().until("x = 0").unwrap().run().unwrap();
+    let run = bob().start(Pose::new("x", 0.5).with("y", 0.0)).unwrap().until("x = 0").unwrap().run().unwrap();
     let [_, taut, _] = run.events() else { panic!("{:?}", run.events()) };
     let v = 3f64.sqrt().sqrt();
     assert_eq!((taut.kind, &taut.supports[..]), (EventKind::Taut, &["rope"][..]));
@@ -26,7 +26,7 @@ fn a_falling_bob_is_caught() {
 /// From below with v² = 3.5 g l the thread goes slack at sin ε = (v² − 2gl)/3gl = ½ above the horizontal.
 #[test]
 fn a_fast_bob_goes_slack() {
-    let run = bob().start(Pose::at("x'", 3.5f64.sqrt())).unwrap().limit(5.0).run().unwrap();
+    let run = bob().start(Pose::new("x'", 3.5f64.sqrt())).unwrap().limit(5.0).run().unwrap();
     let [_, slack, taut, ..] = run.events() else { panic!("{:?}", run.events()) };
     assert_eq!((slack.kind, taut.kind), (EventKind::Slack, EventKind::Taut));
     assert!((slack.state[1] - 0.5).abs() < 1e-10, "{slack}");
@@ -51,7 +51,7 @@ fn a_cut_ends_an_equilibrium() {
 /// A swinging bob is cut loose at its lowest point, by a condition: from N = 3 m g it flies off level.
 #[test]
 fn a_cut_waits_for_its_condition() {
-    let run = bob().start(Pose::at("x", -1.0).with("y", 0.0)).unwrap();
+    let run = bob().start(Pose::new("x", -1.0).with("y", 0.0)).unwrap();
     let run = run.cut("rope", "x = 0").unwrap().until("y = -3").unwrap().run().unwrap();
     let [_, cut, stop] = run.events() else { panic!("{:?}", run.events()) };
     assert!((cut.state[2] - 2f64.sqrt()).abs() < 1e-11 && cut.reactions[0].value == 0.0, "{cut}");
@@ -88,7 +88,7 @@ fn a_thread_runs_over_a_ring_that_moves() {
     let part = |y: f64| (d * d + y * y).sqrt();
     let (from, to) = (d, 1.4 * d);
     let s = 2.0 * part(from) + 3.0 * d;
-    let start = Pose::at("x", 0.0).with("y", from).with("u", d).with("z", 3.0 * d);
+    let start = Pose::new("x", 0.0).with("y", from).with("u", d).with("z", 3.0 * d);
     let simulation =
         Simulation::new(&Pulley { p, q, d, s, g }).unwrap().tolerance(1e-12).start(start).unwrap();
     let run = simulation.until(&format!("y = {to}")).unwrap().run().unwrap();
@@ -130,7 +130,8 @@ fn a_bead_goes_along_an_ellipse() {
     let low = (s * s - d * d).sqrt();
     let [x, y] = [s * 1.2_f64.cos(), -low * 1.2_f64.sin()];
     let simulation = Simulation::new(&Bead { m, d, s, g }).unwrap().tolerance(1e-12);
-    let run = simulation.start(Pose::at("x", x).with("y", y)).unwrap().until("x = 0").unwrap().run().unwrap();
+    let run =
+        simulation.start(Pose::new("x", x).with("y", y)).unwrap().until("x = 0").unwrap().run().unwrap();
     let end = run.events().last().unwrap();
     assert!((end["y"] + low).abs() < 1e-10 && end["y'"].abs() < 1e-10, "{end}");
     let square = 2.0 * g * (y + low);

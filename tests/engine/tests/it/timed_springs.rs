@@ -22,7 +22,7 @@ struct Shaken {
 #[test]
 fn a_shaken_spring_drives_its_mass() {
     let (m, k, l, b, w) = (1.5, 24.0, 1.0, 0.05, 2.5);
-    let pose = Pose::at("x", l).with("x'", 0.0);
+    let pose = Pose::new("x", l).with("x'", 0.0);
     let simulation = Simulation::new(&Shaken { m, k, l, b, w }).unwrap().start(pose).unwrap();
     let record = simulation.limit(4.0).tolerance(1e-12).run().unwrap();
     let own = (k / m).sqrt();
@@ -55,7 +55,7 @@ struct Softening {
 #[test]
 fn a_softening_spring_follows_euler_s_equation() {
     let (m, k, s, start) = (1.5, 24.0, 0.7, 0.3);
-    let pose = Pose::at("x", start).with("x'", 0.0);
+    let pose = Pose::new("x", start).with("x'", 0.0);
     let simulation = Simulation::new(&Softening { m, k, s, r: start }).unwrap().start(pose).unwrap();
     let record = simulation.limit(4.0).tolerance(1e-12).run().unwrap();
     let nu = (k * s * s / m - 0.25).sqrt();
@@ -86,7 +86,7 @@ struct Wound {
 #[test]
 fn a_spring_that_is_wound_up_turns_its_bar() {
     let (m, l, k, w) = (1.5, 0.8, 6.0, 1.2);
-    let pose = Pose::at("phi", 0.0).with("phi'", 0.0);
+    let pose = Pose::new("phi", 0.0).with("phi'", 0.0);
     let simulation = Simulation::new(&Wound { m, l, k, w }).unwrap().start(pose).unwrap();
     let record = simulation.limit(4.0).tolerance(1e-12).run().unwrap();
     let own = (k / (m * l * l / 3.0)).sqrt();

@@ -58,7 +58,7 @@ struct Images {
 const THETA: f64 = 0.959_931_088_596_881_3;
 
 fn above_the_floor() -> Pose {
-    Pose::at("theta", THETA)
+    Pose::new("theta", THETA)
         .with("x", 0.0)
         .with("y", 0.01)
         .with("x'", 0.3)
@@ -103,7 +103,7 @@ struct Balls {
 
 #[test]
 fn uncoupled_balls_strike_at_once_by_stronge_s_law() {
-    let pose = Pose::at("x_P", 0.0).with("y_P", 1.0).with("x_Q", 5.0).with("y_Q", 1.0);
+    let pose = Pose::new("x_P", 0.0).with("y_P", 1.0).with("x_Q", 5.0).with("y_Q", 1.0);
     let run = Simulation::new(&Balls { p: 3.0 }).unwrap().start(pose).unwrap().limit(0.5).run().unwrap();
     let impact = &run.events()[1];
     assert_eq!((impact.kind, &impact.supports[..]), (EventKind::Impact, &["P", "Q"][..]));

@@ -49,7 +49,7 @@ struct Block {
 fn a_model_at_the_origin_has_the_size_of_its_spring() {
     let courses = [1.0, 2f64.powi(-30), 2f64.powi(30)].map(|unit| {
         let block = Block { m: 1.0, l: unit, k: 20.0, mu: 0.2, limit: 1.0, w: 0.3 * unit, g: 9.81 * unit };
-        let start = Pose::at("x", 0.0).with("x'", 0.0);
+        let start = Pose::new("x", 0.0).with("x'", 0.0);
         let run =
             Simulation::new(&block).unwrap().start(start).unwrap().tolerance(1e-7).limit(3.0).run().unwrap();
         run.events().iter().map(|event| (event.kind, event.t)).collect::<Vec<_>>()
@@ -75,7 +75,7 @@ fn a_model_at_the_origin_has_the_size_of_its_spring() {
 #[test]
 fn a_hop_below_rounding_is_no_size() {
     let block = Block { m: 1.0, l: 1.0, k: 6.0, mu: 0.4, limit: 0.5, w: 0.6, g: 9.81 };
-    let start = Pose::at("x", 0.0).with("y'", 4e-12);
+    let start = Pose::new("x", 0.0).with("y'", 4e-12);
     for tolerance in [1e-6, 5e-13] {
         let run = Simulation::new(&block).unwrap().start(start.clone()).unwrap().tolerance(tolerance);
         let run = run.limit(4.0).run().unwrap_or_else(|error| panic!("{tolerance:e}: {error}"));
@@ -152,7 +152,7 @@ fn friction_and_a_clutch_share_a_couple_alike_in_every_unit() {
             c: c * force * length / time,
             s: 9.0 * time,
         };
-        let start = Simulation::new(&braked).unwrap().start(Pose::at("phi", 0.0)).unwrap();
+        let start = Simulation::new(&braked).unwrap().start(Pose::new("phi", 0.0)).unwrap();
         let run = start.limit(4.0 * time).run().unwrap_or_else(|error| panic!("{length:e}: {error}"));
         assert_eq!(run.events().len(), 2, "{:?}", run.events());
         let at = |text: &str| run.function(text).unwrap()(late * time);

@@ -33,7 +33,7 @@ fn impulse() -> f64 {
 
 fn rate<M: BarSystem>(model: &M, start: f64, limit: f64, method: MethodId) -> f64 {
     let simulation = Simulation::new(model).unwrap().tolerance(1e-9).method(method);
-    let run = simulation.start(Pose::at("x", 0.0).with("x'", start)).unwrap().limit(limit).run().unwrap();
+    let run = simulation.start(Pose::new("x", 0.0).with("x'", start)).unwrap().limit(limit).run().unwrap();
     run.value(&run.output("x'").unwrap(), limit)
 }
 
@@ -163,7 +163,7 @@ struct Parallelogram {
 #[test]
 fn a_blow_within_the_step_across_a_singular_position_is_told() {
     let told = |b: f64| {
-        let start = Pose::at("phi", -PI / 2.0).with("phi'", 2.2);
+        let start = Pose::new("phi", -PI / 2.0).with("phi'", 2.2);
         let run = Simulation::new(&Parallelogram { g: 1.0, a: 2000.0, b }).unwrap();
         let run = run.start(start).unwrap().limit(1.4).run().unwrap();
         run.log().iter().any(|entry| entry.decision == LoggedDecision::LoadUnresolved)

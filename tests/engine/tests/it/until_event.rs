@@ -49,7 +49,7 @@ struct Oscillator;
 #[test]
 fn a_condition_that_is_only_nearly_met_is_undecided() {
     for method in liftoff::method::MethodId::ALL {
-        let run = Simulation::new(&Oscillator).unwrap().start(Pose::at("x", 1.0)).unwrap().method(method);
+        let run = Simulation::new(&Oscillator).unwrap().start(Pose::new("x", 1.0)).unwrap().method(method);
         let run = run.until("x = -1.000000000001").unwrap().limit(8.0).run().unwrap();
         assert_eq!(run.end_time(), 8.0, "{method:?}");
         let log = run.log().iter();

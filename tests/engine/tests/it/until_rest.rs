@@ -58,12 +58,12 @@ fn equations_are_met_where_friction_ends_the_motion() {
         let (l, r, rate) = (between(0.5, 2.0), between(0.02, 0.2), between(-3.0, 3.0));
         let block = Block { m, mu, g };
         for until in ["x' = 0", "v(P) = 0", "2 * v(P) = v(P)"] {
-            let (kind, t) = stopped(&block, Pose::at("x'", rate), until);
+            let (kind, t) = stopped(&block, Pose::new("x'", rate), until);
             assert!(kind == EventKind::Stop && (t - rate.abs() / (mu * g)).abs() < 1e-10, "{until} {t}");
         }
         let wheel = Wheel { m, l, mu, r, g };
         for until in ["phi' = 0", "v(O) = 0"] {
-            let (kind, t) = stopped(&wheel, Pose::at("phi", 0.0).with("phi'", rate), until);
+            let (kind, t) = stopped(&wheel, Pose::new("phi", 0.0).with("phi'", rate), until);
             let known = l * l / 12.0 * rate.abs() / (mu * r * g);
             assert!(
                 kind == EventKind::Stop && (t - known).abs() < 1e-10 * known.max(1.0),

@@ -12,7 +12,7 @@ fn steps(
     method: MethodId,
     look: impl Fn(&dyn Fn(&DenseOutput, f64) -> Option<f64>, &dyn Phase, &DenseOutput),
 ) {
-    let start = Pose::at("phi", 0.4).with("phi'", -1.0);
+    let start = Pose::new("phi", 0.4).with("phi'", -1.0);
     let run =
         Simulation::new(&TURNED).unwrap().start(start).unwrap().limit(3.0).tolerance(1e-9).method(method);
     let run = run.run().unwrap();

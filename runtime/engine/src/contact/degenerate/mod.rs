@@ -420,7 +420,7 @@ impl Ladder {
             (&force, &bias),
             (&force_size, &bias_size),
         )
-        .of(self.layout)
+        .with_layout(self.layout)
     }
 
     /// Contacts that no order decides stay closed with zero reaction; they bear only what friction

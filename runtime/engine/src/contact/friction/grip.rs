@@ -48,7 +48,7 @@ struct Edge {
 
 impl Grip {
     /// Of the closed contacts at a state.
-    pub(crate) fn of(system: &dyn System, state: &[f64], closed: &ContactSet) -> Self {
+    pub(crate) fn compute(system: &dyn System, state: &[f64], closed: &ContactSet) -> Self {
         let layout = system.layout();
         let sticks = |contact: usize| closed.contains(contact) && closed.slip(contact) == Slip::Stick;
         let mut grip = Self::default();
@@ -59,7 +59,7 @@ impl Grip {
         }
         let rows = bent_rows(system, state, closed, &slips(system, state));
         let undetermined = rows.undetermined();
-        let is_free = |row: usize| rows.place(row).is_some_and(|place| undetermined[place]);
+        let is_free = |row: usize| rows.find_index(row).is_some_and(|place| undetermined[place]);
         for friction in layout.frictions.iter().filter(|friction| sticks(friction.contact)) {
             let normal = is_free(friction.contact);
             if normal || is_free(friction.row) {
@@ -84,7 +84,7 @@ fn bent_rows(
     closed: &ContactSet,
     slips: &[SlipState<f64>],
 ) -> ClosedRows {
-    let mut rows = ClosedRows::of(system, state, closed);
+    let mut rows = ClosedRows::compute(system, state, closed);
     for (entry, friction) in system.layout().sliding(closed) {
         rows.bend(friction, closed.sense(friction.contact) as f64 * slips[entry].kinetic);
     }
@@ -110,7 +110,7 @@ impl LastMargin {
         closed: &ContactSet,
         reactions: &[f64],
     ) -> f64 {
-        let shared = SharedLoad::of(system, state, closed);
+        let shared = SharedLoad::compute(system, state, closed);
         let from = shared.numbers(reactions);
         if from != self.from {
             self.from = from;
@@ -123,7 +123,7 @@ impl LastMargin {
 /// The margin of the contacts that share their load, given reactions of all closed contacts that
 /// hold the motion.
 pub(crate) fn margin(system: &dyn System, state: &[f64], closed: &ContactSet, reactions: &[f64]) -> Margin {
-    SharedLoad::of(system, state, closed).margin(reactions)
+    SharedLoad::compute(system, state, closed).margin(reactions)
 }
 
 /// The closed contacts that stick with all that shares their load.
@@ -135,7 +135,7 @@ struct SharedLoad<'a> {
 }
 
 impl<'a> SharedLoad<'a> {
-    fn of(system: &'a dyn System, state: &[f64], closed: &'a ContactSet) -> Self {
+    fn compute(system: &'a dyn System, state: &[f64], closed: &'a ContactSet) -> Self {
         let slips = slips(system, state);
         Self { layout: system.layout(), closed, rows: bent_rows(system, state, closed, &slips), slips }
     }
@@ -143,7 +143,7 @@ impl<'a> SharedLoad<'a> {
     /// All that the margin follows from.
     fn numbers(&self, reactions: &[f64]) -> Vec<f64> {
         let Self { layout, closed, rows, slips } = self;
-        let shared = closed.iter().filter(|&contact| rows.place(contact).is_some());
+        let shared = closed.iter().filter(|&contact| rows.find_index(contact).is_some());
         let loads = shared.flat_map(|contact| {
             let friction = layout.contacts[contact].friction;
             let own = friction.map(|entry| [reactions[layout.contacts.len() + entry], slips[entry].limit]);
@@ -197,9 +197,9 @@ fn edges(
     let (mut edges, mut taken) = (Vec::new(), Vec::new());
     let rounding = ROUNDED * reactions.iter().fold(0.0, |most: f64, load| most.max(load.abs()));
     for contact in closed.iter() {
-        let Some(normal) = rows.place(contact) else { continue };
+        let Some(normal) = rows.find_index(contact) else { continue };
         let entry = layout.contacts[contact].friction.filter(|_| closed.slip(contact) == Slip::Stick);
-        let tangent = entry.and_then(|entry| Some((entry, rows.place(layout.frictions[entry].row)?)));
+        let tangent = entry.and_then(|entry| Some((entry, rows.find_index(layout.frictions[entry].row)?)));
         if !undetermined[normal] && !tangent.is_some_and(|(_, place)| undetermined[place]) {
             continue;
         }

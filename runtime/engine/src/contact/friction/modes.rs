@@ -104,7 +104,7 @@ impl Mode {
     }
 
     /// In words.
-    pub(crate) fn told(self) -> &'static str {
+    pub(crate) fn describe(self) -> &'static str {
         match self {
             Self::Open => "open",
             Self::Stick => "sticking",

@@ -57,10 +57,10 @@ pub(super) type Options = (usize, Vec<Choice>);
 /// Of each touching contact.
 pub(super) fn choices(layout: &Layout, question: &ContactProblem) -> Vec<Options> {
     let touching = question.touching.union(question.held).iter();
-    touching.map(|contact| (contact, of(layout, question, contact))).collect()
+    touching.map(|contact| (contact, list_choices(layout, question, contact))).collect()
 }
 
-fn of(layout: &Layout, question: &ContactProblem, contact: usize) -> Vec<Choice> {
+fn list_choices(layout: &Layout, question: &ContactProblem, contact: usize) -> Vec<Choice> {
     let description = &layout.contacts[contact];
     let always = matches!(description.kind, ContactKind::Guide | ContactKind::Hinge { .. });
     let held = question.held.contains(contact);

@@ -73,7 +73,7 @@ impl Place<'_> {
         }
         let taken = *distinct.first()?;
         let alternatives = (distinct.len() > 1 || !complete).then(|| Alternatives {
-            motions: distinct.iter().map(|it| self.told(it.set)).collect(),
+            motions: distinct.iter().map(|it| self.describe(it.set)).collect(),
             taken: 0,
             reason: match distinct.get(1) {
                 None => Reason::Only,
@@ -100,7 +100,7 @@ impl Place<'_> {
         pairs.all(|((x, y), c)| (x - y).abs() <= SAME * x.abs().max(y.abs()).max(least(c)))
     }
 
-    fn told(&self, set: ContactSet) -> String {
+    fn describe(&self, set: ContactSet) -> String {
         let layout = self.context.layout();
         let closed = set.iter().map(|i| {
             let slips = match (layout.contacts[i].friction, set.slip(i).sign()) {

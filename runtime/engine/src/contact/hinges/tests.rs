@@ -88,7 +88,7 @@ fn a_hinge_that_moves_keeps_its_sense() {
         let mut start = [0.0; 10];
         start[..5].iter_mut().enumerate().for_each(|(i, angle)| *angle = 0.1 * ((i * k) % 5) as f64 - 0.2);
         start[9] = rate;
-        let (context, state) = at(start);
+        let (context, state) = evaluate_chain(start);
         let place = Place::new(&context, state);
         let slides = |hinge: usize| place.slips[context.layout().contacts[hinge].friction.unwrap()].velocity;
         let known = |hinge: usize| match slides(hinge) {
@@ -121,7 +121,7 @@ fn all_senses_are_told_apart() {
 }
 
 /// A chain at some state.
-fn at(state: [f64; 10]) -> (RunContext, Numbers) {
+fn evaluate_chain(state: [f64; 10]) -> (RunContext, Numbers) {
     let model = Model::new(&Chain { m: 1.0, l: 1.0, mu: 0.3, r: 0.05, p: 3.0, q: 2.0, g: 9.81 });
     let scales = scales_of(&model).unwrap();
     (RunContext { model, scales }, Numbers::from_slice(&state))
@@ -137,13 +137,13 @@ fn a_moment_later_the_state_has_moved() {
     let from = [1.0, -2.0, 0.5, 0.0, 3.0];
     let to = [2.0, 1.0, 0.5, -1.0, 0.0];
     let mut start = [0.0; 10];
-    let (context, state) = at(start);
+    let (context, state) = evaluate_chain(start);
     let dt = dt(&context, &state);
     assert!(dt > 0.0);
     // Rates so small that the turn by them is no larger than by the accelerations, and zero.
     for rate in [0.0, dt, -dt] {
         start[5..].fill(rate);
-        let (context, state) = at(start);
+        let (context, state) = evaluate_chain(start);
         let moved = Place::new(&context, state).moved(&from, &to);
         for i in 0..5 {
             let gained = 0.5 * (from[i] + to[i]) * dt;
@@ -165,7 +165,7 @@ fn found(set: ContactSet, acceleration: f64, unique: bool) -> Found {
 #[test]
 fn of_several_motions_one_is_taken_and_all_are_told() {
     use crate::model::Slip::{Backward, Forward, Stick};
-    let (context, state) = at([0.1; 10]);
+    let (context, state) = evaluate_chain([0.1; 10]);
     let place = Place::new(&context, state);
     let set = |slips: &[crate::model::Slip]| {
         let each = slips.iter().enumerate();
@@ -314,7 +314,7 @@ fn contacts_have_the_choices_of_their_kinds() {
 /// Accelerations are one up to 1e-8 of the larger, or of the natural one.
 #[test]
 fn accelerations_that_differ_by_rounding_are_one() {
-    let (context, state) = at([0.0; 10]);
+    let (context, state) = evaluate_chain([0.0; 10]);
     let natural = 1.0 / (context.scales.time * context.scales.time);
     let place = Place::new(&context, state);
     let of = |acceleration: f64| found(ContactSet::EMPTY, acceleration, true);

@@ -13,7 +13,7 @@ pub(super) struct Cholesky {
 
 impl Cholesky {
     /// None where a pivot is not clear.
-    pub(super) fn of(mass: impl Fn(usize, usize) -> f64, n: usize) -> Option<Self> {
+    pub(super) fn factorise(mass: impl Fn(usize, usize) -> f64, n: usize) -> Option<Self> {
         let mut rows: Numbers = smallvec![0.0; n * n];
         for i in 0..n {
             let (above, own) = rows.split_at_mut(i * n);

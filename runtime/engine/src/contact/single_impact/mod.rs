@@ -46,7 +46,7 @@ impl<M: Fn(usize, usize) -> f64, J: Fn(usize, usize) -> f64> Struck<'_, M, J> {
     pub(crate) fn outcome(&self) -> Option<Outcome> {
         let striking = self.striking()?;
         let Striking { row, law, friction, .. } = striking;
-        let response = Response::of(self, &striking)?;
+        let response = Response::compute(self, &striking)?;
         let approach = self.speed(row).value;
         let slip = friction.map_or(0.0, |(tangent, _)| self.speed(tangent).known());
         let path = response.striker()?.path(approach, slip)?;

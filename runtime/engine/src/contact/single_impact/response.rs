@@ -19,9 +19,9 @@ pub(super) struct Response<'a, M, J> {
 
 impl<'a, M: Fn(usize, usize) -> f64, J: Fn(usize, usize) -> f64> Response<'a, M, J> {
     /// None where M is nearly singular.
-    pub(super) fn of(struck: &'a Struck<'a, M, J>, striking: &'a Striking) -> Option<Self> {
+    pub(super) fn compute(struck: &'a Struck<'a, M, J>, striking: &'a Striking) -> Option<Self> {
         let n = struck.rates.len();
-        let factor = Cholesky::of(&struck.mass, n)?;
+        let factor = Cholesky::factorise(&struck.mass, n)?;
         let along = |row: usize| factor.solution((0..n).map(|j| (struck.jacobian)(row, j)));
         let by_tangent = striking.friction.map_or_else(|| smallvec![0.0; n], |(row, _)| along(row));
         Some(Self { struck, striking, by_normal: along(striking.row), by_tangent })
@@ -58,7 +58,7 @@ impl<'a, M: Fn(usize, usize) -> f64, J: Fn(usize, usize) -> f64> Response<'a, M,
         for row in (0..rows.len()).filter(|&row| row != own && !is_open(rows, &rows[row])) {
             opening[row] = match rows[row] {
                 Row::Contact { .. } => self.unpressed(row, path)?,
-                _ => Sum::of(&self.terms(row, self.struck.speed(row), end)).known(),
+                _ => Sum::from_terms(&self.terms(row, self.struck.speed(row), end)).known(),
             };
         }
         opening[own] = end.normal;
@@ -73,7 +73,7 @@ impl<'a, M: Fn(usize, usize) -> f64, J: Fn(usize, usize) -> f64> Response<'a, M,
         let mut last = before;
         for point in &path.vertices {
             let terms = self.terms(row, before, point);
-            last = Sum::of(&terms);
+            last = Sum::from_terms(&terms);
             let size: f64 = terms.iter().map(|it| it.value.abs()).sum();
             if last.value < -ROUNDING * size {
                 return None;

@@ -17,7 +17,7 @@ pub(super) struct Sum {
 impl Sum {
     pub(super) const ZERO: Self = Self { value: 0.0, size: 0.0 };
 
-    pub(super) fn of(terms: &[Self]) -> Self {
+    pub(super) fn from_terms(terms: &[Self]) -> Self {
         let both = |sum: Self, it: &Self| Self { value: sum.value + it.value, size: sum.size + it.size };
         terms.iter().fold(Self::ZERO, both)
     }

@@ -85,7 +85,7 @@ fn levers_are_those_of_the_rows_in_their_own_units() {
         let problem =
             Ladder::new(model.layout(), &question).problem(&Equations::along(&model, &state, &[]), 0);
         let balanced = problem.closed_rows(vec![0, 1, 2]).levers;
-        let own = ClosedRows::of(&*model.system, &state, &touching).levers;
+        let own = ClosedRows::compute(&*model.system, &state, &touching).levers;
         for levers in [balanced, own] {
             assert_eq!(levers[..2], [1.0, 1.0]);
             assert!((levers[2] - 1.5 * l).abs() < 1e-12 * l, "{p} {l}: {levers:?}");

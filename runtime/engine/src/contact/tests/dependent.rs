@@ -28,7 +28,7 @@ fn rows_that_share_a_load() {
         [0.0, 0.0, 0.0, 3.0],
     ]);
     assert_eq!(all.undetermined(), [true, false, true, false, true, false]);
-    assert_eq!((all.place(22), all.place(19), all.place(26)), (Some(2), None, None));
+    assert_eq!((all.find_index(22), all.find_index(19), all.find_index(26)), (Some(2), None, None));
     for (asked, kept) in
         [(20, vec![0, 2, 4]), (24, vec![0, 2, 4]), (21, vec![1]), (23, vec![3]), (25, vec![5])]
     {

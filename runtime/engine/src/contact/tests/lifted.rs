@@ -98,7 +98,7 @@ fn a_growing_load_lifts_what_is_rough() {
     for k in 0..40 {
         let (m, a) = (M + 0.37 * f64::from(k), 1.0 + 0.11 * f64::from(k));
         let rough = Rough { m, l: 0.1, g: G, p: 2.0, w: 0.0, a, b: 0.0, c: 0.0 };
-        let start = Pose::at("x", 0.1).with("y", 0.0).with("x'", 0.0).with("y'", 0.0);
+        let start = Pose::new("x", 0.1).with("y", 0.0).with("x'", 0.0).with("y'", 0.0);
         let lifts = m * G / a;
         let simulation = Simulation::new(&rough).unwrap().start(start).unwrap().limit(1.2 * lifts);
         let record = simulation.run().unwrap_or_else(|error| panic!("{k}: {error}"));

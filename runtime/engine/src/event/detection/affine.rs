@@ -28,10 +28,10 @@ pub(crate) struct KnownAffineGuards(Vec<AffineGuards>);
 
 impl KnownAffineGuards {
     /// Of a phase in closed form; those of a set that returns are not found again.
-    pub(crate) fn of(&mut self, phase: &dyn Phase, context: &RunContext) -> &mut AffineGuards {
+    pub(crate) fn find_or_compute(&mut self, phase: &dyn Phase, context: &RunContext) -> &mut AffineGuards {
         let set = phase.info().set;
         let place = self.0.iter().position(|known| known.set == set).unwrap_or_else(|| {
-            self.0.push(AffineGuards::of(phase, context));
+            self.0.push(AffineGuards::compute(phase, context));
             self.0.len() - 1
         });
         &mut self.0[place]
@@ -53,7 +53,7 @@ pub(crate) struct AffineGuards {
 
 impl AffineGuards {
     /// Of a phase that has only such guards.
-    fn of(phase: &dyn Phase, context: &RunContext) -> Self {
+    fn compute(phase: &dyn Phase, context: &RunContext) -> Self {
         let (layout, entries) = (context.layout(), phase.info().entries);
         let (reactions, feet) = (layout.reactions(), 2 * layout.feet());
         let rows = 2 * reactions + feet;

@@ -66,7 +66,8 @@ impl GuardSource<'_> {
             Self::Series(c) => root_isolation::watch_series(&root_isolation::rest(c, from), start, bound)?,
             Self::Values { value, is_noisy, .. } => {
                 let accuracy = Accuracy { delta: bound, is_noisy: *is_noisy };
-                root_isolation::watch(|s| value(at(s)), start, accuracy).map_err(|error| error.at(at))?
+                root_isolation::watch(|s| value(at(s)), start, accuracy)
+                    .map_err(|error| error.map_theta(at))?
             }
         };
         Ok(match verdict {
@@ -140,7 +141,7 @@ impl GuardSource<'_> {
             Self::Values { value, is_noisy, .. } => {
                 let accuracy = Accuracy { delta: bound, is_noisy: *is_noisy };
                 root_isolation::find_root(&mut |s| value(at(s)) + shift, start, accuracy)
-                    .map_err(|error| error.at(at))?
+                    .map_err(|error| error.map_theta(at))?
             }
         };
         Ok(root.map(|root| root.map_theta(at)))

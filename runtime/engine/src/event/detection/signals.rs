@@ -148,9 +148,11 @@ impl<'a> Signals<'a> {
             let smooth = |&variable: &Variable| {
                 let smooth = match step.polynomial(variable) {
                     Some(exact) => exact.ok(),
-                    None => Smooth::fit(&mut |theta| step.read(theta, variable, scratch), tolerance)
-                        .ok()
-                        .flatten(),
+                    None => {
+                        Smooth::fit(&mut |theta| step.evaluate_variable(theta, variable, scratch), tolerance)
+                            .ok()
+                            .flatten()
+                    }
                 };
                 Some((variable, smooth?))
             };

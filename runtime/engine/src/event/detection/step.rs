@@ -158,7 +158,7 @@ impl<'a> StepView<'a> {
     }
 
     /// What a condition reads, at θ.
-    pub(super) fn read(&self, theta: f64, variable: Variable, scratch: &mut Scratch) -> f64 {
+    pub(super) fn evaluate_variable(&self, theta: f64, variable: Variable, scratch: &mut Scratch) -> f64 {
         variable.value(self.context, self.point(theta, scratch))
     }
 
@@ -185,7 +185,7 @@ impl<'a> StepView<'a> {
     }
 
     /// Where the reduced state has a coordinate or its rate, if it has it.
-    fn place(&self, index: usize, order: usize) -> Option<usize> {
+    fn find_index(&self, index: usize, order: usize) -> Option<usize> {
         let entry = index + order * self.context.layout().coordinates.len();
         self.kept.iter().position(|kept| *kept == entry)
     }
@@ -196,7 +196,7 @@ impl<'a> StepView<'a> {
         match variable {
             Variable::Time => (terms[0], terms[1]) = (self.dense.t0, self.dense.h),
             Variable::Coordinate { index, order } => {
-                self.dense.polynomial(self.place(index, order)?, &mut terms)?;
+                self.dense.polynomial(self.find_index(index, order)?, &mut terms)?;
             }
             _ => return None,
         }
@@ -211,7 +211,9 @@ impl<'a> StepView<'a> {
     /// motion itself is a polynomial.
     pub(super) fn sides(&self, condition: &Condition) -> Option<Sides> {
         condition.sides(&self.context.model.parameters, &|known, terms| match known {
-            Known::Coordinate { index, order } => self.dense.polynomial(self.place(index, order)?, terms),
+            Known::Coordinate { index, order } => {
+                self.dense.polynomial(self.find_index(index, order)?, terms)
+            }
             // Where more contacts are closed than the phase needs, they share its reactions.
             Known::Reaction(_) if self.closed != self.phase.info().set => None,
             Known::Reaction(contact) => copy(self.guards?.reaction(contact), terms),

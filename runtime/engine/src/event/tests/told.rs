@@ -105,7 +105,7 @@ fn a_line_has_what_there_is_to_say() {
 #[test]
 fn events_are_looked_up_by_kind_and_support() {
     let layout: &'static Layout = Box::leak(Box::new(layout()));
-    let of = |kind, support: Option<&str>| EventFilter::of(layout, kind, support).expect("a support");
+    let of = |kind, support: Option<&str>| EventFilter::new(layout, kind, support).expect("a support");
     let (open, impact) = (event(EventKind::Open, &["A", "C"]), event(EventKind::Impact, &["A"]));
     for (kind, support, expected) in [
         (EventKind::Open, None, [true, false]),
@@ -121,10 +121,10 @@ fn events_are_looked_up_by_kind_and_support() {
     }
     assert_eq!(of(EventKind::SlideOff, Some("E")).to_string(), "slide-off E");
     assert_eq!(of(EventKind::SlideOff, None).to_string(), "slide-off");
-    let error = EventFilter::of(layout, EventKind::Open, "F").expect_err("no support");
+    let error = EventFilter::new(layout, EventKind::Open, "F").expect_err("no support");
     assert!(error.to_string().starts_with("no support `F`; known: "), "{error}");
     assert!(
-        EventFilter::of(Model::new(&Particle { m: 1.0, g: 1.0, e: 0.0 }).layout(), open.kind, "A").is_err()
+        EventFilter::new(Model::new(&Particle { m: 1.0, g: 1.0, e: 0.0 }).layout(), open.kind, "A").is_err()
     );
 }
 

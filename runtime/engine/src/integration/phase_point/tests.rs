@@ -220,7 +220,7 @@ fn a_phase_is_asked_at_a_time() {
 fn an_energy_level_gives_the_free_rate() {
     for form in [Form::Closed, Form::Projected] {
         let start = Simulation::new(&Driven { a: 0.2 }).unwrap().form(form);
-        let start = start.start(Pose::at("phi", 0.3)).unwrap().on_energy_of(Pose::at("phi", 0.5)).unwrap();
+        let start = start.start(Pose::new("phi", 0.3)).unwrap().on_energy_of(Pose::new("phi", 0.5)).unwrap();
         let run = start.limit(1e-3).run().unwrap();
         let rate = (2.0 * G / L * (0.3f64.cos() - 0.5f64.cos())).sqrt();
         assert!((run.state(0.0)[3] + rate).abs() < 1e-12, "{} {rate}", run.state(0.0)[3]);

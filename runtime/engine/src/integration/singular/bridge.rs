@@ -54,7 +54,7 @@ pub(crate) struct Bridge {
 impl Bridge {
     /// The full state after a part of the step.
     pub(super) fn state_at(&self, context: &RunContext, theta: f64) -> Vec<f64> {
-        let values: Vec<f64> = self.series.iter().map(|series| series.at(2.0 * theta - 1.0)).collect();
+        let values: Vec<f64> = self.series.iter().map(|series| series.evaluate(2.0 * theta - 1.0)).collect();
         let state = context.layout().state_at(&values, self.t[0] + theta * (self.t[1] - self.t[0]));
         context.switched_as(&state, &self.state).into_vec()
     }
@@ -151,7 +151,7 @@ impl Motion<'_> {
     }
 
     fn state(&self, series: &[Series], (t, h): (f64, f64), x: f64) -> Vec<f64> {
-        let values: Vec<f64> = series.iter().map(|series| series.at(x)).collect();
+        let values: Vec<f64> = series.iter().map(|series| series.evaluate(x)).collect();
         let state = self.context.layout().state_at(&values, t + 0.5 * h * (x + 1.0));
         self.context.switched_as(&state, self.from).into_vec()
     }

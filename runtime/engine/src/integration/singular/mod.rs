@@ -82,7 +82,7 @@ struct Place {
 
 impl SingularityMonitor {
     /// Nothing to watch without joints.
-    pub(crate) fn of(set: ContactSet, context: &RunContext, tolerance: f64) -> Option<Self> {
+    pub(crate) fn new(set: ContactSet, context: &RunContext, tolerance: f64) -> Option<Self> {
         let layout = context.layout();
         let rows: Vec<usize> = (0..layout.rows()).filter(|&row| layout.is_closed(row, &set)).collect();
         let unit = layout.coordinates.iter().map(|c| context.scales.coordinate(c)).collect();
@@ -108,7 +108,7 @@ impl SingularityMonitor {
         // is drawn from rounded numbers, rows of equal cranks are independent that are not.
         let mut figure = layout.state_at(&[&nominal[..], &vec![0.0; nominal.len()]].concat(), t);
         context.system().project(ContactSet::EMPTY, &mut figure, context.scales.length);
-        self.place(context, &figure);
+        self.measure(context, &figure);
         // The row of a contact that is open there has another length: that of two discs grows with
         // their distance.
         let equations = context.system().equations(&figure);
@@ -119,7 +119,7 @@ impl SingularityMonitor {
         let open = self.rows.iter().zip(&mut self.sizes).filter(|(row, _)| is_open(**row));
         open.for_each(|(_, size)| *size = 0.0);
         self.energy = conserved(context, state);
-        let place = self.place(context, state);
+        let place = self.measure(context, state);
         let left = self.left(context, state, &place);
         if place.sigma < UNDECIDED || left.abs() <= place.time {
             self.tolerance = self.tolerance.min(LOOSEST);
@@ -149,7 +149,7 @@ impl SingularityMonitor {
 
     /// The same of the position at which a passage has failed.
     pub(crate) fn note_failure(&mut self, context: &RunContext, t: f64, state: &[f64]) -> Forecast {
-        let place = self.place(context, state);
+        let place = self.measure(context, state);
         self.look_ahead(context, (t, f64::INFINITY), state, &place)
     }
 
@@ -201,7 +201,7 @@ impl SingularityMonitor {
 
     /// The time to a singular position as σ and its rate tell it; negative where σ rises.
     fn left(&mut self, context: &RunContext, state: &[f64], place: &Place) -> f64 {
-        let ahead = |loops: &mut Self, ahead: &[f64]| loops.place(context, ahead).sigma;
+        let ahead = |loops: &mut Self, ahead: &[f64]| loops.measure(context, ahead).sigma;
         self.left_by((place.sigma, place.time), state, ahead)
     }
 
@@ -221,7 +221,7 @@ impl SingularityMonitor {
     }
 
     /// σ and R at a state.
-    fn place(&mut self, context: &RunContext, state: &[f64]) -> Place {
+    fn measure(&mut self, context: &RunContext, state: &[f64]) -> Place {
         let equations = context.system().equations(state);
         let jacobian = self.scaled_jacobian(&equations);
         Place { sigma: self.least(jacobian), time: self.time(&equations, state) }
@@ -263,12 +263,12 @@ impl SingularityMonitor {
 
     /// The joints to blame where a motion cannot go on.
     pub(crate) fn diagnose(&mut self, context: &RunContext, state: &[f64]) -> Option<Vec<String>> {
-        (self.place(context, state).sigma <= LOST).then(|| self.singular(context, state))
+        (self.measure(context, state).sigma <= LOST).then(|| self.singular(context, state))
     }
 
     /// Whether the state is a singular position itself.
     pub(crate) fn is_singular(&mut self, context: &RunContext, state: &[f64]) -> bool {
-        self.place(context, state).sigma < MARGIN
+        self.measure(context, state).sigma < MARGIN
     }
 
     /// The joints whose rows all but depend on each other.
@@ -299,7 +299,7 @@ impl SingularityMonitor {
         (t, [at, end]): (f64, [f64; 2]),
         state: &[f64],
     ) -> Option<Bridge> {
-        let place = self.place(context, state);
+        let place = self.measure(context, state);
         let motion = Motion { context, set: self.set, time: place.time, from: state };
         let shortest = bridge::length([at - t, end - t]);
         let lengths = core::iter::successors(Some(shortest), |h| Some(LONGER * h)).take(MOST_LONGER);
@@ -312,7 +312,7 @@ impl SingularityMonitor {
 
     /// Whether a step ends on the other side, or as far away as it began.
     fn is_beyond(&mut self, context: &RunContext, from: &Place, bridge: &Bridge) -> bool {
-        let sigma = self.place(context, &bridge.state).sigma;
+        let sigma = self.measure(context, &bridge.state).sigma;
         sigma >= BEYOND * from.sigma && (from.sigma >= UNDECIDED || self.opens(context, bridge))
     }
 
@@ -320,7 +320,7 @@ impl SingularityMonitor {
     /// in the same direction.
     fn opens(&mut self, context: &RunContext, bridge: &Bridge) -> bool {
         let [near, far] =
-            [0.25, 1.0].map(|theta| self.place(context, &bridge.state_at(context, theta)).sigma);
+            [0.25, 1.0].map(|theta| self.measure(context, &bridge.state_at(context, theta)).sigma);
         near > 0.2 * far && far > MARGIN
     }
 

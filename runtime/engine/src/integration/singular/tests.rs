@@ -68,7 +68,7 @@ fn drift(run: &Trajectory) -> f64 {
 
 fn crank(g: f64, l: f64, rate: f64, t: f64) -> Vec<f64> {
     let run = Simulation::new(&Crank { m: 1.0, l, g }).unwrap().tolerance(1e-13);
-    run.start(Pose::at("theta'", rate)).unwrap().limit(t).run().unwrap().final_state()
+    run.start(Pose::new("theta'", rate)).unwrap().limit(t).run().unwrap().final_state()
 }
 
 /// Ten passes in ten seconds from a speed of 1 m/s at the top; the smooth branch is a crank in 7/9 of the gravity.
@@ -77,7 +77,7 @@ fn two_coupled_four_bars_keep_their_energy_through_every_pass() {
     for (l, m) in [(1.0, 1.0), (1e-6, 1e3)] {
         let (time, g) = (f64::sqrt(l), 9.81);
         let run = Simulation::new(&FourBars { m, l, g }).unwrap();
-        let run = run.start(Pose::at("theta'", -1.0 / time)).unwrap().limit(10.0 * time).run().unwrap();
+        let run = run.start(Pose::new("theta'", -1.0 / time)).unwrap().limit(10.0 * time).run().unwrap();
         let lost = drift(&run) / (3.5 * m * g * l);
         assert!(lost < 1e-9, "{lost:e}");
         assert_eq!(run.log().len(), 10);
@@ -93,7 +93,7 @@ fn two_coupled_four_bars_keep_their_energy_through_every_pass() {
 fn a_parallelogram_flattens_and_goes_on_from_near_and_far() {
     for (theta, rate) in [(1.5, -1.0), (0.1, -1.0), (1e-2, -1.0), (1e-3, -1.0), (0.1, -0.1), (1e-3, 1.0)] {
         let run = Simulation::new(&Parallelogram { m: 1.0, l: 1.0, c: 1.6, d: 1.6, g: 9.81 }).unwrap();
-        let pose = Pose::at("theta", theta).with("theta'", rate);
+        let pose = Pose::new("theta", theta).with("theta'", rate);
         let run = run.start(pose).unwrap().limit(5.0).run().unwrap();
         let (lost, state) = (drift(&run), run.final_state());
         assert!(run.log().len() >= 5 && lost < 1e-8, "{theta} {rate} {lost:e}");
@@ -108,7 +108,7 @@ fn a_near_miss_is_no_singular_position() {
     for delta in [1e-3, 1e-5, 1e-7] {
         let run =
             Simulation::new(&Parallelogram { m: 1.0, l: 1.0, c: 1.6, d: 1.6 + delta, g: 9.81 }).unwrap();
-        let run = run.start(Pose::at("theta'", -1.0)).unwrap().limit(2.0).run().unwrap();
+        let run = run.start(Pose::new("theta'", -1.0)).unwrap().limit(2.0).run().unwrap();
         let (lost, state) = (drift(&run), run.final_state());
         // As a turn of radius √δ is sharp, a step there loses more.
         assert!(run.log().is_empty() && lost < 1e-9 * 9.81, "{delta:e} {lost:e}");
@@ -121,7 +121,7 @@ fn a_near_miss_is_no_singular_position() {
 fn a_start_without_a_branch_is_refused() {
     for rate in [0.0, -1.0] {
         let run = Simulation::new(&Parallelogram { m: 1.0, l: 1.0, c: 1.6, d: 1.6, g: 9.81 }).unwrap();
-        let run = run.start(Pose::at("theta", 0.0).with("theta'", rate)).unwrap();
+        let run = run.start(Pose::new("theta", 0.0).with("theta'", rate)).unwrap();
         let error = run.limit(5.0).run().unwrap_err();
         let RunCause::Loop { joints, t: 0.0 } = error.cause() else { panic!("{error}") };
         assert!(!joints.is_empty());
@@ -195,7 +195,7 @@ fn a_start_in_a_singular_position_follows_its_rates() {
 fn loose_tolerances_pass_too() {
     for tolerance in [1e-10, 1e-8, 1e-6, 1e-3] {
         let run = Simulation::new(&FourBars { m: 1.0, l: 1.0, g: 9.81 }).unwrap().tolerance(tolerance);
-        let run = run.start(Pose::at("theta'", -1.0)).unwrap().limit(10.0).run().unwrap();
+        let run = run.start(Pose::new("theta'", -1.0)).unwrap().limit(10.0).run().unwrap();
         let lost = drift(&run) / (3.5 * 9.81);
         assert_eq!(run.log().len(), 10);
         assert!(lost < 1e-7, "{tolerance:e} {lost:e}");

@@ -36,5 +36,5 @@ pub fn watch_series(c: &[f64], start: Start, delta: f64) -> Result<Crossing, Gua
     }
     let mut guard = History::of_series(start, delta);
     series.visit(&mut |node| guard.follow(node))?;
-    Ok(guard.verdict(&mut |theta| series.at(theta)))
+    Ok(guard.verdict(&mut |theta| series.evaluate(theta)))
 }

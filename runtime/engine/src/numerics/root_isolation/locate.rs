@@ -105,7 +105,7 @@ pub fn find_root_series(c: &[f64], start: Start, delta: f64) -> Result<Option<Ro
         Found::At(theta) => Root::crossing(theta),
         Found::Tangent { theta, value } => Root { theta, value },
         Found::Between { ends: [a, b], .. } => {
-            Root::crossing(root(&mut |theta| series.at(theta), a, b)[0].theta)
+            Root::crossing(root(&mut |theta| series.evaluate(theta), a, b)[0].theta)
         }
     }))
 }

@@ -32,7 +32,7 @@ pub use smooth::Smooth;
 
 impl GuardError {
     /// The same elsewhere: `at` tells where its θ is.
-    pub fn at(self, at: impl Fn(f64) -> f64) -> Self {
+    pub fn map_theta(self, at: impl Fn(f64) -> f64) -> Self {
         match self {
             Self::NotFinite { theta } => Self::NotFinite { theta: at(theta) },
             Self::Unresolved { theta } => Self::Unresolved { theta: at(theta) },

@@ -131,14 +131,14 @@ fn turns(fit: &Polynomial, sample: &mut Sample, visit: &mut dyn FnMut(Point)) ->
         Ok(point) => visit(point),
         Err(error) => outcome = Err(error),
     };
-    turning_points(Bernstein::from_chebyshev(&slope), rounding, &|x| slope.at(x), &mut turn);
+    turning_points(Bernstein::from_chebyshev(&slope), rounding, &|x| slope.evaluate(x), &mut turn);
     outcome
 }
 
 /// p′ = 2q, p″ = 4q′.
 fn beyond_end(fit: &Polynomial) -> f64 {
     let q = fit.derivative();
-    beyond(2.0 * q.at(1.0), 4.0 * q.derivative().at(1.0))
+    beyond(2.0 * q.evaluate(1.0), 4.0 * q.derivative().evaluate(1.0))
 }
 
 /// p′²/2|p″|, the way to the extremum of a function with these derivatives.

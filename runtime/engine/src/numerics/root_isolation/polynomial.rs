@@ -172,7 +172,7 @@ impl Polynomial {
         sample: &mut dyn FnMut(f64) -> Result<f64, GuardError>,
         [first, second]: [f64; 2],
     ) -> Result<(), GuardError> {
-        let mut apart = |x: f64| sample(x).map(|value| (value - self.at(x)).abs());
+        let mut apart = |x: f64| sample(x).map(|value| (value - self.evaluate(x)).abs());
         let mut most = apart(first)?;
         if second != first {
             most = most.max(apart(second)?);
@@ -224,7 +224,7 @@ impl Polynomial {
     }
 
     /// The value at x (Clenshaw).
-    pub(super) fn at(&self, x: f64) -> f64 {
+    pub(super) fn evaluate(&self, x: f64) -> f64 {
         let y = 2.0 * x - 1.0;
         let (mut b, mut next) = (0.0, 0.0);
         for k in (1..=self.degree).rev() {

@@ -83,7 +83,7 @@ impl<'a> Series<'a> {
         sizes(self.terms)
     }
 
-    pub(super) fn at(&self, theta: f64) -> f64 {
+    pub(super) fn evaluate(&self, theta: f64) -> f64 {
         let [rest @ .., last] = self.terms else { return 0.0 };
         let (mut sum, mut error) = (*last, 0.0);
         for a in rest.iter().rev() {
@@ -97,18 +97,18 @@ impl<'a> Series<'a> {
     }
 
     fn point(&self, theta: f64) -> Point {
-        Point { theta, value: self.at(theta) }
+        Point { theta, value: self.evaluate(theta) }
     }
 
     /// Visits both ends and the turning points between in ascending order.
     pub(super) fn visit(&self, visit: &mut dyn FnMut(Node)) -> Result<(), GuardError> {
-        let slope = Slope::of(self);
+        let slope = Slope::from_series(self);
         slope.check(self)?;
         let noise = ROUNDED * self.size();
         let mut node = |theta, beyond| visit(Node { point: self.point(theta), noise, beyond, smooth: true });
         node(0.0, f64::INFINITY);
         let bernstein = Bernstein::from_powers(slope.terms());
-        turning_points(bernstein, slope.rounding(), &|x| slope.at(x), &mut |x| node(x, f64::INFINITY));
+        turning_points(bernstein, slope.rounding(), &|x| slope.evaluate(x), &mut |x| node(x, f64::INFINITY));
         node(1.0, slope.beyond());
         Ok(())
     }
@@ -123,7 +123,7 @@ struct Slope {
 }
 
 impl Slope {
-    fn of(series: &Series) -> Self {
+    fn from_series(series: &Series) -> Self {
         let skip = usize::from(series.order == 0);
         let terms = without_zeros(&series.terms[skip.min(series.terms.len())..]);
         let mut coefficients = [0.0; TERMS];
@@ -137,7 +137,7 @@ impl Slope {
         &self.coefficients[..self.length]
     }
 
-    fn at(&self, theta: f64) -> f64 {
+    fn evaluate(&self, theta: f64) -> f64 {
         self.terms().iter().rev().fold(0.0, |sum, c| sum * theta + c)
     }
 

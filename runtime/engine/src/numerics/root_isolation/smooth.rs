@@ -20,7 +20,7 @@ impl Smooth {
     /// It is infinite or not a number somewhere.
     pub fn fit(g: &mut dyn FnMut(f64) -> f64, delta: f64) -> Result<Option<Self>, GuardError> {
         let value = Polynomial::fit(g, [0.0, 1.0], delta, &|_| false)?;
-        Ok(value.resolved.then(|| Self::of(value)))
+        Ok(value.resolved.then(|| Self::new(value)))
     }
 
     /// A polynomial of at most this degree, known to within `error` beside rounding.
@@ -28,10 +28,10 @@ impl Smooth {
     /// # Errors
     /// It is infinite or not a number somewhere.
     pub fn polynomial(g: &mut dyn FnMut(f64) -> f64, degree: usize, error: f64) -> Result<Self, GuardError> {
-        Ok(Self::of(Polynomial::exact(g, degree, error)?))
+        Ok(Self::new(Polynomial::exact(g, degree, error)?))
     }
 
-    fn of(value: Polynomial) -> Self {
+    fn new(value: Polynomial) -> Self {
         let (slope, error) = (value.derivative(), 2.0 * value.error);
         let curvature = slope.derivative();
         Self { value, slope, curvature, error }
@@ -40,7 +40,7 @@ impl Smooth {
     /// The value in the middle of a piece and the most that others there differ from it.
     pub fn value(&self, [start, end]: [f64; 2]) -> (f64, f64) {
         let steepest = 2.0 * reach(&self.slope);
-        (self.value.at(0.5 * (start + end)), 0.5 * (end - start) * steepest + self.error)
+        (self.value.evaluate(0.5 * (start + end)), 0.5 * (end - start) * steepest + self.error)
     }
 
     /// The length of a piece over which the function changes by its error at most.
@@ -53,7 +53,7 @@ impl Smooth {
     pub fn slope(&self, [start, end]: [f64; 2]) -> (f64, f64) {
         let bend = 4.0 * reach(&self.curvature);
         let error = 2.0 * (self.value.degree.max(1) as f64).powi(2) * self.error;
-        (2.0 * self.slope.at(0.5 * (start + end)), 0.5 * (end - start) * bend + error)
+        (2.0 * self.slope.evaluate(0.5 * (start + end)), 0.5 * (end - start) * bend + error)
     }
 }
 

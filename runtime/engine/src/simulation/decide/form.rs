@@ -26,7 +26,8 @@ impl Snapshot<'_> {
     /// The closed form of a set, if it has one that holds here.
     pub(super) fn valid_chart(&self, set: ContactSet) -> Option<Arc<dyn Phase>> {
         let Simulation { context, tolerance, .. } = self.setup;
-        let (chart, phase) = chart::at(context, set, &self.state, (self.bound_with(set), *tolerance));
+        let (chart, phase) =
+            chart::choose_chart(context, set, &self.state, (self.bound_with(set), *tolerance));
         (chart == Chart::Valid).then_some(phase)
     }
 
@@ -64,7 +65,7 @@ impl Snapshot<'_> {
         if *form == Form::Projected {
             return (Chart::Absent, context.phase(bearing, *form));
         }
-        chart::at(context, bearing, state, (self.bound_with(bearing), *tolerance))
+        chart::choose_chart(context, bearing, state, (self.bound_with(bearing), *tolerance))
     }
 
     /// The state projected onto the contacts of a set, and how far that moves it, in natural units.

@@ -12,7 +12,7 @@ use crate::simulation::tests::given::*;
 
 /// Bars folded upright, where the gaps of all feet have one Jacobian.
 fn folded(l: f64, form: Form) -> Simulation {
-    let pose = Pose::at("phi_inner", FRAC_PI_2).with("phi_outer", FRAC_PI_2);
+    let pose = Pose::new("phi_inner", FRAC_PI_2).with("phi_outer", FRAC_PI_2);
     let pose = pose.with("phi_inner'", -1.5).with("phi_outer'", -1.5);
     let zigzag = Simulation::new(&Zigzag { m1: 0.5, m2: 0.7, l, g: 10.0 * l }).unwrap();
     zigzag.start(pose).unwrap().form(form)
@@ -20,7 +20,7 @@ fn folded(l: f64, form: Form) -> Simulation {
 
 /// A level rod that slides on its three feet, of which two bear it.
 fn sliding(l: f64) -> Simulation {
-    let pose = Pose::at("theta", 0.0).with("x'", 1.0).with("y", 0.0);
+    let pose = Pose::new("theta", 0.0).with("x'", 1.0).with("y", 0.0);
     Simulation::new(&RodOnSupports { m: 1.0, l, g: 10.0 }).unwrap().start(pose).unwrap()
 }
 
@@ -46,7 +46,7 @@ fn a_position_is_singular_in_any_unit_of_length() {
         });
     }
     for a in [1e-3, 1.0, 1e3] {
-        let pose = Pose::at("x", a).with("y", 0.0).with("x'", a);
+        let pose = Pose::new("x", a).with("y", 0.0).with("x'", a);
         let ball = Simulation::new(&Osculating { m: 1.0, a, g: 10.0 * a }).unwrap();
         with_begun(&ball.start(pose).unwrap(), |mut now, _| {
             now.contacts.decide(set(0).with(1));

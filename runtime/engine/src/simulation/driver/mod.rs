@@ -49,7 +49,7 @@ impl<'a> Driver<'a> {
             trajectory: Trajectory::empty(setup.context.clone(), setup.tolerance, (setup.begin, last)),
             now: Snapshot::new(setup, awaited, start),
             affine: KnownAffineGuards::default(),
-            allowance: Allowance::of(setup.budget),
+            allowance: Allowance::new(setup.budget),
             shown: 0,
             taken: 0,
             ended: None,

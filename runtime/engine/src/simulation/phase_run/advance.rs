@@ -191,7 +191,7 @@ impl<'a> PhaseRun<'a> {
         recording: &Recording,
     ) -> Option<Guards<'g>> {
         if let Some(known) = self.affine.take() {
-            *affine = Some(known.of(&*self.phase, self.context));
+            *affine = Some(known.find_or_compute(&*self.phase, self.context));
         }
         affine.as_deref_mut()?.over(recording.last()?)
     }
@@ -370,7 +370,7 @@ impl<'a> PhaseRun<'a> {
         recording.phase.t1 = if end < 1.0 { at(end) } else { t1 };
         let known = touches.len();
         touches.extend(touched.into_iter().map(|(theta, guard)| {
-            let (t, point) = (at(theta), recording.phase.at(at(theta)));
+            let (t, point) = (at(theta), recording.phase.interpolate(at(theta)));
             let (energy, reactions) = (point.energy(), point.reactions().to_vec());
             let undecided = self.detector.is_undecided(guard, &reactions, &self.context.gaps(point.state()));
             let state = self.context.layout().public_state(point.state()).to_vec();

@@ -150,7 +150,7 @@ impl PhaseRun<'_> {
         let mut start = reduce(&*phase, &self.state);
         self.detector.begin(&StepView::new(&phase, self.context, &DenseOutput::still(self.t, &start)));
         let mut loops = (phase.info().form == Form::Projected)
-            .then(|| SingularityMonitor::of(phase.info().set, self.context, self.tolerance))
+            .then(|| SingularityMonitor::new(phase.info().set, self.context, self.tolerance))
             .flatten();
         let keeps = self.observer.records();
         let is_blind = self.observer.is_blind() && self.context.is_conservative() && loops.is_none();

@@ -77,12 +77,12 @@ impl Step for LastStep<'_> {
     }
 
     fn state(&self, t: f64) -> Vec<f64> {
-        let point = self.recorded.read(self.context, t);
+        let point = self.recorded.interpolate_on_constraints(self.context, t);
         self.context.layout().public_state(point.state()).to_vec()
     }
 
     fn values(&self, outputs: &[Output], t: f64) -> Vec<f64> {
-        let point = self.recorded.read(self.context, t);
+        let point = self.recorded.interpolate_on_constraints(self.context, t);
         outputs.iter().map(|output| output.evaluate(self.context, &point)).collect()
     }
 }

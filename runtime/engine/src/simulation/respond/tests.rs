@@ -266,7 +266,7 @@ fn an_impact_without_restitution_leaves_nothing_to_open() {
 #[test]
 fn contacts_that_part_open() {
     let rod = Simulation::new(&RodOnSupports { m: 2.0, l: 3.0, g: 10.0 }).unwrap();
-    let rod = rod.start(Pose::at("theta", 0.0).with("x'", 1.0).with("y", 0.0)).unwrap();
+    let rod = rod.start(Pose::new("theta", 0.0).with("x'", 1.0).with("y", 0.0)).unwrap();
     with_begun(&rod, |mut now, _| {
         let (bearing, parted) = (now.bearing(), now.closed().difference(now.bearing()));
         now.part(parted);
@@ -282,7 +282,7 @@ fn contacts_that_part_open() {
 #[test]
 fn joints_hold_in_impacts() {
     let linkage = Linkage { m: 3.0, a: 2.0, b: 5.0, g: 10.0 };
-    let still = Pose::at("phi", FRAC_PI_2).with("phi'", 0.0);
+    let still = Pose::new("phi", FRAC_PI_2).with("phi'", 0.0);
     let struck = Simulation::new(&linkage).unwrap().start(still).unwrap().impulse("A", [7.0, 0.0], 0.5);
     with_begun(&struck.unwrap(), |mut now, _| {
         now.t = 0.5;
@@ -299,7 +299,7 @@ fn joints_hold_in_impacts() {
 #[test]
 fn a_contact_that_an_impact_leaves_at_rest_opens_by_its_acceleration() {
     let tethered = Tethered { m: 2.0, l: 5.0, d: -3.0, g: 10.0 };
-    let pose = Pose::at("x", -5.0).with("y", 0.0).with("x'", 0.0).with("y'", 20.0);
+    let pose = Pose::new("x", -5.0).with("y", 0.0).with("x'", 0.0).with("y'", 20.0);
     with_begun(&Simulation::new(&tethered).unwrap().start(pose).unwrap(), |mut now, start| {
         now.state.copy_from_slice(&[-3.0, 4.0, 8.0, 6.0]);
         let wall = now.layout().contacts.iter().position(|contact| contact.label == "w").unwrap();
@@ -314,7 +314,7 @@ fn a_contact_that_an_impact_leaves_at_rest_opens_by_its_acceleration() {
 #[test]
 fn slips_that_end_without_time_are_given_up() {
     let rod = Simulation::new(&Rod { m: 1.0, l: 1.0, g: 10.0, mu: 1.0 }).unwrap();
-    let pose = Pose::at("theta", 1.0).with("y", 0.0).with("x'", -1.0).with("theta'", 0.0);
+    let pose = Pose::new("theta", 1.0).with("y", 0.0).with("x'", -1.0).with("theta'", 0.0);
     with_begun(&rod.start(pose).unwrap(), |mut now, _| {
         let (state, phase, closed) = (now.state.clone(), now.phase.clone(), now.closed());
         let mut end = || {
@@ -337,7 +337,7 @@ fn what_rounding_leaves_of_a_rate_strikes_nothing() {
         let (slide, turn) = (0.1, 0.3);
         let theta = 0.1 + 0.02 * f64::from(k);
         let (sin, cos) = theta.sin_cos();
-        let pose = Pose::at("theta", theta).with("x", -0.5 * cos).with("y", -0.5 * sin);
+        let pose = Pose::new("theta", theta).with("x", -0.5 * cos).with("y", -0.5 * sin);
         let pose = pose.with("theta'", turn).with("x'", slide).with("y'", (slide * sin - 0.5 * turn) / cos);
         with_start(&bar.clone().start(pose).unwrap(), |mut now| {
             assert!(now.closed().contains(0), "{k}");
@@ -444,7 +444,7 @@ fn an_impact_tells_what_energy_its_law_gains() {
     let mut gains = 0;
     for (theta, slip) in [0.2, 0.5, 0.8, 1.1, 1.4].into_iter().flat_map(|theta| [(theta, 0.3), (theta, -0.3)])
     {
-        let pose = Pose::at("theta", theta).with("y", 1.0);
+        let pose = Pose::new("theta", theta).with("y", 1.0);
         with_begun(&Simulation::new(&sled).unwrap().start(pose).unwrap(), |mut now, start| {
             now.state.copy_from_slice(&[theta, 0.0, 0.0, 0.0, slip, -1.0]);
             let before = now.energy().kinetic;
@@ -468,7 +468,7 @@ fn restitution_without_slip_is_scaled_to_what_gains_nothing() {
     let rod = Gripping { m: 3.0, l: 1.0, g: 10.0, e: 0.95 };
     let mut scaled = 0;
     for (theta, slip) in [0.3, 0.6, 0.9, 1.2].into_iter().flat_map(|theta| [(theta, 0.5), (theta, -0.5)]) {
-        let pose = Pose::at("theta", theta).with("y", 1.0);
+        let pose = Pose::new("theta", theta).with("y", 1.0);
         with_begun(&Simulation::new(&rod).unwrap().start(pose).unwrap(), |mut now, start| {
             now.state.copy_from_slice(&[theta, 0.0, 0.0, 0.0, slip, -1.0]);
             let before = now.energy().kinetic;

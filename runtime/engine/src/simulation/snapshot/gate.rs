@@ -22,7 +22,7 @@ impl Snapshot<'_> {
         // Contacts that do not exist, drives that do not hold, and what has not come back.
         let absent = self.contacts.absent().union(self.contacts.waiting()).union(self.contacts.below());
         let place = Place { context, set: self.closed(), absent, t: self.t };
-        let bounds = Bounds::of(self.setup.tolerance, counts.accepted + counts.rejected).past(log);
+        let bounds = Bounds::new(self.setup.tolerance, counts.accepted + counts.rejected).past(log);
         let kept = energy_finding(context, self.t, [&start.energy, &self.energy()], (work, &bounds));
         refuse(place.gaps(&self.state, &bounds).chain([kept]))
     }
@@ -45,7 +45,7 @@ impl Snapshot<'_> {
             return Ok(());
         }
         let now = self.energy();
-        let bound = Bounds::of(self.setup.tolerance, 1).impact();
+        let bound = Bounds::new(self.setup.tolerance, 1).impact();
         refuse([Finding {
             t: self.t,
             quantity: Quantity::Impact,

@@ -133,7 +133,7 @@ impl<'a> Snapshot<'a> {
     /// The motion as it is, for conditions to be evaluated at.
     pub(super) fn point(&self) -> PhasePoint {
         let phase = self.setup.context.phase(self.bearing(), Form::Projected);
-        RecordedPhase::still((phase, self.closed()), self.t, &self.state).at(self.t)
+        RecordedPhase::still((phase, self.closed()), self.t, &self.state).interpolate(self.t)
     }
 
     pub(super) fn gaps(&self) -> Numbers {

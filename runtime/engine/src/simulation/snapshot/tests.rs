@@ -39,7 +39,7 @@ fn late_places_are_known_to_the_rounding_of_the_time() {
 fn a_foot_within_its_bound_is_beyond_the_end() {
     let bar = Overhang { m: 1.0, l: 1e3, g: 10.0 };
     for (inside, is_beyond) in [(1e-9, true), (1e-7, false)] {
-        let pose = Pose::at("x", -inside).with("y", 1.0).with("theta", 0.0);
+        let pose = Pose::new("x", -inside).with("y", 1.0).with("theta", 0.0);
         with_start(&Simulation::new(&bar).unwrap().start(pose).unwrap(), |now| {
             assert_eq!(!now.find_beyond_end().is_empty(), is_beyond, "{inside}");
         });
@@ -87,7 +87,7 @@ fn low_flights_at_a_start_have_one_height_each() {
 fn a_reaction_is_measured_by_the_mass_that_it_moves() {
     let Rod { m, l, g, mu } = Rod { m: 2.0, l: 3.0, g: 10.0, mu: 0.25 };
     for (theta, slip) in [(1.0_f64, 1.0), (1.0, -1.0), (2.0, 1.0), (0.5, 0.0)] {
-        let pose = Pose::at("theta", theta).with("y", 0.0).with("x'", slip).with("theta'", 0.0);
+        let pose = Pose::new("theta", theta).with("y", 0.0).with("x'", slip).with("theta'", 0.0);
         let rod = Simulation::new(&Rod { m, l, g, mu }).unwrap().start(pose).unwrap();
         with_begun(&rod, |mut now, _| {
             now.reactions.fill(0.0);
@@ -105,7 +105,7 @@ fn a_reaction_is_measured_by_the_mass_that_it_moves() {
 #[test]
 fn feet_that_stop_have_their_own_forces() {
     let sled = Sled { m: 3.0, l: 1.0, g: 10.0, mu: 0.25, e: 0.0 };
-    let pose = Pose::at("x'", 1.0).with("y", 0.0).with("theta", 0.0);
+    let pose = Pose::new("x'", 1.0).with("y", 0.0).with("theta", 0.0);
     with_begun(&Simulation::new(&sled).unwrap().start(pose).unwrap(), |mut now, start| {
         assert!(now.closed().contains(0) && now.closed().contains(1));
         let rub = |contact: usize| Rub {

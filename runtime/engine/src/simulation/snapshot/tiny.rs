@@ -22,7 +22,7 @@ pub(super) struct Tiny {
 }
 
 impl Tiny {
-    fn of(setup: &Simulation, t: f64, state: &[f64]) -> Self {
+    fn compute(setup: &Simulation, t: f64, state: &[f64]) -> Self {
         let context = &setup.context;
         let fastest = context.scales.fastest(context.layout(), &state[context.rates()]);
         let usual = compute_place_error(setup.tolerance).max(roundoff(2.0) * t.abs() * fastest);
@@ -58,7 +58,7 @@ impl Snapshot<'_> {
     fn tiny(&self) -> Ref<'_, Tiny> {
         let is_known = |known: &Tiny| known.t == self.t && known.state[..] == self.state[..];
         if !is_known(&self.memory.borrow().tiny) {
-            self.memory.borrow_mut().tiny = Tiny::of(self.setup, self.t, &self.state);
+            self.memory.borrow_mut().tiny = Tiny::compute(self.setup, self.t, &self.state);
         }
         Ref::map(self.memory.borrow(), |memory| &memory.tiny)
     }

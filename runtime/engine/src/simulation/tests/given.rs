@@ -35,7 +35,7 @@ pub(crate) fn set(contact: usize) -> ContactSet {
 
 /// A ball in a state (x, y, ẋ, ẏ).
 pub(crate) fn start(ball: &Ball, state: [f64; 4]) -> Simulation {
-    let start = Pose::at("x", state[0]).with("y", state[1]).with("x'", state[2]).with("y'", state[3]);
+    let start = Pose::new("x", state[0]).with("y", state[1]).with("x'", state[2]).with("y'", state[3]);
     Simulation::new(ball).unwrap().start(start).unwrap()
 }
 

@@ -16,7 +16,7 @@ fn kinds(run: &Trajectory) -> Vec<EventKind> {
 #[test]
 fn an_impact_within_its_bound_of_the_end_belongs_to_the_run() {
     let ball = Simulation::new(&Particle { m: 1.0, g: 10.0, e: 0.5 }).unwrap();
-    let falling = ball.start(Pose::at("y", 5.0)).unwrap();
+    let falling = ball.start(Pose::new("y", 5.0)).unwrap();
     let falls = |limit: f64| kinds(&falling.clone().limit(limit).run().unwrap());
     assert_eq!(falls(1.0 - 1e-12), [EventKind::Start, EventKind::Impact, EventKind::End]);
     assert_eq!(falls(1.0 - 1e-9), [EventKind::Start, EventKind::End]);
@@ -26,7 +26,7 @@ fn an_impact_within_its_bound_of_the_end_belongs_to_the_run() {
 #[test]
 fn a_phase_with_multipliers_ends_on_its_contacts() {
     let bob = Simulation::new(&Bob { m: 2.0, l: 1.0, g: 1.0 }).unwrap().tolerance(1e-5);
-    let bob = bob.start(Pose::at("x", -1.0).with("y", 0.0)).unwrap().form(Form::Projected);
+    let bob = bob.start(Pose::new("x", -1.0).with("y", 0.0)).unwrap().form(Form::Projected);
     let run = bob.until("x = 0.1").unwrap().run().unwrap();
     let [x, y, u, v] = run.final_state()[..] else { panic!() };
     assert!((x * x + y * y - 1.0).abs() < 1e-15 && (x * u + y * v).abs() < 1e-15, "{x} {y} {u} {v}");
@@ -48,7 +48,7 @@ impl Observer for Times {
 #[test]
 fn observers_are_told_when_a_guard_touches_zero() {
     let s = 80f64.to_radians();
-    let pose = Pose::at("phi", s).with("phi'", -(3.0 * (1.0 - s.sin())).sqrt());
+    let pose = Pose::new("phi", s).with("phi'", -(3.0 * (1.0 - s.sin())).sqrt());
     let frame = Simulation::new(&AFrame { m: 1.0, l: 1.0, g: 1.0 }).unwrap().start(pose).unwrap();
     let mut told = Times::default();
     let run = frame.until("h = 0.1").unwrap().observe(&mut told).unwrap();
@@ -60,7 +60,7 @@ fn observers_are_told_when_a_guard_touches_zero() {
 #[test]
 fn a_phase_leaves_its_reduced_form_where_a_pivot_is_small() {
     let (sin, cos) = 1.3f64.sin_cos();
-    let pose = Pose::at("theta", 1.3).with("theta'", 1.0).with("x", -0.5 * cos).with("y", -0.5 * sin);
+    let pose = Pose::new("theta", 1.3).with("theta'", 1.0).with("x", -0.5 * cos).with("y", -0.5 * sin);
     let bar = Simulation::new(&Overhang { m: 1.0, l: 1.0, g: 1.0 }).unwrap();
     let bar = bar.start(pose.with("x'", 0.5 * sin)).unwrap();
     let left = |limit: f64| -> Vec<f64> {
@@ -90,7 +90,7 @@ struct Fanned {
 #[test]
 fn a_phase_of_no_duration_is_not_kept() {
     let fanned = Simulation::new(&Fanned { m: 1.0, g: 1.0, r: 2.0 }).unwrap();
-    let run = fanned.start(Pose::at("y", 1.0)).unwrap().limit(2.0).run().unwrap();
+    let run = fanned.start(Pose::new("y", 1.0)).unwrap().limit(2.0).run().unwrap();
     assert_eq!(kinds(&run), [EventKind::Start, EventKind::Arm, EventKind::End]);
     assert_eq!((run.events()[1].t, run.segments().len()), (0.0, 1));
     assert!((run.final_state()[1] + 5.0).abs() < 1e-12);

@@ -94,7 +94,7 @@ fn a_ball_bounces_settles_and_stops_alike() {
             c: 2.0 * units.length,
             h: units.length,
         };
-        let pose = Pose::at("x", 0.25 * units.length).with("y", 0.7 * units.length);
+        let pose = Pose::new("x", 0.25 * units.length).with("y", 0.7 * units.length);
         let ball = Simulation::new(&ball).unwrap().start(pose.with("x'", 3.0 * units.speed())).unwrap();
         let struck = [0.5 * units.mass * units.speed(), units.mass * units.speed()];
         ball.impulse("P", struck, 5.0 * units.time).unwrap().limit(9.0 * units.time)
@@ -110,7 +110,7 @@ fn a_rod_falls_slides_and_rocks_alike() {
         let kinds = check_units(|units| {
             let [m, g] = [3.0 * units.mass, 9.81 * units.acceleration()];
             let sled = Sled { m, l: 1.5 * units.length, g, mu, e: 0.3 };
-            let pose = Pose::at("theta", theta).with("theta'", spin / units.time);
+            let pose = Pose::new("theta", theta).with("theta'", spin / units.time);
             let pose = pose.with("x'", 2.0 * units.speed()).with("y", 0.3 * units.length);
             Simulation::new(&sled).unwrap().start(pose).unwrap().limit(4.0 * units.time)
         });
@@ -122,7 +122,7 @@ fn a_rod_falls_slides_and_rocks_alike() {
 fn a_bar_slides_off_a_corner_alike() {
     let kinds = check_units(|units| {
         let bar = Overhang { m: units.mass, l: 2.0 * units.length, g: 9.81 * units.acceleration() };
-        let pose = Pose::at("theta", 0.6).with("x", -1.9 * units.length * 0.6f64.cos());
+        let pose = Pose::new("theta", 0.6).with("x", -1.9 * units.length * 0.6f64.cos());
         let pose = pose.with("y", -1.9 * units.length * 0.6f64.sin());
         Simulation::new(&bar).unwrap().start(pose).unwrap().limit(2.0 * units.time)
     });
@@ -157,7 +157,7 @@ fn a_drive_takes_hold_alike() {
             let there = 3.0 * units.time - 0.5 * mu * 9.81 * units.time;
             let d = units.length + units.speed() * if at_once { there } else { 1.1 * there };
             let carriage = Carriage { m: 2.0 * units.mass, g, mu, d, v, s };
-            let pose = Pose::at("x", units.length).with("x'", 3.0 * units.speed());
+            let pose = Pose::new("x", units.length).with("x'", 3.0 * units.speed());
             Simulation::new(&carriage).unwrap().start(pose).unwrap().limit(3.0 * units.time)
         });
         assert!(kinds.contains(&EventKind::Impact), "{kinds:?}");
@@ -197,7 +197,7 @@ fn a_sudden_load_is_seen_alike() {
             w: 1e4 / units.time,
             s: 1.3 * units.time,
         };
-        let pose = Pose::at("x", 0.1 * units.length);
+        let pose = Pose::new("x", 0.1 * units.length);
         Simulation::new(&pushed).unwrap().start(pose).unwrap().tolerance(1e-8).limit(3.0 * units.time)
     });
 }

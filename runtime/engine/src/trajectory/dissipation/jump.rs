@@ -9,7 +9,7 @@ use crate::trajectory::RecordedPhase;
 /// where impulses of drives that hold throughout, or of rough surfaces that move, did work: events do not have them.
 pub(super) fn loss(record: &Trajectory, [before, after]: [&RecordedPhase; 2]) -> f64 {
     let span = [before.t1, after.t0];
-    let [from, to] = [before.at(before.t1), after.at(after.t0)];
+    let [from, to] = [before.interpolate(before.t1), after.interpolate(after.t0)];
     let system = record.context.system();
     // A spring that comes or goes takes its energy with it: none of that is lost in the motion.
     let left = record.context.switched_as(from.state(), to.state());

@@ -22,8 +22,8 @@ pub(super) struct Dissipation {
 }
 
 impl Dissipation {
-    pub(super) fn of(record: &Trajectory) -> Self {
-        let losses = Losses::of(&record.context.model);
+    pub(super) fn compute(record: &Trajectory) -> Self {
+        let losses = Losses::from_model(&record.context.model);
         let (mut sum, mut before) = (0.0, Vec::new());
         for (k, phase) in record.phases.iter().enumerate() {
             let mut starts = Vec::new();
@@ -42,7 +42,7 @@ impl Dissipation {
     }
 
     /// D at a time of a phase.
-    pub(super) fn at(&self, record: &Trajectory, k: usize, t: f64) -> f64 {
+    pub(super) fn evaluate(&self, record: &Trajectory, k: usize, t: f64) -> f64 {
         let phase = &record.phases[k];
         let t = t.clamp(phase.t0, phase.t1);
         let step = phase.steps.partition_point(|step| step.t0 <= t).saturating_sub(1);

@@ -28,7 +28,7 @@ enum Rate {
 }
 
 impl Losses {
-    pub(super) fn of(model: &Model) -> Self {
+    pub(super) fn from_model(model: &Model) -> Self {
         let is_damped = model.measures.iter().any(|measure| measure.kind == MeasureKind::Damping);
         let dampers = if is_damped { dampers(model) } else { Vec::new() };
         Self { rubs: !model.layout().frictions.is_empty(), dampers }

@@ -21,7 +21,7 @@ fn members_are_what_single_runs_are() {
     for row in &table.rows {
         let s = row.point[0];
         let ladder = Ladder { m: 1.0 + s, l: 2.0, g: 9.81 };
-        let alone = Simulation::new(&ladder).unwrap().start(Pose::at("phi", 1.5 * s)).unwrap();
+        let alone = Simulation::new(&ladder).unwrap().start(Pose::new("phi", 1.5 * s)).unwrap();
         let alone = alone.until("phi = 0").unwrap().run().unwrap();
         let open = alone.events().iter().find(|event| event.kind == EventKind::Open).unwrap();
         let energy = Output::parse(Ladder::LAYOUT, "E").unwrap();

@@ -27,7 +27,7 @@ fn a_clutch_that_its_own_motion_closes_again_is_refused_by_name() {
     let held = Held { m: 1.0, l: 1.0, c: 1.0, w: 1.0, a: 0.5, v: 0.5 };
     let made = Simulation::new(&held)
         .unwrap()
-        .start(Pose::at("phi", 0.0).with("phi'", 1.0))
+        .start(Pose::new("phi", 0.0).with("phi'", 1.0))
         .unwrap()
         .limit(5.0)
         .run();
@@ -44,7 +44,7 @@ fn a_clutch_that_its_own_motion_keeps_open_lets_go_once() {
     let held = Held { m: 1.0, l: 1.0, c: -1.0, w: 1.0, a: 0.5, v: 0.5 };
     let run = Simulation::new(&held)
         .unwrap()
-        .start(Pose::at("phi", 0.0).with("phi'", 1.0))
+        .start(Pose::new("phi", 0.0).with("phi'", 1.0))
         .unwrap()
         .limit(1.0)
         .run();

@@ -29,7 +29,7 @@ fn a_latch_of_what_is_slow_or_fast() {
     for (s, kinds) in [(1.0, vec![Start, Arm, Impact, End]), (-1.0, vec![Start, Impact, Disarm, End])] {
         let latch = Latch { m, h, v: 1.0, s, g };
         for method in METHODS {
-            let run = Simulation::new(&latch).unwrap().start(Pose::at("y", 0.0).with("y'", 4.0)).unwrap();
+            let run = Simulation::new(&latch).unwrap().start(Pose::new("y", 0.0).with("y'", 4.0)).unwrap();
             let run = run.method(method).tolerance(1e-12).limit(9.0).run().unwrap();
             assert_eq!(run.events().iter().map(|event| event.kind).collect::<Vec<_>>(), kinds, "{method:?}");
             let impact = run.events().iter().find(|event| event.kind == Impact).unwrap();
@@ -65,7 +65,7 @@ fn a_gripper_comes_down_smoothly_on_a_block() {
     for method in METHODS {
         for tolerance in [1e-6, 1e-9, 1e-13] {
             let pick = Pick { m: 1.0, h: 1.0, g: 9.81 };
-            let start = Pose::at("x", 0.0).with("x'", 1.0).with("y", 0.0);
+            let start = Pose::new("x", 0.0).with("x'", 1.0).with("y", 0.0);
             let run = Simulation::new(&pick).unwrap().start(start).unwrap();
             let run = run.method(method).tolerance(tolerance).limit(2.5).run().unwrap();
             let [_, impact, open, disarm, end] = run.events() else {
@@ -98,7 +98,7 @@ struct Pole {
 #[test]
 fn what_comes_and_goes_does_so_at_poles_too() {
     for method in METHODS {
-        let start = Pose::at("x", -1.0).with("x'", 1.0).with("y", 1.0);
+        let start = Pose::new("x", -1.0).with("x'", 1.0).with("y", 1.0);
         let run = Simulation::new(&Pole { m: 1.0, a: 1.0 }).unwrap().start(start).unwrap();
         let run = run.method(method).tolerance(1e-12).limit(3.0).run().unwrap();
         let kinds: Vec<EventKind> = run.events().iter().map(|event| event.kind).collect();
@@ -136,7 +136,7 @@ struct Dragged {
 #[test]
 fn clutches_tell_their_impulses_in_impacts_of_others() {
     let bar = Dragged { m: 1.5, l: 1.2, u: 2.0, mu: 0.3, g: 9.81 };
-    let start = Pose::at("phi", 0.3).with("phi'", 0.0).with("x", 0.0).with("y", 0.0).with("x'", 2.0);
+    let start = Pose::new("phi", 0.3).with("phi'", 0.0).with("x", 0.0).with("y", 0.0).with("x'", 2.0);
     let run = Simulation::new(&bar).unwrap().start(start).unwrap().tolerance(1e-12).limit(0.5).run().unwrap();
     let impact = run.events().iter().find(|event| event.kind == EventKind::Impact).unwrap();
     let fall = bar.g * bar.l * 0.3_f64.sin() / 2.0;
@@ -196,7 +196,7 @@ fn reversals_switch_what_slips_tell() {
     for k in 0..40 {
         let pushed = Pushed { m: 1.3, l: 1.0, k: 30.0, mu: 0.05, f: -0.4, g: 9.81 };
         for method in METHODS {
-            let start = Pose::at("x", 0.6 + 0.01 * f64::from(k)).with("x'", 0.1).with("y", 0.0);
+            let start = Pose::new("x", 0.6 + 0.01 * f64::from(k)).with("x'", 0.1).with("y", 0.0);
             let run = Simulation::new(&pushed).unwrap().start(start).unwrap().tolerance(1e-11);
             let run = run.method(method).limit(3.0).run().unwrap();
             for pair in run.events().windows(2).filter(|pair| pair[0].kind == EventKind::Reverse) {

@@ -42,7 +42,7 @@ fn a_clutch_takes_hold_where_the_shaft_comes_by() {
         let late = if meetings[0] > armed { meetings[0] } else { meetings[1] };
         let rate = c * late / j;
         for method in METHODS {
-            let simulation = Simulation::new(&FLYWHEEL).unwrap().start(Pose::at("phi", start)).unwrap();
+            let simulation = Simulation::new(&FLYWHEEL).unwrap().start(Pose::new("phi", start)).unwrap();
             let run = simulation.method(method).tolerance(1e-12).limit(6.0).run();
             let run = run.unwrap_or_else(|error| panic!("{method:?}: {error}"));
             let [_, arm, impact, end] = run.events() else { panic!("{method:?} {:?}", run.events()) };
@@ -106,7 +106,7 @@ fn a_gripper_carries_what_it_meets_until_it_lets_go() {
                 if method == MethodId::Taylor && form == Form::Projected {
                     continue;
                 }
-                let simulation = Simulation::new(&GRIPPER).unwrap().start(Pose::at("x", x).with("x'", v));
+                let simulation = Simulation::new(&GRIPPER).unwrap().start(Pose::new("x", x).with("x'", v));
                 let simulation = simulation.unwrap().form(form).method(method).tolerance(1e-12).limit(4.0);
                 let run = simulation.run().unwrap_or_else(|error| panic!("{method:?} {form:?}: {error}"));
                 let [_, impact, disarm, end] = run.events() else { panic!("{method:?} {:?}", run.events()) };
@@ -128,7 +128,7 @@ fn a_gripper_carries_what_it_meets_until_it_lets_go() {
 #[test]
 fn a_drive_that_is_met_at_the_start_holds_from_there() {
     let [x, v, _] = reference(0.0);
-    let start = |v: f64| Simulation::new(&GRIPPER).unwrap().start(Pose::at("x", x).with("x'", v));
+    let start = |v: f64| Simulation::new(&GRIPPER).unwrap().start(Pose::new("x", x).with("x'", v));
     let refused = start(v + 0.5).map(|_| ()).unwrap_err();
     assert!(
         matches!(&refused, StartError::BreaksJoint { joint, speed } if joint == "drive x" && (speed - 0.5).abs() < 1e-12),
@@ -139,7 +139,7 @@ fn a_drive_that_is_met_at_the_start_holds_from_there() {
     assert!((run.events()[1]["x"] - reference(2.0)[0]).abs() < 1e-11);
     // A rate that is not given is that of the gripper.
     let left_open =
-        Simulation::new(&GRIPPER).unwrap().start(Pose::at("x", x)).unwrap().limit(1.0).run().unwrap();
+        Simulation::new(&GRIPPER).unwrap().start(Pose::new("x", x)).unwrap().limit(1.0).run().unwrap();
     assert!((left_open.events()[0]["x'"] - v).abs() < 1e-12);
 }
 
@@ -149,7 +149,7 @@ fn a_clutch_that_is_armed_in_place_takes_hold_at_once() {
     let Flywheel { j, c, w, t_0, .. } = FLYWHEEL;
     for (slower, expected) in [(0.5, 4), (-0.5, 4), (0.0, 3)] {
         let rate = w - slower - c * t_0 / j;
-        let start = Pose::at("phi", w * t_0 - rate * t_0 - c * t_0 * t_0 / (2.0 * j)).with("phi'", rate);
+        let start = Pose::new("phi", w * t_0 - rate * t_0 - c * t_0 * t_0 / (2.0 * j)).with("phi'", rate);
         for method in METHODS {
             let run = Simulation::new(&FLYWHEEL).unwrap().start(start.clone()).unwrap();
             let run = run.method(method).tolerance(1e-12).limit(3.0).run().unwrap();
@@ -204,7 +204,7 @@ fn a_crane_that_lets_go_throws_its_load() {
     let (m, l, c, g) = (2.0, 1.5, 0.3, 9.81);
     let gone = 0.9;
     let crane = Crane { m, l, c, w: 1.0, a: core::f64::consts::PI - gone, g };
-    let start = Pose::at("x", l).with("y", 0.0).with("x'", c).with("y'", 0.0);
+    let start = Pose::new("x", l).with("y", 0.0).with("x'", c).with("y'", 0.0);
     for method in [MethodId::Auto, MethodId::Taylor, MethodId::Dop853, MethodId::Gauss] {
         for form in [Form::Closed, Form::Projected] {
             if method == MethodId::Taylor && form == Form::Projected {
@@ -252,7 +252,7 @@ fn loads_that_are_caught_and_let_go_keep_their_balance_of_energy() {
     for _ in 0..60 {
         let crane =
             Crane { m: 2.0, l: 1.5, c: random(-0.3, 0.3), w: random(1.0, 6.0), a: random(0.0, 6.0), g: 1.0 };
-        let start = Pose::at("x", random(-2.0, 2.0)).with("y", random(-2.0, 2.0));
+        let start = Pose::new("x", random(-2.0, 2.0)).with("y", random(-2.0, 2.0));
         let start = start.with("x'", random(-2.0, 2.0)).with("y'", random(-2.0, 2.0));
         let run = Simulation::new(&crane).unwrap().start(start.clone()).unwrap().limit(3.0).run();
         let run = run.unwrap_or_else(|error| panic!("{crane:?} {start:?}: {error}"));
@@ -284,12 +284,12 @@ fn loads_that_are_caught_and_let_go_keep_their_balance_of_energy() {
 fn a_split_run_of_a_gripper_is_the_whole_run() {
     let drag = Gripper { k: 0.7, ..GRIPPER };
     let new = |s: f64| Simulation::new(&Gripper { s, ..drag }).unwrap().tolerance(1e-12);
-    let whole = new(0.0).start(Pose::at("x", 1.0).with("x'", -0.5)).unwrap().limit(4.0).run().unwrap();
+    let whole = new(0.0).start(Pose::new("x", 1.0).with("x'", -0.5)).unwrap().limit(4.0).run().unwrap();
     let met = whole.events()[1].t;
     for t in [0.3, met, 0.5 * (met + 2.5), 3.0] {
         let state = if t == met { whole.events()[1].state.clone() } else { whole.state(t) };
         // Of x and y of the block.
-        let pose = Pose::at("x", state[0]).with("x'", state[2]);
+        let pose = Pose::new("x", state[0]).with("x'", state[2]);
         let part = new(t).start(pose).unwrap().limit(4.0 - t).run().unwrap();
         let [own, known] = [&part, &whole].map(|run| run.final_state());
         assert!(

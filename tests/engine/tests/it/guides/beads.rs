@@ -24,7 +24,7 @@ struct Bead {
 fn a_bead_slows_on_both_sides_of_its_wire() {
     let Bead { m, mu, c, d } = Bead { m: 1.3, mu: 0.3, c: 2.0, d: 1.5 };
     let (v, half) = (1.0, d * d / (2.0 * c));
-    let start = Pose::at("x", 0.0).with("x'", v);
+    let start = Pose::new("x", 0.0).with("x'", v);
     let record = run(Simulation::new(&Bead { m, mu, c, d }).unwrap().start(start).unwrap().limit(4.0));
     let kinds: Vec<EventKind> = record.events().iter().map(|event| event.kind).collect();
     assert_eq!(kinds, [EventKind::Start, EventKind::Side, EventKind::Stick, EventKind::End]);
@@ -64,7 +64,7 @@ struct Turning {
 fn a_bead_is_flung_along_a_turning_bar() {
     let (mu, omega, r) = (0.4_f64, 1.5, 0.25);
     let model = Turning { m: 1.0, l: 1.0, mu, omega };
-    let start = Pose::at("x", r).with("y", 0.0).with("x'", 0.0);
+    let start = Pose::new("x", r).with("y", 0.0).with("x'", 0.0);
     let record = run(Simulation::new(&model).unwrap().start(start).unwrap().limit(1.2));
     let root = (1.0 + mu * mu).sqrt();
     let [fast, slow] = [omega * (root - mu), -omega * (root + mu)];
@@ -83,18 +83,18 @@ fn starts_beside_a_guide_are_refused() {
     let bead = Bead { m: 1.0, mu: 0.3, c: 1.0, d: 1.0 };
     let refused =
         |pose: Pose| Simulation::new(&bead).unwrap().start(pose).err().map(|error| error.to_string());
-    let off = refused(Pose::at("x", 0.0).with("y", 0.1)).unwrap();
+    let off = refused(Pose::new("x", 0.0).with("y", 0.1)).unwrap();
     assert!(off.contains("slider P"), "{off}");
-    let across = refused(Pose::at("x", 0.0).with("y'", 0.1)).unwrap();
+    let across = refused(Pose::new("x", 0.0).with("y'", 0.1)).unwrap();
     assert!(across.contains("slider P"), "{across}");
-    assert_eq!(refused(Pose::at("x", 0.0).with("x'", 0.1)), None);
+    assert_eq!(refused(Pose::new("x", 0.0).with("x'", 0.1)), None);
 }
 
 /// A guide that is taken away lets go.
 #[test]
 fn a_released_guide_lets_go() {
     let bead = Bead { m: 1.0, mu: 0.3, c: 0.0, d: 2.0 };
-    let start = Pose::at("x", 0.0).with("x'", 1.0);
+    let start = Pose::new("x", 0.0).with("x'", 1.0);
     let simulation = Simulation::new(&bead).unwrap().start(start).unwrap().limit(1.0);
     let record = run(simulation.release("P", 0.5).unwrap());
     let [x, y] = ["x'", "y"].map(|text| record.function(text).unwrap()(1.0));
@@ -119,7 +119,7 @@ struct Hoop {
 fn a_bead_slows_in_a_hoop() {
     let (m, r, mu, v) = (0.7, 0.5, 0.3, 3.0);
     for v in [v, -v] {
-        let start = Pose::at("x", 0.0).with("y", -r).with("x'", v);
+        let start = Pose::new("x", 0.0).with("y", -r).with("x'", v);
         let record = run(Simulation::new(&Hoop { m, r, mu }).unwrap().start(start).unwrap().limit(3.0));
         assert_eq!(record.events().len(), 2, "{:?}", record.events());
         let [slip, normal, friction] = ["v(P)", "N(P)", "R(P)"].map(|text| record.function(text).unwrap());
@@ -156,7 +156,7 @@ fn a_held_bead_changes_its_side_at_rest_or_slips() {
     let (m, mu, mu_s, c, d) = (0.8, 0.4, 0.6, 3.0, 2.0);
     for alpha in [0.0, 0.7, -2.0_f64] {
         let of = |f: f64, c: f64, d: f64, v: f64| {
-            let start = Pose::at("x", 0.0).with("x'", v * alpha.cos());
+            let start = Pose::new("x", 0.0).with("x'", v * alpha.cos());
             let simulation =
                 Simulation::new(&Held { m, alpha, mu, mu_s, f, c, d }).unwrap().start(start).unwrap();
             run(simulation.impulse("P", [0.0, 0.0], 1.9).unwrap().limit(2.0))

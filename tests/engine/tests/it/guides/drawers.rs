@@ -27,7 +27,7 @@ struct Drawer {
 fn a_drawer_locks_beyond_the_angle_of_friction() {
     let (m, j, l, h, b) = (2.0, 0.3, 0.6, 1.0, 0.0);
     for f in [-50.0, 0.1, 3.0, 1e4] {
-        let start = || Pose::at("x", 0.0).with("x'", 0.0);
+        let start = || Pose::new("x", 0.0).with("x'", 0.0);
         let locked = Drawer { m, j, l, h, b, mu: 0.3001, f };
         let error = Simulation::new(&locked).unwrap().start(start()).unwrap().limit(1.0).run().unwrap_err();
         assert!(
@@ -58,7 +58,7 @@ fn tall(mu: f64, f: f64) -> Drawer {
 
 #[test]
 fn where_no_reaction_obeys_the_law_a_guide_jams() {
-    let start = || Pose::at("x", 0.0).with("x'", 1.0);
+    let start = || Pose::new("x", 0.0).with("x'", 1.0);
     let go =
         |mu: f64, f: f64| Simulation::new(&tall(mu, f)).unwrap().start(start()).unwrap().limit(0.01).run();
     for f in [0.5, 20.0] {
@@ -100,7 +100,7 @@ struct Stopped {
 fn guides_rub_at_impacts() {
     let (m, l, h, mu, e, v) = (2.0, 0.6, 1.0, 0.2, 0.5, 1.0);
     let of = |mu: f64| Stopped { m, j: 0.3, l, h, w: 0.25, mu, e };
-    let start = |rate: f64| Pose::at("x", 0.0).with("x'", rate);
+    let start = |rate: f64| Pose::new("x", 0.0).with("x'", rate);
     let record = run(Simulation::new(&of(mu)).unwrap().start(start(v)).unwrap().limit(0.5));
     let impact = record.events().iter().find(|event| event.kind == EventKind::Impact).unwrap();
     assert!((impact.t - 0.25 / v).abs() < 1e-10 && (impact["x'"] + e * v).abs() < 1e-12, "{impact}");
@@ -144,7 +144,7 @@ struct Wedged {
 #[test]
 fn an_impact_without_collision_ends_a_slip_in_guides() {
     let model = Wedged { m: 2.0, j: 0.3, l: 0.6, h: 1.5, b: 1.0, mu: 0.31, f: 5.0 };
-    let start = Pose::at("x", 0.0).with("x'", 1.0);
+    let start = Pose::new("x", 0.0).with("x'", 1.0);
     let record = run(Simulation::new(&model).unwrap().start(start).unwrap().limit(0.1));
     let impact = &record.events()[1];
     assert_eq!(

@@ -29,7 +29,7 @@ struct Ellipsograph {
 fn an_ellipsograph_obeys_the_laws_of_motion_and_friction() {
     let (m, l, g, mu, nu) = (1.2, 0.8, 9.81, 0.1, 0.15);
     let model = Ellipsograph { m, l, g, mu, nu, nu_s: 0.2 };
-    let start = Pose::at("theta", 0.9).with("theta'", 0.0);
+    let start = Pose::new("theta", 0.9).with("theta'", 0.0);
     let record = run(Simulation::new(&model).unwrap().start(start).unwrap().limit(6.0));
     let kinds: Vec<EventKind> = record.events().iter().map(|event| event.kind).collect();
     let count = |kind: EventKind| kinds.iter().filter(|it| **it == kind).count();
@@ -63,7 +63,7 @@ fn an_ellipsograph_obeys_the_laws_of_motion_and_friction() {
 #[test]
 fn all_methods_and_forms_agree_on_guides() {
     let model = Ellipsograph { m: 1.2, l: 0.8, g: 9.81, mu: 0.1, nu: 0.15, nu_s: 0.2 };
-    let start = || Pose::at("theta", 0.9).with("theta'", 0.0);
+    let start = || Pose::new("theta", 0.9).with("theta'", 0.0);
     let simulation = || Simulation::new(&model).unwrap().start(start()).unwrap().limit(6.0).tolerance(1e-11);
     let expected = run(simulation());
     let forms = [Form::Closed, Form::Projected].map(|form| simulation().form(form));
@@ -113,7 +113,7 @@ fn what_slides_on_a_free_bar_keeps_its_momentum() {
         let place = between(-0.5, 1.5) * l;
         let turn = between(-3.0, 3.0);
         let slip = between(-2.0, 2.0);
-        let pose = Pose::at("theta", 0.0).with("theta'", turn).with("x", 0.0).with("y", 0.0).with("x'", 0.0);
+        let pose = Pose::new("theta", 0.0).with("theta'", turn).with("x", 0.0).with("y", 0.0).with("x'", 0.0);
         let pose = pose.with("y'", 0.0).with("x_P", place).with("x_P'", slip);
         let model = Pair { m, p, l, mu, mu_s };
         let record = run(Simulation::new(&model).unwrap().start(pose).unwrap().limit(1.5));

@@ -45,7 +45,7 @@ fn cranks() -> impl Iterator<Item = (Crank, [f64; 2])> {
 fn guides_beside_hinges_change_their_sides() {
     let mut sides = 0;
     for (crank, [phi, rate]) in cranks() {
-        let start = Pose::at("phi", phi).with("phi'", rate);
+        let start = Pose::new("phi", phi).with("phi'", rate);
         let record = run(Simulation::new(&crank).unwrap().start(start).unwrap().limit(2.0));
         let normal = record.function("N(B)").unwrap();
         let events = record.events();
@@ -98,7 +98,7 @@ fn what_hinges_and_a_guide_hold_together_obeys_all_their_limits() {
         Swayed { m: 1.0, p: 1.2, l: 0.3, k: 1.0, mu: 1.0, r: 0.003, b: 0.02, c: 5.0, w: 4.0, g: 9.81 };
     let mut starts = Vec::new();
     for (method, tolerance) in [(Auto, 1e-10), (Dop853, 1e-11), (Radau, 1e-9)] {
-        let start = Pose::at("phi", 0.6318828667133107).with("phi'", 1.0);
+        let start = Pose::new("phi", 0.6318828667133107).with("phi'", 1.0);
         let simulation = Simulation::new(&swayed).unwrap().start(start).unwrap().method(method);
         let record = run(simulation.tolerance(tolerance).limit(1.0));
         let at = ["R(A)/N(A)", "R(B)/N(B)", "R(O)/N(O)", "phi'"].map(|text| record.function(text).unwrap());

@@ -27,7 +27,7 @@ struct Gate {
 #[test]
 fn a_journal_takes_its_share_of_an_impact() {
     let gate = Gate { m: 1.5, l: 0.7, mu: 0.5, r: 0.06, e: 0.6, g: 9.81 };
-    let start = Pose::at("phi", 0.8).with("phi'", 0.0);
+    let start = Pose::new("phi", 0.8).with("phi'", 0.0);
     let record = run(Simulation::new(&gate).unwrap().start(start).unwrap().limit(0.6));
     let impact = record.events().iter().find(|event| event.kind == EventKind::Impact).unwrap();
     let after = impact["phi'"];
@@ -52,7 +52,7 @@ fn a_gate_bounces_at_any_speed_in_any_unit() {
         let unit = 2.0_f64.powi(-k);
         for speed in [1.0, 23.0, 300.0] {
             let gate = Gate { m: 1.5, l: 0.7, mu: 0.6, r: 0.06, e: 0.6, g: 9.81 * unit * unit };
-            let start = Pose::at("phi", 0.57).with("phi'", -speed * unit);
+            let start = Pose::new("phi", 0.57).with("phi'", -speed * unit);
             let record =
                 run(Simulation::new(&gate).unwrap().start(start).unwrap().limit(0.8 / (speed * unit)));
             let impact = record.events().iter().find(|event| event.kind == EventKind::Impact).unwrap();

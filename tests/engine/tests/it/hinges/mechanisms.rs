@@ -30,7 +30,7 @@ struct FourBar {
 #[test]
 fn a_linkage_comes_to_rest() {
     let linkage = FourBar { m: 0.8, l: 0.3, mu: 0.3, r: 0.02, g: 9.81 };
-    let start = Pose::at("phi", 1.4).with("phi'", 15.0);
+    let start = Pose::new("phi", 1.4).with("phi'", 15.0);
     let record = run(Simulation::new(&linkage).unwrap().start(start).unwrap().limit(30.0));
     let energy = record.function("E + D").unwrap();
     for k in 0..=30 {
@@ -77,7 +77,7 @@ fn a_trestle_stands_or_spreads() {
         needed <= trestle.mu * trestle.r * trestle.nu
     };
     for alpha in [0.5, 0.9, 0.95, 1.0, 1.02, 1.04, 1.1, 1.3_f64] {
-        let start = Pose::at("phi", alpha).with("psi", -alpha).with("x", 0.0).with("y", 0.0);
+        let start = Pose::new("phi", alpha).with("psi", -alpha).with("x", 0.0).with("y", 0.0);
         let start = start.with("phi'", 0.0).with("psi'", 0.0).with("x'", 0.0).with("y'", 0.0);
         let made = Simulation::new(&trestle).unwrap().start(start).unwrap().limit(0.02).run();
         match made {
@@ -99,7 +99,7 @@ fn a_trestle_stands_or_spreads() {
 fn a_thrown_trestle_has_a_motion() {
     let trestle = Trestle { m: 1.0, p: 0.7, l: 1.0, mu: 0.4, nu: 0.3, r: 0.05, g: 9.81 };
     for (u, w, lift) in [(2.0, -1.0, 0.2), (-3.0, 2.0, 0.1), (0.0, 4.0, 0.3), (5.0, 5.0, 0.05)] {
-        let start = Pose::at("phi", 1.0).with("psi", -0.9).with("x", 0.0).with("y", 0.3 + lift);
+        let start = Pose::new("phi", 1.0).with("psi", -0.9).with("x", 0.0).with("y", 0.3 + lift);
         let start = start.with("phi'", u).with("psi'", w).with("x'", 0.5).with("y'", -1.0);
         let made = Simulation::new(&trestle).unwrap().start(start).unwrap().limit(0.4).run();
         let record = made.unwrap_or_else(|error| panic!("{u} {w}: {error}"));

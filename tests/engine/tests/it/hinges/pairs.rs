@@ -98,7 +98,7 @@ fn states() -> impl Iterator<Item = ([f64; 2], [f64; 2])> {
 fn two_hinges_rub_as_maximal_coordinates_have_it() {
     for ([phi, psi], [u, w]) in states() {
         let expected = oracle(&PAIR, [phi, psi], [u, w]);
-        let start = Pose::at("phi", phi).with("psi", psi).with("phi'", u).with("psi'", w);
+        let start = Pose::new("phi", phi).with("psi", psi).with("phi'", u).with("psi'", w);
         let record = run(Simulation::new(&PAIR).unwrap().start(start).unwrap().limit(1e-6));
         let value = |text: &str| record.function(text).unwrap()(0.0);
         let size = expected.amax();
@@ -114,7 +114,7 @@ fn two_hinges_rub_as_maximal_coordinates_have_it() {
 #[test]
 fn energy_and_what_friction_takes_are_one() {
     for ([phi, psi], [u, w]) in states().take(6) {
-        let start = Pose::at("phi", phi).with("psi", psi).with("phi'", u).with("psi'", w);
+        let start = Pose::new("phi", phi).with("psi", psi).with("phi'", u).with("psi'", w);
         let record = run(Simulation::new(&PAIR).unwrap().start(start).unwrap().limit(3.0));
         let (energy, first) = (record.function("E + D").unwrap(), record.function("E").unwrap()(0.0));
         for k in 0..=30 {
@@ -147,9 +147,9 @@ fn a_hinge_that_sticks_is_a_weld() {
     let pair = Pair { mu: 50.0, nu: 0.0, r: 0.1, ..PAIR };
     let Pair { m, l, p, k, g, .. } = pair;
     let rigid = Rigid { m, l, p, k, a: 0.4, g };
-    let start = Pose::at("phi", 0.9).with("psi", 1.3).with("phi'", 1.0).with("psi'", 1.0);
+    let start = Pose::new("phi", 0.9).with("psi", 1.3).with("phi'", 1.0).with("psi'", 1.0);
     let record = run(Simulation::new(&pair).unwrap().start(start).unwrap().limit(2.0));
-    let start = Pose::at("phi", 0.9).with("phi'", 1.0);
+    let start = Pose::new("phi", 0.9).with("phi'", 1.0);
     let welded = run(Simulation::new(&rigid).unwrap().start(start).unwrap().limit(2.0));
     let of = |record: &Trajectory, text: &str, t: f64| record.function(text).unwrap()(t);
     for t in [0.0, 0.5, 1.0, 1.5, 2.0] {
@@ -165,7 +165,7 @@ fn small_journals_reverse_at_any_tolerance() {
     for r in [1e-1, 1e-3, 1e-5] {
         let pair = Pair { r, ..PAIR };
         let times = |tolerance: f64| -> Vec<(EventKind, f64)> {
-            let start = Pose::at("phi", 1.0).with("psi", 0.5).with("phi'", -2.0).with("psi'", 1.0);
+            let start = Pose::new("phi", 1.0).with("psi", 0.5).with("phi'", -2.0).with("psi'", 1.0);
             let simulation =
                 Simulation::new(&pair).unwrap().start(start).unwrap().tolerance(tolerance).limit(1.0);
             run(simulation).events().iter().map(|event| (event.kind, event.t)).collect()
@@ -243,7 +243,7 @@ fn gauss_sees_where_a_force_nearly_vanishes() {
             [-1.6490223866273241, 1.4041416132766376, -4.437443726882917, 0.37577702216421915],
         ),
     ] {
-        let start = || Pose::at("phi", phi).with("psi", psi).with("phi'", u).with("psi'", w);
+        let start = || Pose::new("phi", phi).with("psi", psi).with("phi'", u).with("psi'", w);
         let [own, known] = [MethodId::Gauss, MethodId::Dop853].map(|method| {
             let simulation = Simulation::new(&pair).unwrap().start(start()).unwrap().method(method);
             run(simulation.limit(2.0)).final_state().to_vec()

@@ -79,7 +79,7 @@ fn stops(bar: &Pendulum, phi: f64) -> Vec<[f64; 2]> {
 fn a_pendulum_comes_to_rest_on_its_pin() {
     let expected = stops(&BAR, 1.0);
     assert!(expected.len() > 4, "{expected:?}");
-    let record = run(Simulation::new(&BAR).unwrap().start(Pose::at("phi", 1.0)).unwrap().limit(8.0));
+    let record = run(Simulation::new(&BAR).unwrap().start(Pose::new("phi", 1.0)).unwrap().limit(8.0));
     let turned = |event: &&Event| matches!(event.kind, EventKind::Reverse | EventKind::Stick);
     let found: Vec<&Event> = record.events().iter().filter(turned).collect();
     assert_eq!(found.len(), expected.len(), "{:?}", record.events());
@@ -106,7 +106,7 @@ fn a_pendulum_comes_to_rest_on_its_pin() {
 #[test]
 fn friction_of_a_pin_follows_the_length_of_its_force() {
     for (phi, rate) in [(0.3, 2.0), (-1.0, 5.0), (2.5, -3.0), (-2.0, -0.1), (0.0, 8.0)] {
-        let start = Pose::at("phi", phi).with("phi'", rate);
+        let start = Pose::new("phi", phi).with("phi'", rate);
         let record = run(Simulation::new(&BAR).unwrap().start(start).unwrap().limit(1e-3));
         let value = |text: &str| record.function(text).unwrap()(0.0);
         let [acceleration, force] = turning(&BAR, [phi, rate], rate.signum());
@@ -125,7 +125,7 @@ fn friction_of_a_pin_follows_the_length_of_its_force() {
 fn a_pendulum_rests_within_its_band() {
     let band = (2.0 * BAR.mu_s * BAR.r / BAR.l).asin();
     for (phi, moves) in [(0.999 * band, false), (1.001 * band, true)] {
-        let run = Simulation::new(&BAR).unwrap().start(Pose::at("phi", phi)).unwrap().limit(0.1).run();
+        let run = Simulation::new(&BAR).unwrap().start(Pose::new("phi", phi)).unwrap().limit(0.1).run();
         match moves {
             // With the smaller friction of what slides it could move as well.
             false => assert!(run.unwrap().function("phi'").unwrap()(0.1) == 0.0),
@@ -161,7 +161,7 @@ struct Wheel {
 fn a_pressed_wheel_slows_steadily() {
     let wheel = Wheel { m: 2.0, l: 0.6, mu: 0.2, r: 0.03, f: 40.0, c: 0.0 };
     let (omega, inertia) = (3.0, wheel.m * wheel.l * wheel.l / 12.0);
-    let start = Pose::at("phi", 0.0).with("phi'", omega);
+    let start = Pose::new("phi", 0.0).with("phi'", omega);
     let record = run(Simulation::new(&wheel).unwrap().start(start).unwrap().limit(2.0));
     let slowing = wheel.mu * wheel.r * wheel.f / inertia;
     let stick = record.events().iter().find(|event| event.kind == EventKind::Stick).unwrap();
@@ -175,7 +175,7 @@ fn a_pressed_wheel_slows_steadily() {
 fn a_growing_couple_breaks_a_hinge_loose() {
     let wheel = Wheel { m: 2.0, l: 0.6, mu: 0.2, r: 0.03, f: 40.0, c: 0.5 };
     let inertia = wheel.m * wheel.l * wheel.l / 12.0;
-    let record = run(Simulation::new(&wheel).unwrap().start(Pose::at("phi", 0.0)).unwrap().limit(1.5));
+    let record = run(Simulation::new(&wheel).unwrap().start(Pose::new("phi", 0.0)).unwrap().limit(1.5));
     let slip = record.events().iter().find(|event| event.kind == EventKind::Slip).unwrap();
     let loose = wheel.mu * wheel.r * wheel.f / wheel.c;
     assert!((slip.t - loose).abs() < 1e-10, "{slip} {loose}");
@@ -187,7 +187,7 @@ fn a_growing_couple_breaks_a_hinge_loose() {
 #[test]
 fn a_journal_too_large_is_refused() {
     let bar = Pendulum { r: 2.0, mu: 1.0, mu_s: 1.0, ..BAR };
-    let start = Pose::at("phi", 1.0).with("phi'", 1.0);
+    let start = Pose::new("phi", 1.0).with("phi'", 1.0);
     let error = Simulation::new(&bar).unwrap().start(start).unwrap().limit(1.0).run().unwrap_err();
     assert!(error.to_string().contains("hinges A"), "{error}");
     let none = Pendulum { r: 0.0, ..BAR };

@@ -30,7 +30,7 @@ fn a_flywheel_turns_from_the_start_or_never() {
     let most = mu * r * f;
     for c in [1.0, 0.04, 0.031, 0.029, 0.01, -0.02, -0.029, -0.031, -0.5_f64] {
         let wheel = Wheel { m, l, mu, r, f, c };
-        let record = run(Simulation::new(&wheel).unwrap().start(Pose::at("phi", 0.0)).unwrap().limit(2.0));
+        let record = run(Simulation::new(&wheel).unwrap().start(Pose::new("phi", 0.0)).unwrap().limit(2.0));
         let kinds: Vec<EventKind> = record.events().iter().map(|event| event.kind).collect();
         assert_eq!(kinds, [EventKind::Start, EventKind::End], "{c}");
         let couple = (c.abs() - most).max(0.0) * c.signum();
@@ -68,7 +68,7 @@ fn a_crank_without_weight_begins_as_its_couple_grows() {
     for c in [1.0, -1.0, 0.1, 7.0] {
         for phi in [-2.5, -0.4, 1.0, 2.0] {
             let crank = Crank { m: 1.0, p: 0.7, l: 0.3, k: 0.8, mu: 0.2, nu: 0.3, r: 0.02, c };
-            let start = Pose::at("phi", phi).with("phi'", 0.0);
+            let start = Pose::new("phi", phi).with("phi'", 0.0);
             let record = run(Simulation::new(&crank).unwrap().start(start).unwrap().limit(1.0));
             let [angle, energy] = ["phi", "E + D"].map(|text| record.function(text).unwrap());
             assert!(c * (angle(1e-3) - phi) > 0.0, "{c} {phi}");

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::super::modes::Mode;
 use super::drawn::{
-    LITTLE, all_left, contacts_of_all_kinds, examine, is_the_drawn_one, is_well_conditioned, load, told,
+    LITTLE, all_left, contacts_of_all_kinds, examine, is_the_drawn_one, is_well_conditioned, list_modes, load,
 };
 use super::oracle::{Contact, Linkage, Motion};
 use super::random::{Random, Sorted, cases, in_units, kkt, linkage};
@@ -28,7 +28,7 @@ fn what_vanishes_is_left_to_the_next_order() {
         let expected = all_left(&linkage, &motion);
         let units = [(1.0, 1.0, 1.0), (1e7, 1e-4, 3e-3), (2e-9, 7e3, 1e5)];
         for found in units.map(|units| solve(&in_units(&linkage, units))) {
-            assert_eq!(told(&found.next), expected, "{k} {:?}", found.modes);
+            assert_eq!(list_modes(&found.next), expected, "{k} {:?}", found.modes);
             let first: Vec<Mode> = expected.iter().map(|left| left[0].0).collect();
             assert_eq!(found.modes, first, "{k}");
             examine(&linkage, &motion, &found.solution, k);
@@ -48,7 +48,7 @@ fn without_loads_nothing_bears() {
         let motion = Motion { a: &linkage.force * 0.0, multipliers: &linkage.bias * 0.0 };
         let sorted = Sorted::new(&linkage);
         let found = kkt(&linkage).solve_with_friction(&sorted.question(&linkage)).unwrap();
-        assert_eq!(told(&found.next), all_left(&linkage, &motion), "{k}");
+        assert_eq!(list_modes(&found.next), all_left(&linkage, &motion), "{k}");
         examine(&linkage, &motion, &found.solution, k);
         let smooth = kkt(&linkage).solve(&sorted.question(&linkage).rows).unwrap();
         examine(&linkage, &motion, &smooth, k);
@@ -91,8 +91,8 @@ fn what_stands_beside_does_not_matter() {
         let own = [&one, &far].map(|it| kkt(it).solve_with_friction(&Sorted::new(it).question(it)).unwrap());
         let both = beside(&one, &far);
         let found = kkt(&both).solve_with_friction(&Sorted::new(&both).question(&both)).unwrap();
-        let expected: Vec<_> = own.iter().flat_map(|it| told(&it.next)).collect();
-        assert_eq!(told(&found.next), expected, "{k}");
+        let expected: Vec<_> = own.iter().flat_map(|it| list_modes(&it.next)).collect();
+        assert_eq!(list_modes(&found.next), expected, "{k}");
         let modes: Vec<Mode> = own.iter().flat_map(|it| it.modes.clone()).collect();
         assert_eq!(found.modes, modes, "{k}");
         assert_eq!(found.solutions.len(), own[0].solutions.len() * own[1].solutions.len(), "{k}");

@@ -130,7 +130,7 @@ pub(super) fn all_left(linkage: &Linkage, motion: &Motion) -> Vec<Vec<(Mode, Vec
     linkage.contacts.iter().filter(|it| it.has_friction()).map(of).collect()
 }
 
-pub(super) fn told(next: &[Frictional]) -> Vec<Vec<(Mode, Vec<Condition>)>> {
+pub(super) fn list_modes(next: &[Frictional]) -> Vec<Vec<(Mode, Vec<Condition>)>> {
     let of = |it: &Frictional| it.choices.iter().map(|it| (it.mode, it.conditions.to_vec())).collect();
     next.iter().map(of).collect()
 }

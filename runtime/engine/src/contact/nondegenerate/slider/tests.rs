@@ -159,7 +159,7 @@ fn closed_rows_are_those_of_closed_contacts() {
     let layout = context.layout();
     let state = [1.0, 0.0, 0.0, 0.3, 0.5, 0.0];
     let tangent = |contact: usize| layout.frictions.iter().find(|it| it.contact == contact).unwrap().row;
-    let rows = |set: ContactSet| ClosedRows::of(context.system(), &state, &set).rows;
+    let rows = |set: ContactSet| ClosedRows::compute(context.system(), &state, &set).rows;
     assert_eq!(rows(ContactSet::EMPTY), [0; 0]);
     for slip in [model::Slip::Stick, model::Slip::Forward, model::Slip::Backward] {
         for contact in [0, 1] {
@@ -173,7 +173,7 @@ fn closed_rows_are_those_of_closed_contacts() {
     }
     // In natural coordinates √m q.
     let equations = context.system().equations(&state);
-    let all = ClosedRows::of(context.system(), &state, &own_and_other());
+    let all = ClosedRows::compute(context.system(), &state, &own_and_other());
     for (k, &row) in all.rows.iter().enumerate() {
         assert_eq!(all.levers[k], 1.0);
         for j in 0..3 {

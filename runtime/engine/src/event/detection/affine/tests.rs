@@ -45,7 +45,7 @@ const BLOCK: Block = Block { m: 1.3, g: 9.81, k: 4.7, mu: 0.2, mu_s: 0.5, w: 0.7
 /// x, y, ẋ and ẏ over a step, as cubics.
 const MOTION: [[f64; 4]; 4] = [[0.3, 0.8, -0.4, 0.1], [1.2, 0.1, 0.0, -0.2], [0.6, -1.1, 0.3, 0.2], [0.5; 4]];
 
-fn at(c: &[f64], theta: f64) -> f64 {
+fn evaluate(c: &[f64], theta: f64) -> f64 {
     c.iter().rev().fold(0.0, |sum, c| sum * theta + c)
 }
 
@@ -65,15 +65,15 @@ fn guards_of_a_block_follow_from_its_dense_output() {
         let phase = simulation.context.phase(ContactSet::EMPTY.slipping(0, slip), Form::Closed);
         assert!(phase.info().affine, "{slip:?}");
         let kept: Vec<&[f64; 4]> = phase.kept().iter().map(|&entry| &MOTION[entry]).collect();
-        let end: Vec<f64> = kept.iter().map(|c| at(&c[..], 1.0)).collect();
+        let end: Vec<f64> = kept.iter().map(|c| evaluate(&c[..], 1.0)).collect();
         let coefficients = (0..4).flat_map(|k| kept.iter().map(move |c| c[k]));
         let step = DenseOutput::series([0.0, 0.5], &end, coefficients);
-        let mut guards = AffineGuards::of(&*phase, &simulation.context);
+        let mut guards = AffineGuards::compute(&*phase, &simulation.context);
         let guards = guards.over(&step).expect("a cubic");
         let found = [guards.reaction(0), guards.reaction(1), guards.gap(0), guards.gap(1)];
         for theta in [0.0, 0.3, 1.0] {
-            let expected = by_hand(slip, MOTION.map(|c| at(&c, theta)));
-            for (found, expected) in found.map(|c| at(c, theta)).into_iter().zip(expected) {
+            let expected = by_hand(slip, MOTION.map(|c| evaluate(&c, theta)));
+            for (found, expected) in found.map(|c| evaluate(c, theta)).into_iter().zip(expected) {
                 // Some roundings of the largest term, m g.
                 let apart = (found - expected).abs();
                 assert!(
@@ -103,10 +103,10 @@ fn the_work_of_friction_follows_from_its_series() {
     for slip in [Slip::Forward, Slip::Backward] {
         let phase = simulation.context.phase(ContactSet::EMPTY.slipping(0, slip), Form::Closed);
         let kept: Vec<&[f64; 4]> = phase.kept().iter().map(|&entry| &MOTION[entry]).collect();
-        let end: Vec<f64> = kept.iter().map(|c| at(&c[..], 1.0)).collect();
+        let end: Vec<f64> = kept.iter().map(|c| evaluate(&c[..], 1.0)).collect();
         let coefficients = (0..4).flat_map(|k| kept.iter().map(move |c| c[k]));
         let step = DenseOutput::series([0.0, 0.5], &end, coefficients);
-        let mut guards = AffineGuards::of(&*phase, &simulation.context);
+        let mut guards = AffineGuards::compute(&*phase, &simulation.context);
         let view = StepView::new(&phase, &simulation.context, &step).with_series(guards.over(&step));
         let [_, _, [a, b, c, d], _] = MOTION;
         for end in [0.3, 1.0_f64] {
@@ -128,7 +128,7 @@ fn guards_have_series_where_there_is_room() {
     let step = |terms: usize| {
         DenseOutput::series([0.0, 0.5], &vec![0.0; entries], core::iter::repeat_n(0.0, entries * terms))
     };
-    let mut guards = AffineGuards::of(&*phase, &simulation.context);
+    let mut guards = AffineGuards::compute(&*phase, &simulation.context);
     for (terms, has) in [(1, true), (ORDERS - ENDS, true), (ORDERS - ENDS + 1, false), (ORDERS + 1, false)] {
         assert_eq!(guards.over(&step(terms)).is_some(), has, "{terms}");
     }

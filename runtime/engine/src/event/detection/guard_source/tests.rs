@@ -8,13 +8,13 @@ const CUBIC: [f64; 4] = [0.162, -0.99, 1.8, -1.0];
 const SQUARE: [f64; 3] = [0.25, -1.0, 1.0];
 const BOUND: f64 = 1e-12;
 
-fn of(c: &[f64], theta: f64) -> f64 {
+fn evaluate(c: &[f64], theta: f64) -> f64 {
     c.iter().rev().fold(0.0, |sum, c| sum * theta + c)
 }
 
 /// A guard known by its series, and by its values.
 fn both(c: &[f64], look: impl Fn(GuardSource<'_>)) {
-    let value = |theta: f64| of(c, theta);
+    let value = |theta: f64| evaluate(c, theta);
     look(GuardSource::Series(c));
     look(GuardSource::Values { value: &value, size: 2.0, is_noisy: false });
 }
@@ -29,7 +29,10 @@ fn roots_behind_a_place_are_told_as_places_of_the_step() {
         }
         for (from, shift) in [(0.0, 0.01), (0.0, -0.01), (0.4, 0.005), (0.8, -0.002)] {
             let theta = guard.first_root(from, Start::Free, (shift, BOUND)).unwrap().unwrap();
-            assert!(theta > from && (of(&CUBIC, theta) + shift).abs() < 1e-14, "{from} {shift} {theta}");
+            assert!(
+                theta > from && (evaluate(&CUBIC, theta) + shift).abs() < 1e-14,
+                "{from} {shift} {theta}"
+            );
         }
     });
 }

@@ -280,8 +280,9 @@ impl Search<'_> {
                 leaves.push((variable, exact?));
                 continue;
             }
-            let mut value =
-                |theta: f64| self.step.evaluate(|view, scratch| view.read(theta, variable, scratch));
+            let mut value = |theta: f64| {
+                self.step.evaluate(|view, scratch| view.evaluate_variable(theta, variable, scratch))
+            };
             let size = [0.0, 0.5, 1.0].map(|theta| value(theta).abs()).into_iter().fold(0.0, f64::max);
             let finest = self.step.scales.bounds.relative.min(FINEST);
             let Some(fit) = Smooth::fit(&mut value, finest * size)? else { return Ok(None) };
@@ -329,7 +330,7 @@ impl Search<'_> {
             let counts = |root: Root| self.counts(root.map_theta(at));
             let found = match of_values(condition, &within, (begins, accuracy), &counts) {
                 Err(_) if jumps && [0.0, 1.0].map(within).iter().all(|end| end.is_finite()) => None,
-                found => found.map_err(|error| error.at(at))?,
+                found => found.map_err(|error| error.map_theta(at))?,
             };
             let found = found.filter(|s| !jumps || is_near(&within, *s, bound));
             let found = found.or_else(|| changed(condition, &within, bound));

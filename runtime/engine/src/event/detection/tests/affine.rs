@@ -19,11 +19,11 @@ fn affine_guards_of_every_kind_have_their_series() {
     let slides = set(&[PLAIN]).slipping(RUBBING, Slip::Stick).slipping(GUIDE, Slip::Backward);
     let mut known = KnownAffineGuards::default();
     for closed in [slides.pressing(GUIDE, Side::Negative), ContactSet::EMPTY, set(&[CORNER, THREAD])] {
-        let scene = Scene::of((closed, Form::Closed), shown);
+        let scene = Scene::new((closed, Form::Closed), shown);
         for _ in 0..2 {
             let (from, to) = (0.25, 1.75);
             let dense = scene.dense([from, to]);
-            let guards = known.of(&*scene.phase, &scene.context).over(&dense).expect("a line");
+            let guards = known.find_or_compute(&*scene.phase, &scene.context).over(&dense).expect("a line");
             let near = |c: &[f64], expected: &dyn Fn(f64) -> f64| {
                 [0.0, 0.4, 1.0].iter().all(|theta| {
                     let found = c.iter().rev().fold(0.0, |sum, c| sum * theta + c);

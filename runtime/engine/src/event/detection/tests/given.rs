@@ -240,7 +240,7 @@ pub(crate) struct Scene {
 pub(crate) type Told = (Option<(f64, Vec<Guard>)>, Vec<(f64, Guard)>);
 
 impl Scene {
-    pub(crate) fn of(
+    pub(crate) fn new(
         (set, form): (ContactSet, Form),
         at: impl Fn(f64) -> Shown + Send + Sync + 'static,
     ) -> Self {
@@ -255,7 +255,7 @@ impl Scene {
 
     /// Of guards that are evaluated one by one, with some contacts closed.
     pub(crate) fn closed(set: ContactSet, at: impl Fn(f64) -> Shown + Send + Sync + 'static) -> Self {
-        Self::of((set, Form::Closed), at)
+        Self::new((set, Form::Closed), at)
     }
 
     pub(crate) fn dense(&self, [from, to]: [f64; 2]) -> DenseOutput {
@@ -357,7 +357,7 @@ pub(crate) fn padded(c: &[f64]) -> [f64; ORDERS] {
 }
 
 /// z is a function of time, and nothing touches.
-pub(crate) fn of(z: impl Fn(f64) -> f64 + Send + Sync + 'static) -> Scene {
+pub(crate) fn from_function(z: impl Fn(f64) -> f64 + Send + Sync + 'static) -> Scene {
     Scene::closed(ContactSet::EMPTY, move |t| Shown { z: [z(t), f64::NAN], ..Shown::default() })
 }
 

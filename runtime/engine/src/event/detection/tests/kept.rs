@@ -103,7 +103,7 @@ fn a_slip_vanishes_in_its_sense() {
 #[test]
 fn what_is_kept() {
     let closed = set(&[PLAIN, CORNER, THREAD]).slipping(RUBBING, Slip::Stick).slipping(GUIDE, Slip::Forward);
-    let scene = Scene::of((closed, Form::Closed), |_| Shown::default());
+    let scene = Scene::new((closed, Form::Closed), |_| Shown::default());
     let conditions = [scene.condition("z > 1")];
     for kept in [set(&[PLAIN]), set(&[RUBBING]), set(&[GUIDE]), set(&[CORNER, THREAD])] {
         let depends = closed.with(DRIVE);
@@ -122,7 +122,7 @@ fn what_is_kept() {
             assert_eq!(watch.tracking.suppression, expected, "{name:?}");
         }
     }
-    let depends = Scene::of((ContactSet::EMPTY, Form::Closed), |_| Shown::default());
+    let depends = Scene::new((ContactSet::EMPTY, Form::Closed), |_| Shown::default());
     let detector = depends.begun(roles(set(&[PLAIN])), (&[], false));
     assert_eq!(detector.find(Guard::Parting(PLAIN)).tracking.suppression, Suppression::ToBound);
     for (kept, expected) in

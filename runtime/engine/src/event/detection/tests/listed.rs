@@ -124,7 +124,7 @@ fn each_guard_is_evaluated_from_what_it_follows_from() {
 fn what_counts_as_zero() {
     let closed = set(&[PLAIN, CORNER]).slipping(RUBBING, Slip::Stick).slipping(GUIDE, Slip::Backward);
     let grip = Grip { sticking: set(&[RUBBING]), normals: ContactSet::EMPTY };
-    let scene = Scene::of((closed, Form::Closed), |_| Shown::default());
+    let scene = Scene::new((closed, Form::Closed), |_| Shown::default());
     let heights = [(THREAD, 1e-6), (DRIVE, 1.0)];
     for grip in [Grip::default(), grip] {
         let roles = ContactStatus { grip, heights: &heights, ..roles(closed) };

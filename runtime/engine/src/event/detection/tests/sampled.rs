@@ -47,7 +47,7 @@ fn expected(guard: Guard, t: f64) -> f64 {
 #[test]
 fn guards_have_their_values_in_every_step() {
     for form in [Form::Closed, Form::Projected] {
-        let scene = Scene::of((all(), form), different);
+        let scene = Scene::new((all(), form), different);
         let mut detector = scene.begun(roles(all().with(THREAD)), (&[], false));
         assert!(detector.list.len() > 12);
         for step in [[0.0, 0.5], [0.5, 1.0], [0.25, 2.0], [2.0, 2.5]] {
@@ -72,7 +72,7 @@ fn guards_have_their_values_in_every_step() {
 fn each_place_is_evaluated_once() {
     let closed = set(&[PLAIN, CORNER, THREAD]);
     for (form, between) in [(Form::Closed, 3), (Form::Projected, 1)] {
-        let scene = Scene::of((closed, form), different);
+        let scene = Scene::new((closed, form), different);
         let mut detector = scene.begun(roles(closed), (&[], false));
         scene.asked();
         for (step, nodes) in [([0.0, 0.5], 10), ([0.5, 0.75], 9), ([0.75, 1.0], 9), ([0.5, 1.0], 10)] {
@@ -99,7 +99,7 @@ fn each_place_is_evaluated_once() {
 fn places_are_kept_as_long_as_there_is_room() {
     const ROOM: usize = 4096;
     let closed = set(&[PLAIN, CORNER]);
-    let scene = Scene::of((closed, Form::Projected), different);
+    let scene = Scene::new((closed, Form::Projected), different);
     let mut detector = scene.begun(roles(closed), (&[], false));
     let dense = scene.dense([0.0, 1.0]);
     let view = scene.view(&dense);
@@ -128,7 +128,7 @@ fn places_are_kept_as_long_as_there_is_room() {
 /// One guard alone has nothing to share.
 #[test]
 fn what_only_one_guard_follows_from_is_not_kept() {
-    let scene = Scene::of((set(&[PLAIN]), Form::Projected), different);
+    let scene = Scene::new((set(&[PLAIN]), Form::Projected), different);
     let mut detector = scene.begun(roles(set(&[PLAIN])), (&[], false));
     let dense = scene.dense([0.0, 1.0]);
     let view = scene.view(&dense);

@@ -5,7 +5,7 @@ use super::given::*;
 const STEPS: [&[f64]; 3] = [&[1.0], &[0.41, 1.0], &[0.15, 0.35, 0.55, 0.65, 0.9, 1.0]];
 
 fn is_met(z: fn(f64) -> f64, text: &str, at: Option<f64>) {
-    let scene = of(z);
+    let scene = from_function(z);
     for steps in STEPS {
         for is_state in [false, true] {
             let found = met(&scene, text, is_state, steps);
@@ -57,7 +57,7 @@ fn a_condition_that_starts_at_zero_is_met_at_the_next_zero() {
 #[test]
 fn a_pole_is_passed() {
     let z = |t: f64| t - 0.6;
-    let scene = of(z);
+    let scene = from_function(z);
     for steps in STEPS {
         assert_eq!(met(&scene, "1 / z = 0", false, steps), None, "{steps:?}");
         assert_eq!(met(&scene, "1 / z > 0", false, steps), None, "{steps:?}");
@@ -72,8 +72,8 @@ fn a_pole_is_passed() {
 fn a_comparison_is_met_behind_a_touch() {
     let near = |found: Option<f64>, at: f64| found.is_some_and(|found| (found - at).abs() < 1e-10);
     let (above, below) = (
-        of(|t| (t - 0.3).powi(2) * (0.8 - t)),
-        of(|t| -(t - 0.3).powi(2) * (t - 0.58) * (t - 0.8) * (2.0 + t.sin())),
+        from_function(|t| (t - 0.3).powi(2) * (0.8 - t)),
+        from_function(|t| -(t - 0.3).powi(2) * (t - 0.58) * (t - 0.8) * (2.0 + t.sin())),
     );
     for steps in STEPS {
         assert!(near(met(&above, "z < 0", false, steps), 0.8), "{steps:?}");
@@ -86,7 +86,7 @@ fn a_comparison_is_met_behind_a_touch() {
 #[test]
 fn a_condition_that_touches() {
     let z = |t: f64| (t - 0.5) * (t - 0.5) * (2.0 + t.sin());
-    let scene = of(z);
+    let scene = from_function(z);
     for steps in STEPS {
         let found = met(&scene, "z = 0", false, steps);
         assert!(found.is_some_and(|at| (at - 0.5).abs() < 1e-5), "{steps:?} {found:?}");
@@ -100,7 +100,7 @@ fn a_condition_that_touches() {
 fn a_comparison_is_met_at_the_seam_of_two_steps() {
     for beyond in [1e-13, 0.0, -1e-13] {
         for (sign, text) in [(1.0, "z > 0"), (-1.0, "z < 0")] {
-            let scene = of(move |t| sign * (t - 0.41 + beyond));
+            let scene = from_function(move |t| sign * (t - 0.41 + beyond));
             let found = met(&scene, text, false, &[0.2, 0.41, 1.0]);
             assert!(found.is_some_and(|at| (at - 0.41).abs() < 1e-9), "{text} {beyond} {found:?}");
         }

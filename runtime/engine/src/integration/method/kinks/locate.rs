@@ -61,7 +61,7 @@ impl CutAtKinks<'_> {
     /// Writes the values at some nodes to their places.
     fn sample(&self, nodes: impl Iterator<Item = usize>, values: &mut [f64]) {
         let count = self.kinks.len();
-        nodes.for_each(|i| values[i * count..(i + 1) * count].copy_from_slice(&self.at(NODES[i])));
+        nodes.for_each(|i| values[i * count..(i + 1) * count].copy_from_slice(&self.evaluate(NODES[i])));
     }
 
     /// Whether the values at [`FEW`] are of one sign, and no less than a part of the largest.
@@ -77,7 +77,7 @@ impl CutAtKinks<'_> {
         })
     }
 
-    fn at(&self, theta: f64) -> Numbers {
+    fn evaluate(&self, theta: f64) -> Numbers {
         let mut values: Numbers = smallvec![0.0; self.kinks.len()];
         let mut y: Numbers = core::mem::take(&mut self.scratch.borrow_mut()[1]);
         y.resize(self.dense.entries(), 0.0);
@@ -89,7 +89,7 @@ impl CutAtKinks<'_> {
 
     /// Where a kink changes its sign first.
     fn first_change(&self, j: usize, values: &[f64; NODES.len()]) -> Option<f64> {
-        let value = |theta: f64| self.at(theta)[j];
+        let value = |theta: f64| self.evaluate(theta)[j];
         let largest = values.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
         // The kink that the step began at.
         let begun = usize::from(values[0].abs() <= SOLVED * largest);
@@ -114,7 +114,7 @@ impl CutAtKinks<'_> {
     /// nodes.
     fn first_touch(&self, j: usize, roots: &[f64; NODES.len()], least: f64) -> Option<f64> {
         const LAST: usize = NODES.len() - 1;
-        let value = |theta: f64| self.at(theta)[j].max(0.0).sqrt();
+        let value = |theta: f64| self.evaluate(theta)[j].max(0.0).sqrt();
         let largest = roots.iter().fold(0.0_f64, |most, x| most.max(*x));
         (0..=LAST).find_map(|i| {
             let [before, after] = [i.saturating_sub(1), (i + 1).min(LAST)];

@@ -50,7 +50,7 @@ fn partial_sums_and_bernstein_coefficients_bound_a_series() {
         assert!((low - coefficients[0]).abs() <= ROUNDED * size(&c), "{c:?} {low} {coefficients:?}");
         assert!((high - coefficients[1]).abs() <= ROUNDED * size(&c), "{c:?} {high} {coefficients:?}");
         for theta in (0..=20).map(|k| f64::from(k) / 20.0) {
-            let value = series.at(theta);
+            let value = series.evaluate(theta);
             assert!(low <= value && value <= high, "{c:?} {theta}");
         }
     }

@@ -24,7 +24,7 @@ fn verdict(mut history: History, points: &[[f64; 2]], last: Node) -> Crossing {
     })
 }
 
-fn of(points: &[[f64; 2]], last: [f64; 2]) -> Crossing {
+fn find_crossing(points: &[[f64; 2]], last: [f64; 2]) -> Crossing {
     verdict(History::new(Start::Free, DELTA), points, node(last[0], last[1]))
 }
 
@@ -34,18 +34,21 @@ const TOUCH: fn(f64, f64) -> Crossing = |theta, value| Crossing::Touch { theta, 
 fn a_guard_at_its_bound_has_not_left_it() {
     let beyond = DELTA.next_up();
     // Below −δ only.
-    assert_eq!(of(&[[0.0, 1.0]], [1.0, -DELTA]), Crossing::Clear);
-    assert!(matches!(of(&[[0.0, 1.0]], [1.0, -beyond]), Crossing::At { .. }));
+    assert_eq!(find_crossing(&[[0.0, 1.0]], [1.0, -DELTA]), Crossing::Clear);
+    assert!(matches!(find_crossing(&[[0.0, 1.0]], [1.0, -beyond]), Crossing::At { .. }));
     // A minimum within ±δ counts once it has risen from it, and wherever it goes then.
     for lowest in [DELTA, 0.0, -DELTA] {
-        assert_eq!(of(&[[0.0, 1.0], [0.5, lowest]], [1.0, 0.75]), TOUCH(0.5, lowest));
-        assert_eq!(of(&[[0.0, 1.0], [0.5, lowest], [0.75, 1.0]], [1.0, -1.0]), TOUCH(0.5, lowest));
+        assert_eq!(find_crossing(&[[0.0, 1.0], [0.5, lowest]], [1.0, 0.75]), TOUCH(0.5, lowest));
+        assert_eq!(find_crossing(&[[0.0, 1.0], [0.5, lowest], [0.75, 1.0]], [1.0, -1.0]), TOUCH(0.5, lowest));
     }
-    assert_eq!(of(&[[0.0, 1.0], [0.5, beyond]], [1.0, 1.0]), Crossing::Clear);
-    assert!(matches!(of(&[[0.0, 1.0], [0.5, -beyond]], [1.0, 1.0]), Crossing::At { .. }));
+    assert_eq!(find_crossing(&[[0.0, 1.0], [0.5, beyond]], [1.0, 1.0]), Crossing::Clear);
+    assert!(matches!(find_crossing(&[[0.0, 1.0], [0.5, -beyond]], [1.0, 1.0]), Crossing::At { .. }));
     // Not above δ, it falls through zero after all.
-    assert_eq!(of(&[[0.0, 1.0], [0.5, 0.0], [0.75, DELTA]], [1.0, -1.0]), Crossing::At { theta: 0.8 });
-    assert_eq!(of(&[[0.0, 1.0], [0.5, 0.0], [0.75, beyond]], [1.0, -1.0]), TOUCH(0.5, 0.0));
+    assert_eq!(
+        find_crossing(&[[0.0, 1.0], [0.5, 0.0], [0.75, DELTA]], [1.0, -1.0]),
+        Crossing::At { theta: 0.8 }
+    );
+    assert_eq!(find_crossing(&[[0.0, 1.0], [0.5, 0.0], [0.75, beyond]], [1.0, -1.0]), TOUCH(0.5, 0.0));
 }
 
 /// Of several within the band the lowest counts, of equal ones the first.
@@ -58,20 +61,24 @@ fn the_lowest_minimum_within_the_band_is_the_touch() {
         (-0.1, 0.1, 0.05, (0.2, -0.1)),
     ] {
         let points = [[0.0, 1.0], [0.2, first], [0.3, 0.24], [0.4, second], [0.5, 0.24], [0.6, third]];
-        assert_eq!(of(&points, [1.0, 1.0]), TOUCH(expected.0, expected.1), "{first} {second} {third}");
+        assert_eq!(
+            find_crossing(&points, [1.0, 1.0]),
+            TOUCH(expected.0, expected.1),
+            "{first} {second} {third}"
+        );
     }
 }
 
 /// Zero at the start is no place to come down from, zero on the way is one.
 #[test]
 fn a_guard_comes_down_from_above() {
-    assert_eq!(of(&[[0.0, 0.0]], [1.0, -1.0]), Crossing::LeavesAtStart);
-    assert_eq!(of(&[[0.0, -0.125]], [1.0, -1.0]), Crossing::LeavesAtStart);
-    assert_eq!(of(&[[0.0, 1.0], [0.5, 0.0]], [1.0, -1.0]), Crossing::At { theta: 0.5 });
-    assert_eq!(of(&[[0.0, 0.0], [0.5, 0.0]], [1.0, -1.0]), Crossing::At { theta: 0.5 });
+    assert_eq!(find_crossing(&[[0.0, 0.0]], [1.0, -1.0]), Crossing::LeavesAtStart);
+    assert_eq!(find_crossing(&[[0.0, -0.125]], [1.0, -1.0]), Crossing::LeavesAtStart);
+    assert_eq!(find_crossing(&[[0.0, 1.0], [0.5, 0.0]], [1.0, -1.0]), Crossing::At { theta: 0.5 });
+    assert_eq!(find_crossing(&[[0.0, 0.0], [0.5, 0.0]], [1.0, -1.0]), Crossing::At { theta: 0.5 });
     // The last change of sign within the band.
     let points = [[0.0, 1.0], [0.25, -0.125], [0.5, 0.125], [0.75, -0.125]];
-    assert_eq!(of(&points, [1.0, -1.0]), Crossing::At { theta: 0.625 });
+    assert_eq!(find_crossing(&points, [1.0, -1.0]), Crossing::At { theta: 0.625 });
 }
 
 /// Up to its bound it is at the known root; a divided series has every sign behind it.

@@ -84,7 +84,7 @@ impl Known {
         for _ in 0..=random.below(4) {
             let multiplicity = [1, 1, 1, 2, 2, 3][random.below(6) as usize].min(most - degree);
             degree += multiplicity;
-            all.extend((multiplicity > 0).then(|| (place(random, exact), multiplicity)));
+            all.extend((multiplicity > 0).then(|| (draw_root(random, exact), multiplicity)));
         }
         all.sort_by(|a, b| f64::total_cmp(&a.0, &b.0));
         all.dedup_by(|a, b| a.0 == b.0);
@@ -167,7 +167,7 @@ fn worst(root: &Root) -> f64 {
 
 /// A root: anywhere, near an end, at an end, or near the middle so that pairs are close. One at 1 is so only where the series
 /// is exact.
-fn place(random: &mut Random, exact: bool) -> f64 {
+fn draw_root(random: &mut Random, exact: bool) -> f64 {
     let small = 10f64.powf(random.within(-9.0, -1.0));
     match (random.below(8), exact) {
         (0, _) => 0.0,

@@ -162,7 +162,7 @@ mod tests {
     /// flights a second long, so that their impacts end two seconds later.
     fn with_ends(ends: [f64; 2], check: impl FnOnce(Snapshot<'_>)) {
         let sled = Sled { m: 3.0, l: 1.0, g: 10.0, mu: 0.25, e: 0.5 };
-        let sled = Simulation::new(&sled).unwrap().start(Pose::at("theta", 0.0).with("y", 0.0)).unwrap();
+        let sled = Simulation::new(&sled).unwrap().start(Pose::new("theta", 0.0).with("y", 0.0)).unwrap();
         with_start(&sled.impulse("A", [1.0, 0.0], 9.0).unwrap(), |mut now| {
             for (sequence, end) in now.bounces.sequences.iter_mut().zip(ends) {
                 for k in 0..12 {

@@ -1,7 +1,7 @@
 //! What decides of a condition over a piece, from its values.
 
 use super::*;
-use crate::event::detection::tests::given::of;
+use crate::event::detection::tests::given::from_function;
 use crate::model::Layout;
 use crate::system::Model;
 
@@ -184,7 +184,7 @@ fn the_first_place_where_it_becomes_true() {
 /// the next step, but some for each.
 #[test]
 fn what_takes_too_long_is_undecided() {
-    let scene = of(|t| t);
+    let scene = from_function(|t| t);
     // Bounds of the two waves add up: nothing is proved of pieces that hold a turn.
     let endless = scene.condition("sin(1e7*z) - sin(1e7*z)/2 = 0.6");
     let few = [256, 257, 258, 259, 260, 511, 512];
@@ -210,13 +210,13 @@ fn what_takes_too_long_is_undecided() {
 fn a_comparison_at_zero_stays_on_its_side() {
     for (text, stays) in [("z > 0", true), ("z < 0", true), ("z = 0", false)] {
         for (sign, side) in [(1.0, false), (-1.0, true)] {
-            let scene = of(move |t| sign * (t - 1.0));
+            let scene = from_function(move |t| sign * (t - 1.0));
             let condition = scene.condition(text);
             let tracking = ConditionGuard::watch(0, &condition, false).tracking;
             let mut guard = ConditionGuard::new(&condition, false);
             scene.look(|step| guard.leave_step(&tracking, step));
             assert_eq!((guard.stays, guard.sign), (stays, Some(stays && side)), "{text} {sign}");
-            let scene = of(move |t| sign * (t - 0.5));
+            let scene = from_function(move |t| sign * (t - 0.5));
             scene.look(|step| guard.leave_step(&tracking, step));
             assert_eq!((guard.stays, guard.sign), (false, Some(sign > 0.0)), "{text} {sign}");
         }
@@ -226,7 +226,7 @@ fn a_comparison_at_zero_stays_on_its_side() {
 /// Equations are met at events just before their roots; nothing arrives at the end of a run.
 #[test]
 fn an_equation_is_met_at_an_event_just_before() {
-    let scene = of(|t| 1.0 - t);
+    let scene = from_function(|t| 1.0 - t);
     for (text, precedence) in [("z = 0", SOLVED), ("z < 0", 0.0), ("z > 0", 0.0)] {
         let condition = scene.condition(text);
         let guard = ConditionGuard::new(&condition, false);

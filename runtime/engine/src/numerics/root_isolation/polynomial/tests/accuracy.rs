@@ -3,7 +3,7 @@
 use core::cell::Cell;
 
 use super::super::*;
-use super::{of, values};
+use super::{from_roots, values};
 
 /// One coefficient of a quarter counts as much as another one, and none of any other quarter.
 #[test]
@@ -81,7 +81,7 @@ fn how_well_a_fit_is_known_follows_from_its_coefficients() {
 fn a_fit_that_differs_from_the_function_is_not_resolved() {
     let checked = |at: f64, by: f64, places: [f64; 2]| {
         let count = Cell::new(0);
-        let mut p = of(&[0.25]);
+        let mut p = from_roots(&[0.25]);
         let mut sample = |x: f64| {
             count.set(count.get() + 1);
             Ok(0.25 + if x == at { by } else { 0.0 })
@@ -99,7 +99,7 @@ fn a_fit_that_differs_from_the_function_is_not_resolved() {
         }
     }
     assert_eq!(checked(0.3, 0.0, [0.3; 2]).1, 1);
-    let mut exact = of(&[0.0]);
+    let mut exact = from_roots(&[0.0]);
     exact.check(&mut |_| Ok(CHECKED * 1e-3), [0.3, 0.7]).unwrap();
     assert!(exact.resolved);
 }

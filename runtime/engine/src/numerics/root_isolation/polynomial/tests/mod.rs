@@ -21,7 +21,7 @@ fn values(c: impl Fn(usize) -> f64, n: usize) -> [f64; FINE + 1] {
     values
 }
 
-fn of(known: &[f64]) -> Polynomial {
+fn from_roots(known: &[f64]) -> Polynomial {
     let mut coefficients = [0.0; FINE + 1];
     coefficients[..known.len()].copy_from_slice(known);
     let (ends, resolved) = ([0.0; 2], true);
@@ -50,17 +50,17 @@ fn coefficients_of_every_degree_are_found() {
 fn values_slopes_and_bounds_are_those_of_cosines() {
     for n in [0, 1, 2, 5, 8, 16, 32] {
         let known: Vec<f64> = (0..=n).map(coefficient).collect();
-        let p = of(&known);
+        let p = from_roots(&known);
         let (slope, [low, high]) = (p.derivative(), p.range());
         let size: f64 = known[1..].iter().map(|c| c.abs()).sum();
         assert!((high - low - 2.0 * size).abs() < 1e-14 && (low + high - 2.0 * known[0]).abs() < 1e-14);
         assert_eq!(slope.degree, n.saturating_sub(1));
         for x in [0.07, 0.31, 0.5, 0.77, 0.98] {
-            assert!((p.at(x) - sum(coefficient, n, x)).abs() < 1e-13, "{n} {x}");
+            assert!((p.evaluate(x) - sum(coefficient, n, x)).abs() < 1e-13, "{n} {x}");
             let phi = (2.0 * x - 1.0_f64).acos();
             let rate: f64 =
                 (1..=n).map(|k| coefficient(k) * 2.0 * k as f64 * (k as f64 * phi).sin() / phi.sin()).sum();
-            assert!((2.0 * slope.at(x) - rate).abs() < 1e-12 * (1 + n * n) as f64, "{n} {x}");
+            assert!((2.0 * slope.evaluate(x) - rate).abs() < 1e-12 * (1 + n * n) as f64, "{n} {x}");
         }
     }
 }
@@ -70,7 +70,7 @@ fn values_slopes_and_bounds_are_those_of_cosines() {
 fn the_last_coefficients_are_dropped_up_to_a_level() {
     let halves: Vec<f64> = (0..=8).map(|k| 0.5_f64.powi(k)).collect();
     for (level, degree) in [(0.0, 8), (2.9, 7), (3.0, 6), (6.9, 6), (7.0, 5), (1e3, 0)] {
-        let mut p = of(&halves);
+        let mut p = from_roots(&halves);
         p.chop(level / 256.0);
         assert_eq!(p.degree, degree, "{level}");
         assert!((0..=8).all(|k| p.coefficients[k] == if k <= degree { halves[k] } else { 0.0 }), "{level}");
@@ -108,7 +108,7 @@ fn a_polynomial_is_known_from_as_many_places_as_it_takes() {
         assert!(p.error > 1e-6 && p.error <= 1e-6 + 8.01 * f64::EPSILON * largest);
         assert_eq!(p.ends, [0.0, 1.0].map(|x| sum(coefficient, degree, x)));
         for x in [0.0, 0.13, 0.5, 0.77, 1.0] {
-            assert!((p.at(x) - sum(coefficient, degree, x)).abs() < 1e-13, "{degree} {x}");
+            assert!((p.evaluate(x) - sum(coefficient, degree, x)).abs() < 1e-13, "{degree} {x}");
         }
     }
 }
@@ -127,7 +127,7 @@ fn the_degree_rises_until_the_function_is_resolved() {
         assert_eq!((count, fit.resolved), (places, resolved), "{omega}");
         for x in [0.1_f64, 0.4, 0.9].into_iter().filter(|_| resolved) {
             let theta = 0.25 + 0.5 * x;
-            assert!((fit.at(x) - theta - (omega * theta).sin()).abs() <= 1e-8, "{omega} {x}");
+            assert!((fit.evaluate(x) - theta - (omega * theta).sin()).abs() <= 1e-8, "{omega} {x}");
         }
     }
     let good = Polynomial::fit(&mut |theta| (200.0 * theta).sin(), [0.0, 1.0], 1e-8, &|_| true);
