@@ -23,7 +23,7 @@ pub fn find_least_start(
 ) -> Result<f64, ReportError> {
     let spec = normalised(RunSpec::default().tolerance(tolerance), ratio);
     let mut sweep =
-        Sweep::of(models().find(model)?).spec(spec).vary("phi0=0.1:1.5:2")?.observe("first open")?;
+        Sweep::new(models().find(model)?).spec(spec).vary("phi0=0.1:1.5:2")?.observe("first open")?;
     for angle in angles {
         sweep = sweep.start(&format!("{angle}=phi0"))?;
     }

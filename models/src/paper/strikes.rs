@@ -43,7 +43,7 @@ impl Scheme {
     /// first below it.
     fn find_level(self, tolerance: f64) -> Result<f64, ReportError> {
         let model = models().find(self.model)?;
-        let sweep = Sweep::of(model)
+        let sweep = Sweep::new(model)
             .spec(normalised(model.default_run().tolerance(tolerance), 0.0))
             .vary(AROUND)?
             .set("m1=1-lambda")?

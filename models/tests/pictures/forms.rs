@@ -87,7 +87,7 @@ fn drawn_gap(pose: &Configuration, name: &str) -> Option<f64> {
     let Some(fixture) = geometry.fixtures.iter().find(|fixture| fixture.name == name) else {
         return moving_gap(pose, push, height);
     };
-    let on = pose.place(fixture.at);
+    let on = pose.position(fixture.at);
     match fixture.shape {
         Shape::Line { solid, .. } => solid.then(|| height(on)),
         Shape::Circle { radius, solid, .. } => round_gap(pose, push, on, (pose.number(radius), solid)),
@@ -132,7 +132,7 @@ fn every_contact_is_drawn_where_its_gap_is() {
             let gap = run.function(&format!("gap({support})")).expect("a gap");
             for k in 0..=8 {
                 let t = start + (end - start) * f64::from(k) / 8.0;
-                let drawn = drawn_gap(&Configuration::of(&run, t), support);
+                let drawn = drawn_gap(&Configuration::from_run(&run, t), support);
                 let drawn = drawn.unwrap_or_else(|| panic!("{}: {support} is not drawn", model.name()));
                 near(model, support, drawn, gap(t));
             }

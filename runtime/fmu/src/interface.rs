@@ -69,7 +69,7 @@ impl Interface {
         let layout = model.layout();
         let exchange_lacks = exchange_lacks(layout, spec);
         let guards = if exchange_lacks.is_none() { Guard::all(layout) } else { Vec::new() };
-        let mut list = List { units: Units::of(layout), variables: Vec::new() };
+        let mut list = List { units: Units::from_layout(layout), variables: Vec::new() };
         list.push("time".to_owned(), Quantity::Time, Some(SECOND));
         list.parameters(layout, spec)?;
         list.states(model, spec)?;

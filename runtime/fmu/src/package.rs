@@ -48,8 +48,8 @@ fn read_library(path: &Path) -> Result<Vec<u8>, FmuError> {
     if !path.exists() {
         return Err(FmuError::NoLibrary(path.to_owned()));
     }
-    let bytes =
-        file::read(path, u64::MAX).map_err(|source| FmuError::Library { path: path.to_owned(), source })?;
+    let bytes = file::read_file(path, u64::MAX)
+        .map_err(|source| FmuError::Library { path: path.to_owned(), source })?;
     match bytes.windows(LIBRARY.len()).any(|part| part == LIBRARY.as_bytes()) {
         true => Ok(bytes),
         false => Err(FmuError::OtherLibrary { path: path.to_owned(), version: env!("CARGO_PKG_VERSION") }),

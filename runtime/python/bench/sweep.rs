@@ -34,7 +34,7 @@ fn runs(zigzag: &Entry, spec: &RunSpec) -> Result<usize, SweepError> {
         let values = (0..RUNS).map(|i| 0.9 + 0.6 * i as f64 / (RUNS - 1) as f64).collect();
         Varied { name: name.to_owned(), spread: Spread::Listed(values), units: Vec::new() }
     };
-    let sweep = Sweep::of(zigzag).spec(spec.clone()).over(angles("phi_inner")).over(angles("phi_outer"));
+    let sweep = Sweep::new(zigzag).spec(spec.clone()).over(angles("phi_inner")).over(angles("phi_outer"));
     let sweep = sweep.observe("first open")?.threads(1);
     let told = AtomicUsize::new(0);
     sweep.each_paired(&|_, outcome| {

@@ -32,7 +32,7 @@ struct Zigzag {
 
 pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     let models = liftoff_studio::models![Zigzag];
-    let table = Sweep::of(models.find("zigzag")?)
+    let table = Sweep::new(models.find("zigzag")?)
         .vary("lambda=0.01:0.99:99")?
         .vary("phi=0.1:1.5:71")?
         .set("m1=1-lambda")?

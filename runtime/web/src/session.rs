@@ -61,7 +61,7 @@ fn described(model: &Entry, models: Vec<String>) -> Described {
     Described {
         name: layout.name.to_owned(),
         summary: model.summary().to_owned(),
-        sliders: Sliders::of(model, &spec),
+        sliders: Sliders::new(model, &spec),
         drawing: model.configuration(&spec).ok().map(|configuration| drawing(&configuration)),
         models,
     }

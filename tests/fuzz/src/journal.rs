@@ -67,7 +67,7 @@ impl fmt::Display for Bytes {
 
 fn sweep(path: PathBuf) -> Result<Sweep<'static>, SweepError> {
     let ball = models().find("bouncing-ball").map_err(|error| SweepError::Invalid(error.to_string()))?;
-    let sweep = Sweep::of(ball).vary("e=0:1.5:12")?.set("g=9.81")?;
+    let sweep = Sweep::new(ball).vary("e=0:1.5:12")?.set("g=9.81")?;
     Ok(sweep.observe("first impact y'")?.observe("end")?.threads(1).journal(path))
 }
 

@@ -137,7 +137,7 @@ impl Subject for Sweeps {
     fn check(&self, Parts { parts, sample }: &Parts) -> Result<Fate, Finding> {
         let Ok(ball) = models().find("bouncing-ball") else { return Err(Finding("no ball".to_owned())) };
         let stop = AtomicBool::new(true);
-        let built = parts.iter().try_fold(Sweep::of(ball), |sweep, (word, text)| match *word {
+        let built = parts.iter().try_fold(Sweep::new(ball), |sweep, (word, text)| match *word {
             "vary" => sweep.vary(text),
             "set" => sweep.set(text),
             "start" => sweep.start(text),

@@ -32,7 +32,7 @@ pub struct Asymmetry {
 impl Asymmetry {
     /// From runs with l = g = m = 1 that start at rest.
     pub fn new(tolerance: f64) -> Result<Self, ReportError> {
-        let sweep = Sweep::of(models().find(MODEL)?)
+        let sweep = Sweep::new(models().find(MODEL)?)
             .spec(spec(0.0, tolerance))
             .vary(BESIDE)?
             .observe("first slide-off")?;

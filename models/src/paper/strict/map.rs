@@ -14,7 +14,7 @@ const WIDTH: f64 = 1e-7;
 /// The curves between first openings, from rest with all angles φ(0).
 pub fn figure(tolerance: f64) -> Result<CaptionedFigure, ReportError> {
     let spec = RunSpec::with(&[("l", 1.0), ("g", 1.0)]).tolerance(tolerance);
-    let curves = Sweep::of(models().find(MODEL)?)
+    let curves = Sweep::new(models().find(MODEL)?)
         .spec(spec)
         .vary("lambda=0.01:0.99:5")?
         .vary("phi0=0.2:1.55:5")?

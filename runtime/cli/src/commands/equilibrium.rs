@@ -46,7 +46,7 @@ impl Equilibrium {
         if let Some(Load { name, to }) = &self.load {
             check_parameter(model, name)?;
             let unit = to.as_ref().and_then(|to| to.unit);
-            let checked = Units::of(model.layout()).check(name, unit);
+            let checked = Units::from_layout(model.layout()).check(name, unit);
             checked.map_err(|why| CommandError::Usage(format!("--load {name}: {why}")))?;
         }
         let subject = self.pose.subject(model)?;

@@ -91,7 +91,7 @@ fn bounded(model: &Entry, text: &str) -> Result<(String, Option<[f64; 2]>), Comm
     let wrong = |why: &str| CommandError::Usage(format!("--vary {text}: {why}"));
     let Some((name, bounds)) = text.split_once('=') else { return Ok((text.trim().to_owned(), None)) };
     let (low, high) = bounds.split_once(':').ok_or_else(|| wrong("expected NAME=LOW:HIGH"))?;
-    let units = Units::of(model.layout());
+    let units = Units::from_layout(model.layout());
     let number = |text: &str| measured(&units, name, text).map_err(|why| wrong(&why));
     let [low, high] = [number(low)?, number(high)?];
     if !(low < high && (high - low).is_finite()) {

@@ -57,7 +57,7 @@ impl Orbit {
             })?);
         };
         let place = parameter(layout, &to.name)?;
-        Units::of(layout)
+        Units::from_layout(layout)
             .check(&to.name, to.unit)
             .map_err(|why| CommandError::Usage(format!("--continue {}: {why}", to.name)))?;
         let branch = map.branch(&found, place, to.value)?;

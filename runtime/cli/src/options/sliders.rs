@@ -3,7 +3,7 @@
 use crate::CommandError;
 use clap::Args;
 use liftoff_studio::animation::live::Packed;
-use liftoff_studio::file::read;
+use liftoff_studio::file::read_file;
 use std::path::PathBuf;
 
 /// Bytes of an engine or a page that has one.
@@ -22,7 +22,7 @@ impl Sliders {
     /// The engine, if sliders are asked for.
     pub fn engine(&self) -> Result<Option<Packed>, CommandError> {
         let Some(path) = &self.sliders else { return Ok(None) };
-        let packed = read(path, LARGEST).and_then(|content| Packed::of(&content));
+        let packed = read_file(path, LARGEST).and_then(|content| Packed::new(&content));
         packed
             .map(Some)
             .map_err(|error| CommandError::Usage(format!("`--sliders {}`: {error}", path.display())))

@@ -128,7 +128,7 @@ impl Subject<'_> {
 
     /// Columns with units; what is said of the run.
     fn heading(&self, columns: &[String]) -> Result<Heading, CommandError> {
-        let units = Units::of(self.layout);
+        let units = Units::from_layout(self.layout);
         let column = |name: &String| Column::new(name, Kind::Number, units.symbol(name).as_deref());
         let heading = Heading::new(columns.iter().map(column).collect());
         let heading = heading.map_err(|twice| CommandError::Usage(twice.to_string()))?;

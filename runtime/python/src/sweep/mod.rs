@@ -84,7 +84,7 @@ fn prepared<'a>(
     varied: Vec<Varied>,
     observed: &[String],
 ) -> Result<Sweep<'a>, SweepError> {
-    let sweep = varied.into_iter().fold(Sweep::of(entry).spec(given.spec), Sweep::over);
+    let sweep = varied.into_iter().fold(Sweep::new(entry).spec(given.spec), Sweep::over);
     let sweep = given.formulas.iter().try_fold(sweep, |sweep, (place, text)| match place {
         Place::Parameter => sweep.set(text),
         Place::Start => sweep.start(text),

@@ -76,7 +76,7 @@ pub(super) struct Push {
 
 impl Geometry {
     /// Of a model as it starts.
-    pub fn of(start: &Configuration) -> Self {
+    pub fn new(start: &Configuration) -> Self {
         let (layout, forms) = (start.layout, start.geometry());
         let bodies = layout.bars.iter().zip(forms.bodies);
         let springs = forms.springs.iter();
@@ -84,29 +84,29 @@ impl Geometry {
         let blocks = forms.blocks.iter().filter(moving);
         Self {
             bodies: bodies.map(|(bar, body)| Body { name: bar.name, outline: body.outline }).collect(),
-            rounds: forms.rounds.iter().map(|round| Round::of(round, start)).collect(),
+            rounds: forms.rounds.iter().map(|round| Round::new(round, start)).collect(),
             masses: forms.marked(Look::Mass).collect(),
             springs: springs
                 .map(|spring| Spring { name: spring.name, ends: spring.ends, coil: spring.coil })
                 .collect(),
-            threads: forms.threads.iter().map(|thread| Thread::of(thread, layout)).collect(),
+            threads: forms.threads.iter().map(|thread| Thread::new(thread, layout)).collect(),
             blocks: blocks
-                .map(|block| Block { point: block.point, along: Direction::of(block.along, start) })
+                .map(|block| Block { point: block.point, along: Direction::new(block.along, start) })
                 .collect(),
-            contacts: layout.contacts.iter().map(|contact| Contact::of(contact, start)).collect(),
+            contacts: layout.contacts.iter().map(|contact| Contact::new(contact, start)).collect(),
         }
     }
 }
 
 impl Thread {
-    fn of(thread: &geometry::Thread, layout: &Layout) -> Self {
+    fn new(thread: &geometry::Thread, layout: &Layout) -> Self {
         let contact = layout.contacts.iter().position(|contact| contact.supports.contains(&thread.name));
         Self { name: thread.name, path: thread.path, contact }
     }
 }
 
 impl Contact {
-    fn of(contact: &liftoff_core::model::Contact, start: &Configuration) -> Self {
+    fn new(contact: &liftoff_core::model::Contact, start: &Configuration) -> Self {
         let pushes = start.geometry().pushes;
         let of = |support: &'static str| pushes.iter().filter(move |push| push.support == support);
         let pushes = contact.supports.iter().flat_map(|support| of(support));
@@ -114,14 +114,14 @@ impl Contact {
             label: contact.label,
             shares: contact.shared.then_some(contact.supports.len()),
             pulls: contact.kind == ContactKind::Thread,
-            pushes: pushes.map(|push| Push::of(push, start)).collect(),
+            pushes: pushes.map(|push| Push::new(push, start)).collect(),
         }
     }
 }
 
 impl Push {
-    fn of(push: &geometry::Push, start: &Configuration) -> Self {
-        let (at, along) = (Spot::of(push.at, start), Direction::of(push.along, start));
+    fn new(push: &geometry::Push, start: &Configuration) -> Self {
+        let (at, along) = (Spot::new(push.at, start), Direction::new(push.along, start));
         let rim = push.rim.map_or(0.0, |rim| start.number(rim));
         Self { support: push.support, at, rim, along, turns: push.turns, slip: push.slip }
     }

@@ -109,7 +109,7 @@ pub struct About<'a> {
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 pub fn page(record: &Trajectory, about: &About) -> Result<String, MotionError> {
-    let motion = Motion::of(record, about)?;
+    let motion = Motion::from_run(record, about)?;
     Ok(html::page(about.title, STYLE, &body(&head(record, about), &motion.json())))
 }
 
@@ -130,7 +130,7 @@ pub struct Played {
 /// # Errors
 /// As [`page`].
 pub fn played(record: &Trajectory, about: &About) -> Result<Played, MotionError> {
-    Ok(Played { head: head(record, about), motion: Motion::of(record, about)? })
+    Ok(Played { head: head(record, about), motion: Motion::from_run(record, about)? })
 }
 
 fn body(head: &str, data: &str) -> String {
@@ -162,7 +162,7 @@ fn prose(text: &str) -> String {
 
 /// Values with units: `m₁ = 0.5 kg`.
 fn parameters(record: &Trajectory, values: &[(String, f64)]) -> String {
-    let units = Units::of(record.layout());
+    let units = Units::from_layout(record.layout());
     let short = |value: f64| -> f64 { format!("{value:.5e}").parse().unwrap_or(value) };
     let all = values.iter().map(|(name, value)| {
         let unit = units.unit(name).filter(|unit| !unit.is_empty()).map(|unit| format!(" {unit}"));

@@ -44,7 +44,7 @@ pub(super) struct Phase {
 
 impl Motion {
     /// Of a record.
-    pub fn of(record: &Trajectory, about: &About) -> Result<Self, MotionError> {
+    pub fn from_run(record: &Trajectory, about: &About) -> Result<Self, MotionError> {
         let layout = record.layout();
         let quantities = quantities(record, about.outputs);
         let functions = functions(record, &quantities)?;
@@ -54,14 +54,14 @@ impl Motion {
         // Rounding takes a tenth of what may be missed.
         let steps: Vec<f64> = sizes.iter().map(|size| short(0.2 * CLOSENESS * size)).collect();
         let interval = record.interval();
-        let start = Configuration::of(record, interval[0]);
+        let start = Configuration::from_run(record, interval[0]);
         Ok(Self {
             interval,
             points: layout.points.to_vec(),
-            geometry: Geometry::of(&start),
+            geometry: Geometry::new(&start),
             scenery: scenery(&start),
             phases: phases(record, &sampled, &steps),
-            events: record.events().iter().map(EventItem::of).collect(),
+            events: record.events().iter().map(EventItem::from_event).collect(),
             quantities,
             steps,
         })

@@ -23,23 +23,23 @@ pub(super) enum Direction {
 }
 
 impl Spot {
-    pub(super) fn of(spot: geometry::Spot, start: &Configuration) -> Self {
+    pub(super) fn new(spot: geometry::Spot, start: &Configuration) -> Self {
         match spot {
             geometry::Spot::Point(point) => Self::Point(point),
-            geometry::Spot::Fixed(at) => Self::Fixed(start.place(at)),
+            geometry::Spot::Fixed(at) => Self::Fixed(start.position(at)),
         }
     }
 }
 
 impl Direction {
-    pub fn of(direction: geometry::Direction, start: &Configuration) -> Self {
+    pub fn new(direction: geometry::Direction, start: &Configuration) -> Self {
         match direction {
             geometry::Direction::Fixed(angle) => Self::Fixed(start.number(angle)),
             geometry::Direction::Towards(from, to) => {
-                Self::Towards(Spot::of(from, start), Spot::of(to, start))
+                Self::Towards(Spot::new(from, start), Spot::new(to, start))
             }
             geometry::Direction::Axis { ends, step } => {
-                let [along, across] = start.place(step);
+                let [along, across] = start.position(step);
                 Self::Axis(ends[0], ends[1], across.atan2(along))
             }
         }

@@ -41,7 +41,7 @@ pub(super) type Function<'a> = Box<dyn Fn(f64) -> f64 + 'a>;
 
 /// Positions of the points, x then y of each; what every model has; what is asked for.
 pub(super) fn quantities(record: &Trajectory, outputs: &[String]) -> Vec<Quantity> {
-    let (layout, units) = (record.layout(), Units::of(record.layout()));
+    let (layout, units) = (record.layout(), Units::from_layout(record.layout()));
     let mut all = Vec::new();
     let mut add = |group, name: String| {
         let (label, unit) = (shown(&name), units.unit(&name));

@@ -25,12 +25,12 @@ pub(super) enum Solid {
 }
 
 impl Round {
-    pub fn of(round: &geometry::Round, start: &Configuration) -> Self {
+    pub fn new(round: &geometry::Round, start: &Configuration) -> Self {
         Self {
             centre: round.centre,
             radius: start.number(round.radius),
             solid: round.solid.into(),
-            along: round.along.map(|along| Direction::of(along, start)),
+            along: round.along.map(|along| Direction::new(along, start)),
         }
     }
 }

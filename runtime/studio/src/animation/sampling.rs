@@ -52,7 +52,7 @@ impl<'a, 'b> Sampler<'a, 'b> {
             let inner = inside(steps, segment);
             let mut bounds: Vec<Node> = vec![self.node(segment.t0)];
             bounds.extend(inner.chunks_exact(together).map(|chunk| self.node(chunk[together - 1])));
-            bounds.push((segment.t1, self.at(end)));
+            bounds.push((segment.t1, self.evaluate(end)));
             self.phase(i, &bounds)
         };
         lasting.map(phase).collect()
@@ -71,14 +71,14 @@ impl<'a, 'b> Sampler<'a, 'b> {
     /// Adds the interval between two nodes, halved until its cubic is close.
     fn refine(&mut self, sampled: &mut Sampled, a: &Node, b: &Node, halvings: u32) {
         let between = |theta: f64| a.0 + theta * (b.0 - a.0);
-        let thirds = [1.0, 2.0].map(|i| self.at(between(i / 3.0)));
+        let thirds = [1.0, 2.0].map(|i| self.evaluate(between(i / 3.0)));
         let middle = self.node(between(0.5));
         let close =
             |theta: f64, values: &[f64]| self.is_close([&a.1, &thirds[0], &thirds[1], &b.1], theta, values);
         let done = halvings == 0
             || self.left == 0
             || close(0.5, &middle.1)
-                && [1.0 / 6.0, 5.0 / 6.0].iter().all(|&theta| close(theta, &self.at(between(theta))));
+                && [1.0 / 6.0, 5.0 / 6.0].iter().all(|&theta| close(theta, &self.evaluate(between(theta))));
         if !done {
             self.refine(sampled, a, &middle, halvings - 1);
             return self.refine(sampled, &middle, b, halvings - 1);
@@ -99,10 +99,10 @@ impl<'a, 'b> Sampler<'a, 'b> {
     }
 
     fn node(&self, t: f64) -> Node {
-        (t, self.at(t))
+        (t, self.evaluate(t))
     }
 
-    fn at(&self, t: f64) -> Vec<f64> {
+    fn evaluate(&self, t: f64) -> Vec<f64> {
         self.functions.iter().map(|function| function(t)).collect()
     }
 }

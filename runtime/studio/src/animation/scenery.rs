@@ -35,7 +35,7 @@ pub(super) fn scenery(start: &Configuration) -> Vec<SceneryItem> {
             }
             geometry::Shape::Wedge => Shape::Wedge,
         };
-        SceneryItem { name: fixture.name, at: start.place(fixture.at), shape }
+        SceneryItem { name: fixture.name, at: start.position(fixture.at), shape }
     };
     let point = |(point, look): (usize, Look)| {
         let shape = if look == Look::Foot { Shape::Foot } else { Shape::Cross };
@@ -63,7 +63,7 @@ struct Impulse {
 }
 
 impl EventItem {
-    pub fn of(event: &Event) -> Self {
+    pub fn from_event(event: &Event) -> Self {
         let impulses = event.impulses.iter();
         let impulse =
             |of: &Reaction| Impulse { contact: of.contact, label: of.label.to_owned(), value: of.value };

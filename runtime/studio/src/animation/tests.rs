@@ -96,7 +96,7 @@ fn spread(record: &Trajectory, function: &dyn Fn(f64) -> f64) -> f64 {
 /// Cubics are asked to be within `CLOSENESS` where they were compared; where they were not, they may be twice as far, and
 /// rounding adds a tenth.
 fn agrees(record: &Trajectory) {
-    let motion = Motion::of(record, &About::default()).unwrap();
+    let motion = Motion::from_run(record, &About::default()).unwrap();
     let functions: Vec<_> = motion.quantities.iter().map(|q| record.function(&q.name).unwrap()).collect();
     let spreads: Vec<f64> = functions.iter().map(|function| spread(record, function)).collect();
     let points = 2 * record.layout().points.len();
@@ -127,7 +127,7 @@ fn the_page_shows_the_motion_between_its_samples() {
 #[test]
 fn both_sides_of_an_impact_are_kept() {
     let record = dropped();
-    let motion = Motion::of(&record, &About::default()).unwrap();
+    let motion = Motion::from_run(&record, &About::default()).unwrap();
     let rate = motion.quantities.iter().position(|quantity| quantity.name == "y'").unwrap();
     let y = record.function("y'").unwrap();
     let mut jumps = 0;
@@ -147,7 +147,7 @@ fn both_sides_of_an_impact_are_kept() {
 #[test]
 fn phases_cover_the_run_and_begin_at_its_events() {
     let record = dropped();
-    let motion = Motion::of(&record, &About::default()).unwrap();
+    let motion = Motion::from_run(&record, &About::default()).unwrap();
     let [start, end] = record.interval();
     assert_eq!((motion.phases[0].times[0], motion.phases.last().unwrap().times.last()), (start, Some(&end)));
     for phase in &motion.phases[1..] {
@@ -157,14 +157,14 @@ fn phases_cover_the_run_and_begin_at_its_events() {
 
 #[test]
 fn ten_seconds_of_a_double_pendulum_are_short() {
-    let length = Motion::of(&swinging(), &About::default()).unwrap().json().len();
+    let length = Motion::from_run(&swinging(), &About::default()).unwrap().json().len();
     assert!(length < 100_000, "{length}");
 }
 
 #[test]
 fn mirror_images_slip_against_each_other() {
     let spec = RunSpec::with(&[("m", 1.0), ("l", 1.0), ("k", 1.0), ("g", 9.81)]);
-    let geometry = Geometry::of(&models().find("frame").unwrap().configuration(&spec).unwrap());
+    let geometry = Geometry::new(&models().find("frame").unwrap().configuration(&spec).unwrap());
     let slips: Vec<i8> = geometry.contacts[0].pushes.iter().map(|push| push.slip).collect();
     assert_eq!(slips, [-1, 1]);
     assert_eq!((geometry.bodies.len(), geometry.springs.len()), (2, 1));
@@ -193,7 +193,7 @@ fn springs_that_are_off_are_not_drawn() {
         models.find("let-go").unwrap().run(&spec.until("t = 1")).unwrap()
     };
     let off = |s: f64| -> Vec<Vec<usize>> {
-        let motion = Motion::of(&run(s), &About::default()).unwrap();
+        let motion = Motion::from_run(&run(s), &About::default()).unwrap();
         motion.phases.iter().map(|phase| phase.off.clone()).collect()
     };
     assert_eq!(off(0.4), [vec![], vec![0]]);

@@ -21,7 +21,7 @@ pub(super) enum Destination {
 }
 
 impl Destination {
-    pub(super) fn of(path: &Path) -> io::Result<Self> {
+    pub(super) fn resolve(path: &Path) -> io::Result<Self> {
         if path == Path::new("-") {
             return Ok(Self::Output);
         }

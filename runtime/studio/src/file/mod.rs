@@ -32,7 +32,7 @@ pub fn replace(
     path: &Path,
     content: impl FnOnce(&mut (dyn Write + Send)) -> io::Result<()>,
 ) -> io::Result<()> {
-    match Destination::of(path)? {
+    match Destination::resolve(path)? {
         Destination::Output => directly(&mut io::stdout(), content),
         Destination::Errors => directly(&mut io::stderr(), content),
         Destination::Device(path) => directly(&mut OpenOptions::new().write(true).open(path)?, content),
@@ -44,7 +44,7 @@ pub fn replace(
 ///
 /// # Errors
 /// It cannot be read, or is larger.
-pub fn read(path: &Path, most: u64) -> io::Result<Vec<u8>> {
+pub fn read_file(path: &Path, most: u64) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     File::open(path)?.take(most.saturating_add(1)).read_to_end(&mut bytes)?;
     match bytes.len() as u64 {
@@ -60,7 +60,7 @@ pub fn read(path: &Path, most: u64) -> io::Result<Vec<u8>> {
 /// # Errors
 /// It cannot be read, is larger, or is no UTF-8.
 pub fn read_text(path: &Path, most: u64) -> io::Result<String> {
-    String::from_utf8(read(path, most)?)
+    String::from_utf8(read_file(path, most)?)
         .map_err(|_| io::Error::new(ErrorKind::InvalidData, "it is no text in UTF-8"))
 }
 
@@ -69,7 +69,7 @@ pub fn read_text(path: &Path, most: u64) -> io::Result<String> {
 /// # Errors
 /// It cannot.
 pub fn probe(path: &Path) -> io::Result<()> {
-    match Destination::of(path)? {
+    match Destination::resolve(path)? {
         Destination::File(path) => {
             writable(&path)?;
             let name = path.file_name().ok_or(ErrorKind::InvalidInput)?;

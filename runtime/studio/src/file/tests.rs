@@ -1,6 +1,6 @@
 //! Files that are there, not there, links, devices, and writers that fail.
 
-use super::{probe, read, read_text, remove_left, replace, write};
+use super::{probe, read_file, read_text, remove_left, replace, write};
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -184,11 +184,11 @@ fn what_is_read_has_a_bound() {
     let path = folder.file("a.txt");
     write(&path, "12345").unwrap();
     assert_eq!(read_text(&path, 5).unwrap(), "12345");
-    assert_eq!(read(&path, 4).unwrap_err().to_string(), "it has more than 4 bytes");
+    assert_eq!(read_file(&path, 4).unwrap_err().to_string(), "it has more than 4 bytes");
     write(&path, [0xff, 0xfe]).unwrap();
     assert_eq!(read_text(&path, 5).unwrap_err().to_string(), "it is no text in UTF-8");
     if Path::new("/dev/zero").exists() {
-        assert!(read(Path::new("/dev/zero"), 1000).is_err());
+        assert!(read_file(Path::new("/dev/zero"), 1000).is_err());
     }
 }
 

@@ -19,7 +19,7 @@ const SETS: usize = 64;
 const LETTERS: f64 = 13.0;
 
 fn lettering(at: Px) -> Lettering {
-    Lettering { size: LETTERS, ..Lettering::at(at) }
+    Lettering { size: LETTERS, ..Lettering::new(at) }
 }
 
 /// How the changes of the `i`-th contact are drawn.
@@ -27,7 +27,7 @@ fn pen(i: usize) -> Pen {
     const COLOURS: [Colour; 6] =
         [Colour::Blue, Colour::Vermilion, Colour::Green, Colour::Purple, Colour::Orange, Colour::Sky];
     const DASHES: [&str; 3] = ["", "7 4", "2 3"];
-    Pen { dashes: DASHES[i / COLOURS.len() % DASHES.len()], ..Pen::of(COLOURS[i % COLOURS.len()], 1.6) }
+    Pen { dashes: DASHES[i / COLOURS.len() % DASHES.len()], ..Pen::new(COLOURS[i % COLOURS.len()], 1.6) }
 }
 
 /// The same where it sticks: dotted.
@@ -71,11 +71,11 @@ impl Graph<'_> {
         let nodes = if summary {
             self.by_number()
         } else {
-            self.0.modes.iter().map(|mode| Node::of(self.0.layout(), mode)).collect()
+            self.0.modes.iter().map(|mode| Node::new(self.0.layout(), mode)).collect()
         };
         let changes = if summary { Vec::new() } else { self.drawn() };
         let labelled = changes.len() <= LABELLED;
-        let places = Places::of(&nodes, labelled);
+        let places = Places::arrange(&nodes, labelled);
         let mut svg = Svg::default();
         for (change, ends) in changes.iter().zip(places.arrows(&changes)) {
             self.change(change, ends, labelled, &mut svg);
@@ -140,7 +140,7 @@ struct Node {
 }
 
 impl Node {
-    fn of(layout: &Layout, mode: &Mode) -> Self {
+    fn new(layout: &Layout, mode: &Mode) -> Self {
         let title = match mode.closed.as_slice() {
             [] => layout.unclosed().to_owned(),
             closed => closed.join(" | "),
@@ -156,7 +156,7 @@ impl Node {
 
     fn draw(&self, area: Box2, svg: &mut Svg) {
         let dashes = if self.own_code { "" } else { "5 3" };
-        svg.rounded_rectangle(area, 6.0, Pen { dashes, ..Pen::of(Colour::Black, 1.0) });
+        svg.rounded_rectangle(area, 6.0, Pen { dashes, ..Pen::new(Colour::Black, 1.0) });
         let at = |y: f64| lettering([area.centre()[0], area.least[1] + y]);
         svg.word(Lettering { bold: true, ..at(13.0) }, &self.title);
         svg.word(at(30.0), &self.degrees);

@@ -25,7 +25,7 @@ pub(super) struct Places {
 }
 
 impl Places {
-    pub fn of(nodes: &[Node], labelled: bool) -> Self {
+    pub fn arrange(nodes: &[Node], labelled: bool) -> Self {
         let pitch = if labelled { WIDE } else { PITCH };
         let columns = nodes.iter().map(|node| node.column + 1).max().unwrap_or(0);
         let count = |column: usize| nodes.iter().filter(|node| node.column == column).count();

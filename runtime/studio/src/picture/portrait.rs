@@ -68,7 +68,7 @@ impl<'a> Portrait<'a> {
         for (i, (name, record)) in self.runs.iter().enumerate() {
             let [x, y] = [record.function(&outputs[0])?, record.function(&outputs[1])?];
             let curve = traced(record, &x, &y);
-            let (colour, dash) = Dash::of(i);
+            let (colour, dash) = Dash::choose(i);
             curves.extend(jumps(&curve, colour));
             let name = if self.runs.len() > 1 { shown(name) } else { String::new() };
             curves.push(Curve { dash, ..Curve::solid(&name, colour, curve.joined()) });
@@ -81,7 +81,7 @@ impl<'a> Portrait<'a> {
     }
 
     fn axis(&self, output: &str, values: impl Iterator<Item = f64>) -> Axis {
-        let unit = self.runs.first().and_then(|(_, record)| Units::of(record.layout()).unit(output));
+        let unit = self.runs.first().and_then(|(_, record)| Units::from_layout(record.layout()).unit(output));
         let name = match unit {
             Some(unit) if !unit.is_empty() => format!("{}, {unit}", shown(output)),
             _ => shown(output),

@@ -67,7 +67,7 @@ fn over(record: &Trajectory, x: Value, y: Value, [start, end]: [f64; 2]) -> Trac
         .iter()
         .map(|&span| {
             let times = times(&steps, span, longest);
-            let points = times.iter().map(|&t| at(x, y, t, span)).collect();
+            let points = times.iter().map(|&t| evaluate(x, y, t, span)).collect();
             Piece { times, points }
         })
         .collect();
@@ -81,7 +81,7 @@ fn over(record: &Trajectory, x: Value, y: Value, [start, end]: [f64; 2]) -> Trac
 }
 
 /// At the end of a span before the event there, not after it.
-fn at(x: Value, y: Value, t: f64, [_, end]: [f64; 2]) -> [f64; 2] {
+fn evaluate(x: Value, y: Value, t: f64, [_, end]: [f64; 2]) -> [f64; 2] {
     let t = if t < end { t } else { end.next_down() };
     [x(t), y(t)]
 }
@@ -151,7 +151,7 @@ impl Refined<'_> {
         if depth == 0 || t <= a.0 || t >= b.0 || self.piece.times.len() > MOST {
             return;
         }
-        let point = at(self.x, self.y, t, self.span);
+        let point = evaluate(self.x, self.y, t, self.span);
         if !self.is_straight([a.1, point, b.1]) {
             self.between(a, (t, point), depth - 1);
             self.piece.push(t, point);

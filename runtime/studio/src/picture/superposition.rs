@@ -60,18 +60,18 @@ impl<'a> Positions<'a> {
     /// A point that the model does not have.
     pub fn svg(&self) -> Result<String, MotionError> {
         let [start, end] = self.record.interval();
-        let first = Configuration::of(self.record, start);
-        let lines = Lines::of(self.record);
-        let phases = Phases::of(self.record);
+        let first = Configuration::from_run(self.record, start);
+        let lines = Lines::from_run(self.record);
+        let phases = Phases::from_run(self.record);
         let mut moving = self.paths()?;
         for i in 0..self.count {
             let part = i as f64 / (self.count - 1).max(1) as f64;
             let t = start + part * (end - start);
-            let configuration = Configuration::of(self.record, t);
+            let configuration = Configuration::from_run(self.record, t);
             let colour = phases.colour(t);
             moving.extend(lines.strokes(&configuration, t, colour, 0.3 + 0.7 * part));
         }
-        let seen = Seen::of(moving.iter().flat_map(|stroke| &stroke.points), &first);
+        let seen = Seen::enclose(moving.iter().flat_map(|stroke| &stroke.points), &first);
         let fixtures = first.geometry().fixtures.iter();
         let mut strokes: Vec<Stroke> = fixtures.filter_map(|fixture| seen.fixture(fixture, &first)).collect();
         strokes.extend(moving);
@@ -131,7 +131,7 @@ struct Phase {
 }
 
 impl Phases {
-    fn of(record: &Trajectory) -> Self {
+    fn from_run(record: &Trajectory) -> Self {
         let mut phases: Vec<Phase> = Vec::new();
         for segment in record.segments().iter().filter(|segment| segment.t0 < segment.t1) {
             let name = match segment.closed.join(", ") {
@@ -172,7 +172,7 @@ struct Lines {
 }
 
 impl Lines {
-    fn of(record: &Trajectory) -> Self {
+    fn from_run(record: &Trajectory) -> Self {
         let geometry = record.layout().geometry;
         let outline = |body: &Body| match body.outline {
             [_, _] => body.outline.to_vec(),
@@ -224,7 +224,7 @@ fn cut(record: &Trajectory, thread: &str) -> f64 {
 fn fixed(configuration: &Configuration) -> Vec<[f64; 2]> {
     let geometry = configuration.geometry();
     let wedges = geometry.fixtures.iter().filter(|fixture| fixture.shape == Shape::Wedge);
-    let wedges = wedges.map(|wedge| configuration.place(wedge.at));
+    let wedges = wedges.map(|wedge| configuration.position(wedge.at));
     let points = geometry.grounded().map(|(point, _)| configuration.points[point]);
     wedges.chain(points).collect()
 }
@@ -235,10 +235,10 @@ struct Seen {
 }
 
 impl Seen {
-    fn of<'a>(points: impl Iterator<Item = &'a [f64; 2]>, configuration: &Configuration) -> Self {
+    fn enclose<'a>(points: impl Iterator<Item = &'a [f64; 2]>, configuration: &Configuration) -> Self {
         let fixtures = configuration.geometry().fixtures.iter();
         let round = fixtures.filter(|fixture| matches!(fixture.shape, Shape::Circle { .. }));
-        let centres = round.map(|fixture| configuration.place(fixture.at));
+        let centres = round.map(|fixture| configuration.position(fixture.at));
         let all: Vec<[f64; 2]> = points.copied().chain(centres).chain(fixed(configuration)).collect();
         let range = |axis: usize| {
             all.iter()
@@ -253,7 +253,7 @@ impl Seen {
 
     /// Supports and guides; the frame cuts them.
     fn fixture(&self, fixture: &Fixture, configuration: &Configuration) -> Option<Stroke> {
-        let [x, y] = configuration.place(fixture.at);
+        let [x, y] = configuration.position(fixture.at);
         let longest = self.ranges.iter().map(|[low, high]| high - low).fold(0.0, f64::max);
         match fixture.shape {
             Shape::Line { angle, solid } => {
@@ -292,7 +292,7 @@ mod tests {
     #[test]
     fn each_phase_has_its_colour() {
         let record = ladder();
-        let phases = Phases::of(&record);
+        let phases = Phases::from_run(&record);
         let leaves = record.events()[1].t;
         assert_eq!(phases.colour(record.interval()[0]), phases.colour(leaves.next_down()));
         assert_ne!(phases.colour(leaves), phases.colour(leaves.next_down()));
@@ -306,8 +306,8 @@ mod tests {
     #[test]
     fn all_that_moves_is_seen() {
         let record = ball();
-        let start = Configuration::of(&record, 0.0);
-        let seen = Seen::of([[0.0, 1.0], [2.0, 0.0]].iter(), &start);
+        let start = Configuration::from_run(&record, 0.0);
+        let seen = Seen::enclose([[0.0, 1.0], [2.0, 0.0]].iter(), &start);
         let edge = seen.fixture(&start.geometry().fixtures[0], &start).unwrap().points;
         assert!(edge[0][0] < seen.ranges[0][0] && seen.ranges[0][1] < edge[1][0] && edge[0][1] == 0.0);
         assert!(Positions::new(&record).count(1).svg().is_ok());

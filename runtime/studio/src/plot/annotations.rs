@@ -56,7 +56,7 @@ impl Annotations {
         for band in self.bands.iter().skip(1).step_by(2) {
             svg.rectangle(axes.stripe(band.range), Fill::Faint(Colour::Grey, 0.4));
         }
-        let pen = Pen { opacity: 0.4, ..Pen::of(Colour::Black, 1.0) };
+        let pen = Pen { opacity: 0.4, ..Pen::new(Colour::Black, 1.0) };
         for head in &self.heads {
             let Box2 { least, most } = axes.stripe([head.at; 2]);
             svg.line(&[least, most], pen);

@@ -22,7 +22,7 @@ const TICK: f64 = 5.0;
 const LABEL: Px = [10.0, 14.5];
 /// From the edges of the area to the middle of the names of the axes, pixels.
 const NAME: Px = [17.0, 19.0];
-const LINE: Pen = Pen::of(Colour::Black, 1.0);
+const LINE: Pen = Pen::new(Colour::Black, 1.0);
 
 /// A pair of axes and the frame that they span.
 pub(super) struct Axes<'a> {
@@ -43,7 +43,7 @@ impl<'a> Axes<'a> {
     }
 
     /// Where a point stands.
-    pub fn at(&self, [x, y]: [f64; 2]) -> Px {
+    pub fn map_point(&self, [x, y]: [f64; 2]) -> Px {
         let ([left, top], [right, bottom]) = (self.frame.least, self.frame.most);
         [left + self.x.part(x) * (right - left), bottom + self.y.part(y) * (top - bottom)]
     }
@@ -52,7 +52,7 @@ impl<'a> Axes<'a> {
     pub fn draw(&self, svg: &mut Svg) {
         upright(svg, self.y, self.frame, -1.0);
         let at = [self.area.least[0] + NAME[0], self.frame.centre()[1]];
-        svg.word(Lettering { upwards: true, ..Lettering::at(at) }, &self.y.name);
+        svg.word(Lettering { upwards: true, ..Lettering::new(at) }, &self.y.name);
         self.lower(svg);
     }
 
@@ -61,7 +61,7 @@ impl<'a> Axes<'a> {
         let Box2 { least, most } = self.frame;
         let upright = ticks(self.x, [least[0], most[0]]).map(|(x, _)| [[x, least[1]], [x, most[1]]]);
         let level = ticks(self.y, [most[1], least[1]]).map(|(y, _)| [[least[0], y], [most[0], y]]);
-        svg.segments(upright.chain(level), Pen::of(Colour::Grey, 1.0));
+        svg.segments(upright.chain(level), Pen::new(Colour::Grey, 1.0));
     }
 
     /// The lower axis.
@@ -70,16 +70,16 @@ impl<'a> Axes<'a> {
         let marks = ticks(self.x, [left, right]).map(|(x, _)| [[x, y], [x, y + TICK]]);
         svg.segments(marks.chain([[[left, y], [right, y]]]), LINE);
         for (x, label) in ticks(self.x, [left, right]) {
-            svg.word(Lettering::at([x, y + LABEL[1]]), &label);
+            svg.word(Lettering::new([x, y + LABEL[1]]), &label);
         }
         let at = [f64::midpoint(left, right), self.area.most[1] - NAME[1]];
-        svg.word(Lettering::at(at), &self.x.name);
+        svg.word(Lettering::new(at), &self.x.name);
     }
 
     /// The part of a line through points that is seen, broken where one is not finite.
     pub fn line(&self, svg: &mut Svg, points: &[[f64; 2]], pen: Pen) {
         let seen = self.frame.wider(0.5);
-        let places: Vec<Px> = points.iter().map(|&point| self.at(point)).collect();
+        let places: Vec<Px> = points.iter().map(|&point| self.map_point(point)).collect();
         for run in places.split(|place| !is_finite(place)) {
             seen.inside(run).iter().for_each(|part| svg.line(&thinned(part), pen));
         }
@@ -88,7 +88,7 @@ impl<'a> Axes<'a> {
     /// Those of the points that are seen.
     pub fn dots(&self, svg: &mut Svg, points: &[[f64; 2]], radius: f64, style: impl Into<Style>) {
         let (seen, style) = (self.frame.wider(0.5), style.into());
-        let places = points.iter().map(|&point| self.at(point)).filter(|&place| seen.holds(place));
+        let places = points.iter().map(|&point| self.map_point(point)).filter(|&place| seen.holds(place));
         places.for_each(|place| svg.circle(place, radius, style));
     }
 
@@ -99,13 +99,13 @@ impl<'a> Axes<'a> {
             0 => Anchor::Middle,
             _ => Anchor::Start,
         };
-        let at = add(self.at(point), [right, below].map(f64::from));
-        svg.word(Lettering::at(at).anchored(anchor), text);
+        let at = add(self.map_point(point), [right, below].map(f64::from));
+        svg.word(Lettering::new(at).anchored(anchor), text);
     }
 
     /// What a word at this place covers.
     pub fn span_of_word(&self, point: [f64; 2], (right, below): (i32, i32), text: &str) -> Box2 {
-        let [x, y] = add(self.at(point), [right, below].map(f64::from));
+        let [x, y] = add(self.map_point(point), [right, below].map(f64::from));
         let wide = WORD[0] * text.chars().count() as f64;
         let left = match right.signum() {
             -1 => x - wide,
@@ -117,7 +117,7 @@ impl<'a> Axes<'a> {
 
     /// The part of a rectangle that is seen.
     pub fn rectangle(&self, [x, y]: [[f64; 2]; 2]) -> Box2 {
-        let corners = [self.at([x[0], y[0]]), self.at([x[1], y[1]])];
+        let corners = [self.map_point([x[0], y[0]]), self.map_point([x[1], y[1]])];
         let [a, b] =
             corners.map(|corner| [0, 1].map(|i| corner[i].clamp(self.frame.least[i], self.frame.most[i])));
         Box2 { least: a, most: a }.with(Box2 { least: b, most: b })
@@ -146,7 +146,7 @@ pub(super) fn upright(svg: &mut Svg, axis: &Axis, frame: Box2, side: f64) {
     let marks = ticks(axis, [bottom, top]).map(|(y, _)| [[x, y], [x + side * TICK, y]]);
     svg.segments(marks.chain([[[x, top], [x, bottom]]]), LINE);
     for (y, label) in ticks(axis, [bottom, top]) {
-        svg.word(Lettering::at([x + side * LABEL[0], y]).anchored(anchor), &label);
+        svg.word(Lettering::new([x + side * LABEL[0], y]).anchored(anchor), &label);
     }
 }
 

@@ -60,7 +60,7 @@ impl Axis {
     }
 
     /// Where `value` lies on an evenly divided ruler.
-    fn place(&self, value: f64) -> f64 {
+    fn map_value(&self, value: f64) -> f64 {
         match self.scale {
             Scale::Linear => value,
             Scale::Logarithmic => value.log10(),
@@ -69,8 +69,8 @@ impl Axis {
 
     /// Where `value` lies on the axis, from 0 at its start to 1 at its end.
     pub(super) fn part(&self, value: f64) -> f64 {
-        let [start, end] = self.range.map(|end| self.place(end));
-        (self.place(value) - start) / (end - start)
+        let [start, end] = self.range.map(|end| self.map_value(end));
+        (self.map_value(value) - start) / (end - start)
     }
 
     /// The lower and the upper end.

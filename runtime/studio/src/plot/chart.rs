@@ -113,7 +113,7 @@ impl Chart {
         }
         let [low, high] = self.y.ends();
         if self.y.scale == Scale::Linear && low < 0.0 && high > 0.0 {
-            axes.line(svg, &self.x.range.map(|x| [x, 0.0]), Pen::of(Colour::Black, 1.0));
+            axes.line(svg, &self.x.range.map(|x| [x, 0.0]), Pen::new(Colour::Black, 1.0));
         }
         self.curves.iter().for_each(|curve| curve.draw(svg, &axes));
         let mut taken = Taken { lines: self.lines(&axes), words: Vec::new() };
@@ -133,10 +133,10 @@ impl Chart {
             return Vec::new();
         }
         let curves = self.curves.iter().flat_map(|curve| {
-            let places: Vec<Px> = curve.points.iter().map(|&point| axes.at(point)).collect();
+            let places: Vec<Px> = curve.points.iter().map(|&point| axes.map_point(point)).collect();
             places.split(|place| !is_finite(place)).map(<[Px]>::to_vec).collect::<Vec<_>>()
         });
-        curves.chain([self.x.range.map(|x| axes.at([x, 0.0])).to_vec()]).collect()
+        curves.chain([self.x.range.map(|x| axes.map_point([x, 0.0])).to_vec()]).collect()
     }
 }
 

@@ -28,12 +28,12 @@ impl Dash {
             Self::Long => "15 5",
             Self::Sparse => "6 11",
         };
-        Pen { dashes, ..Pen::of(colour, width) }
+        Pen { dashes, ..Pen::new(colour, width) }
     }
 
     /// The colour and the dashes of the curve of this number: no two of the first thirty are alike, and in grey print
     /// the first five are told apart by their dashes.
-    pub fn of(number: usize) -> (Colour, Self) {
+    pub fn choose(number: usize) -> (Colour, Self) {
         const DASHES: [Dash; 5] = [Dash::Solid, Dash::Dashed, Dash::Dotted, Dash::Long, Dash::Sparse];
         (Colour::CURVES[number % Colour::CURVES.len()], DASHES[number % DASHES.len()])
     }
@@ -45,7 +45,7 @@ mod tests {
 
     #[test]
     fn no_two_curves_look_alike() {
-        let all: Vec<_> = (0..30).map(Dash::of).collect();
+        let all: Vec<_> = (0..30).map(Dash::choose).collect();
         assert!(all.iter().enumerate().all(|(i, look)| !all[..i].contains(look)));
     }
 }

@@ -72,7 +72,7 @@ pub(super) fn squares(
 }
 
 fn word(svg: &mut Svg, text: &str, at: [f64; 2]) {
-    svg.word(Lettering::at(at).anchored(Anchor::Start), text);
+    svg.word(Lettering::new(at).anchored(Anchor::Start), text);
 }
 
 /// Pixels that a word takes at most.

@@ -16,7 +16,7 @@ impl Figure {
         self.draw(|svg, area| {
             let head = above(&words);
             for Placed { text, middle, row } in &words {
-                svg.word(Lettering::at([*middle, head - ROW * (*row as f64 + 0.5)]), text);
+                svg.word(Lettering::new([*middle, head - ROW * (*row as f64 + 0.5)]), text);
             }
             let [_, rest] = area.split(1, head);
             let margin = if annotations.notes.is_empty() { 0.0 } else { MARGIN };
@@ -27,7 +27,7 @@ impl Figure {
             }
             for (line, note) in annotations.notes.iter().enumerate() {
                 let at = [LEFT, notes.least[1] + ROW * (line as f64 + 0.5)];
-                svg.word(Lettering::at(at).anchored(Anchor::Start), note);
+                svg.word(Lettering::new(at).anchored(Anchor::Start), note);
             }
         })
     }

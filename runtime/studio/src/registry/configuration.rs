@@ -25,12 +25,12 @@ pub struct Configuration {
 
 impl Configuration {
     /// Of a motion, at a time.
-    pub fn of(run: &Trajectory, t: f64) -> Self {
-        Self::at(run.model(), &run.layout().state_at(&run.state(t), t))
+    pub fn from_run(run: &Trajectory, t: f64) -> Self {
+        Self::new(run.model(), &run.layout().state_at(&run.state(t), t))
     }
 
     /// Of a model at a full state.
-    pub(crate) fn at(model: &Model, state: &[f64]) -> Self {
+    pub(crate) fn new(model: &Model, state: &[f64]) -> Self {
         let layout = model.layout();
         let mut points = vec![0.0; 2 * layout.points.len()];
         model.system.points(state, &mut points);
@@ -64,7 +64,7 @@ impl Configuration {
     }
 
     /// A fixed place of the geometry.
-    pub fn place(&self, at: [Number; 2]) -> [f64; 2] {
+    pub fn position(&self, at: [Number; 2]) -> [f64; 2] {
         at.map(|number| self.number(number))
     }
 
@@ -72,7 +72,7 @@ impl Configuration {
     pub fn spot(&self, spot: Spot) -> [f64; 2] {
         match spot {
             Spot::Point(point) => self.points[point],
-            Spot::Fixed(at) => self.place(at),
+            Spot::Fixed(at) => self.position(at),
         }
     }
 
@@ -98,7 +98,7 @@ impl Configuration {
             Direction::Fixed(angle) => self.number(angle),
             Direction::Towards(from, to) => between([from, to]),
             Direction::Axis { ends, step } => {
-                let [along, across] = self.place(step);
+                let [along, across] = self.position(step);
                 between(ends.map(Spot::Point)) - across.atan2(along)
             }
         }

@@ -119,7 +119,7 @@ impl Entry {
     pub fn configuration(&self, spec: &RunSpec) -> Result<Configuration, MotionError> {
         let simulation = self.simulation(spec)?;
         let start = simulation.start_state().map_err(input)?;
-        Ok(Configuration::at(simulation.model(), &start))
+        Ok(Configuration::new(simulation.model(), &start))
     }
 
     /// Its contact sets, with the parameters of a run.

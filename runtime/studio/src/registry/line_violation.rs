@@ -33,7 +33,7 @@ pub fn line_violation(start: &Configuration, nominal: &Configuration) -> Option<
     let fixtures = start.geometry().fixtures.iter();
     let lines = fixtures.filter_map(|fixture| Some((fixture, normal(fixture, start)?)));
     let found = lines.flat_map(|(line, normal)| {
-        let at = start.place(line.at);
+        let at = start.position(line.at);
         let height = move |point: &[f64; 2]| (point[0] - at[0]) * normal[0] + (point[1] - at[1]) * normal[1];
         let pairs = start.layout.points.iter().zip(start.points.iter().zip(&nominal.points));
         pairs.filter_map(move |(&point, (now, usual))| {

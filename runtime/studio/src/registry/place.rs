@@ -40,7 +40,7 @@ impl Place {
     /// of a parameter open, every unit is taken.
     pub fn check_unit(self, layout: &'static Layout, name: &str, unit: Option<SiUnit>) -> Result<(), String> {
         let measured = if self == Self::Release { "t" } else { name };
-        let checked = Units::of(layout).check(measured, unit);
+        let checked = Units::from_layout(layout).check(measured, unit);
         checked.map_err(|wrong| format!("--{} {name}: {wrong}", self.word()))
     }
 }

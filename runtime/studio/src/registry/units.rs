@@ -11,7 +11,7 @@ pub struct Units {
 
 impl Units {
     /// Those of a model.
-    pub fn of(layout: &'static Layout) -> Self {
+    pub fn from_layout(layout: &'static Layout) -> Self {
         let parameters = layout.dimensions.iter().map(|dimension| dimension.and_then(whole));
         Self { layout, parameters: parameters.collect() }
     }

@@ -82,7 +82,7 @@ pub fn report(
     engine: Option<Engine>,
     go_on: &mut dyn FnMut() -> ControlFlow<()>,
 ) -> Option<Report> {
-    let subject = Subject::of(model, engine);
+    let subject = Subject::new(model, engine);
     let mut missing: Vec<String> = subject.stopped.iter().map(|why| format!("default run: {why}")).collect();
     let mut sections = String::new();
     for (anchor, title, part) in PARTS {
@@ -113,7 +113,7 @@ fn style() -> String {
 }
 
 impl<'a> Subject<'a> {
-    fn of(model: &'static Entry, engine: Option<Engine<'a>>) -> Self {
+    fn new(model: &'static Entry, engine: Option<Engine<'a>>) -> Self {
         let spec = model.default_run();
         let (record, stopped) = match as_far(model.run(&spec)) {
             Ok((record, stopped)) => (Some(record), stopped),

@@ -58,7 +58,7 @@ fn derived(source: &str) -> Result<Vec<Arc<Interpreted>>, Vec<Mistake>> {
 
 /// What is made of every item that derives `BarSystem`, in order.
 fn each<T>(source: &str, make: impl Fn(TokenStream) -> syn::Result<T>) -> Result<Vec<T>, Vec<Mistake>> {
-    let file = read(source)?;
+    let file = parse_file(source)?;
     let (mut found, mut wrong) = (Vec::new(), Vec::new());
     for item in file.items.into_iter().flat_map(declared) {
         let unknown = liftoff_codegen::check_attributes(&item);
@@ -72,7 +72,7 @@ fn each<T>(source: &str, make: impl Fn(TokenStream) -> syn::Result<T>) -> Result
 }
 
 /// The file, unless something in it is too deep to be read.
-fn read(source: &str) -> Result<File, Vec<Mistake>> {
+fn parse_file(source: &str) -> Result<File, Vec<Mistake>> {
     let tokens: TokenStream = without_head(source).parse().map_err(|error: LexError| {
         let text = "this cannot be read as Rust: a bracket, quote or comment that is never closed, a bracket that was \
                     never opened, or a character that has no meaning";
@@ -141,7 +141,7 @@ mod tests {
     use super::equations;
 
     /// What is told, and the text that it is about.
-    fn told(source: &str) -> Vec<(String, &str)> {
+    fn find_mistakes(source: &str) -> Vec<(String, &str)> {
         let mistakes = equations(source).err().unwrap_or_default();
         mistakes.into_iter().map(|mistake| (mistake.text, &source[mistake.at])).collect()
     }
@@ -152,7 +152,7 @@ mod tests {
     #[test]
     fn misspelt_attributes_are_told() {
         let told_of = |attribute: &str| {
-            told(&format!("{attribute} {ROD}")).into_iter().map(|(text, _)| text).collect::<Vec<_>>()
+            find_mistakes(&format!("{attribute} {ROD}")).into_iter().map(|(text, _)| text).collect::<Vec<_>>()
         };
         assert_eq!(
             told_of("#[suport(A = floor)]"),
@@ -170,7 +170,7 @@ mod tests {
     #[test]
     fn unknown_attributes_are_told_at_their_place() {
         let source = ROD.replace("#[pin(", "#[revolute(").replace("l: f64", "#[valeu(2)] l: f64");
-        let all = told(&source);
+        let all = find_mistakes(&source);
         assert!(all.contains(&(
             "there is no attribute `revolute`; did you mean `#[pin(O = (0, 0))]`?".into(),
             "revolute"
@@ -182,7 +182,7 @@ mod tests {
     fn places_are_those_of_the_file() {
         for head in ["", "\u{feff}", "#!/usr/bin/x\n", "\u{feff}#!/usr/bin/é\n"] {
             let source = format!("{head}{}", ROD.replace("length = l", "length = é"));
-            let all = told(&source);
+            let all = find_mistakes(&source);
             assert!(all.iter().any(|(_, at)| *at == "é"), "{all:?}");
         }
     }
@@ -193,11 +193,11 @@ mod tests {
             [("length = l)", "length = )"), ("= (0, 0))", "= )"), ("length = l)", "length = l +)")]
         {
             let source = ROD.replacen(whole, broken, 1);
-            let all = told(&source);
+            let all = find_mistakes(&source);
             assert!(matches!(all[..], [(ref text, ")")] if text.contains("end of input")), "{all:?}");
         }
         let source = ROD.replace("{ m", "{ #[value()] m");
-        let all = told(&source);
+        let all = find_mistakes(&source);
         assert!(matches!(all[..], [(_, ")")]), "{all:?}");
         for end in ["struct", "struct Other", "#[doc]", "mod a; use"] {
             let source = format!("{ROD} {end}");
@@ -210,7 +210,7 @@ mod tests {
     fn brackets_quotes_and_comments_that_stay_open_are_told() {
         for open in ["(", "/* ", "\"", "]"] {
             let source = format!("{ROD} {open}");
-            let all = told(&source);
+            let all = find_mistakes(&source);
             assert!(matches!(&all[..], [(text, _)] if text.contains("never closed")), "{all:?}");
         }
     }
@@ -222,7 +222,7 @@ mod tests {
             "- ".repeat(1_000_000),
             "if a {} else ".repeat(100_000),
         ] {
-            assert_eq!(told(&format!("fn f() {{ {part} }} {ROD}")).len(), 1);
+            assert_eq!(find_mistakes(&format!("fn f() {{ {part} }} {ROD}")).len(), 1);
         }
     }
 }

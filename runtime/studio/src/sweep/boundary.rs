@@ -189,7 +189,7 @@ impl Tracer<'_> {
         places.reverse();
         places.push(start.place);
         places.extend(ahead);
-        let values = |place: &Place| [0, 1].map(|k| self.ranges[k].at(place[k]));
+        let values = |place: &Place| [0, 1].map(|k| self.ranges[k].interpolate(place[k]));
         let points = places.iter().map(values).collect();
         let Sides { left, right } = start.sides;
         Ok((places, Boundary { left, right, points, ends: [first, last] }))
@@ -307,7 +307,7 @@ impl Tracer<'_> {
     }
 
     fn labels(&self, places: &[Place]) -> Result<Vec<String>, SweepError> {
-        let values = |place: &Place| [0, 1].map(|k| self.ranges[k].at(place[k])).to_vec();
+        let values = |place: &Place| [0, 1].map(|k| self.ranges[k].interpolate(place[k])).to_vec();
         let rows = self.plan.rows(places.iter().map(values).collect())?;
         if rows.len() < places.len() {
             return Err(SweepError::Interrupted);

@@ -31,7 +31,7 @@ pub struct Sweep<'a> {
 
 impl<'a> Sweep<'a> {
     /// Of a model, with its default run.
-    pub fn of(model: &'a Entry) -> Self {
+    pub fn new(model: &'a Entry) -> Self {
         Self {
             model,
             spec: model.default_run(),

@@ -22,7 +22,7 @@ impl Sweep<'_> {
 
     /// The columns of its table.
     pub(super) fn columns(&self) -> Vec<Column> {
-        let units = Units::of(self.model().layout());
+        let units = Units::from_layout(self.model().layout());
         let varied = self.varied.iter().map(|varied| number(&varied.name, units.symbol(&varied.name)));
         let observed = self.observations.iter().map(|observation| observed(observation, &units));
         let member = Column::new("member", Kind::Integer, None);
@@ -87,7 +87,7 @@ pub(super) fn row<'a>(
 }
 
 /// The row that a line of the table is, as it was written; none of another line.
-pub(super) fn read<'a>(line: &'a csv::StringRecord, columns: &[Column]) -> Option<Vec<Value<'a>>> {
+pub(super) fn parse_row<'a>(line: &'a csv::StringRecord, columns: &[Column]) -> Option<Vec<Value<'a>>> {
     let value = |(text, column): (&'a str, &Column)| match (text, column.kind) {
         ("", _) => Some(Value::Missing),
         (text, Kind::Integer) => text.parse().ok().map(Value::Integer),

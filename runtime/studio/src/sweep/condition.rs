@@ -12,7 +12,7 @@ pub(super) struct Inserted {
 }
 
 impl Inserted {
-    pub(super) fn of(names: &[&str], layout: &'static Layout) -> Self {
+    pub(super) fn new(names: &[&str], layout: &'static Layout) -> Self {
         let own = names.iter().enumerate().filter(|(_, name)| Output::parse(layout, name).is_err());
         Self { names: own.map(|(i, name)| (i, (*name).to_owned())).collect() }
     }
@@ -49,7 +49,7 @@ impl Inserted {
 /// A point amid the ranges.
 pub(super) fn amid(varied: &[Varied]) -> Vec<f64> {
     let value = |varied: &Varied| match &varied.spread {
-        Spread::Grid(range, _) | Spread::Anywhere(range) => range.at(0.5),
+        Spread::Grid(range, _) | Spread::Anywhere(range) => range.interpolate(0.5),
         Spread::Listed(values) => values.first().copied().unwrap_or(f64::NAN),
     };
     varied.iter().map(value).collect()

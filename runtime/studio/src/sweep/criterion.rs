@@ -50,7 +50,7 @@ impl Criterion {
             (false, Self::Side(_, unit)) => {
                 let output = observation.output().map(ToString::to_string).unwrap_or_default();
                 let wrong = |wrong| SweepError::Invalid(format!("`{}`: {wrong}", observation.text()));
-                Units::of(layout).check(&output, unit).map_err(wrong)
+                Units::from_layout(layout).check(&output, unit).map_err(wrong)
             }
             (true, Self::Category) => Ok(()),
         }

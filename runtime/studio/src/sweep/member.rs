@@ -42,7 +42,7 @@ impl Members<'_> {
                 self.report(i, end.map(|member| read(member.outputs)));
             }),
             None => ensemble.each_motion(&|i, motion: Motion| {
-                let read = |run: &Trajectory| self.observations.iter().map(|o| o.read(run)).collect();
+                let read = |run: &Trajectory| self.observations.iter().map(|o| o.evaluate(run)).collect();
                 self.report(i, motion.as_ref().map(read).map_err(Clone::clone));
             }),
         }
@@ -65,7 +65,7 @@ impl Members<'_> {
 }
 
 impl Observation {
-    fn read(&self, run: &Trajectory) -> Cell {
+    fn evaluate(&self, run: &Trajectory) -> Cell {
         let range = |output: &Output| run.range(output);
         let number = |value: Option<f64>| value.map_or(Cell::Missing, Cell::Number);
         // Of conditions that are written in several lines: journals are read line by line.

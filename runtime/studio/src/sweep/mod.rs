@@ -24,7 +24,7 @@
 //! }
 //!
 //! let models = liftoff_studio::models![Ladder];
-//! let sweep = Sweep::of(models.find("ladder")?).set("m=1")?.set("l=2")?.set("g=9.81")?;
+//! let sweep = Sweep::new(models.find("ladder")?).set("m=1")?.set("l=2")?.set("g=9.81")?;
 //! let table = sweep.vary("phi=0.5:1.5:11")?.observe("first open")?.observe("first open sin(phi)")?.run()?;
 //! for (row, cell) in table.cells(1) {
 //!     // The wall lets go where sin φ = ⅔ sin φ₀.

@@ -104,9 +104,9 @@ fn quantity(text: &str, layout: &'static Layout) -> Result<Quantity, String> {
     let (word, rest) = text.split_once(' ').unwrap_or((text, ""));
     match (word, rest) {
         ("end", "") => Ok(Quantity::Ending),
-        ("end", output) => Ok(Quantity::End(read(output, layout)?)),
-        ("max", output) => Ok(Quantity::Greatest(read(output, layout)?)),
-        ("min", output) => Ok(Quantity::Least(read(output, layout)?)),
+        ("end", output) => Ok(Quantity::End(parse_output(output, layout)?)),
+        ("max", output) => Ok(Quantity::Greatest(parse_output(output, layout)?)),
+        ("min", output) => Ok(Quantity::Least(parse_output(output, layout)?)),
         ("count", event) => match event_quantity(Occurrence::Nth(1), event, layout)? {
             Quantity::Supports(_, filter) => Ok(Quantity::Count(filter)),
             _ => Err("expected count, a kind of event and at most a support".into()),
@@ -130,17 +130,19 @@ fn event_quantity(which: Occurrence, text: &str, layout: &'static Layout) -> Res
     let filter = EventFilter::new(layout, kind, support).map_err(|error| error.to_string())?;
     match output {
         "" => Ok(Quantity::Supports(which, filter)),
-        output => Ok(Quantity::Value(which, filter, read(output, layout)?)),
+        output => Ok(Quantity::Value(which, filter, parse_output(output, layout)?)),
     }
 }
 
 fn of_event(output: &str, quantity: Quantity, layout: &'static Layout) -> Result<Quantity, String> {
     match quantity {
-        Quantity::Supports(which, filter) => Ok(Quantity::Value(which, filter, read(output, layout)?)),
+        Quantity::Supports(which, filter) => {
+            Ok(Quantity::Value(which, filter, parse_output(output, layout)?))
+        }
         _ => Err("expected an output of `first`, `2nd`, … or `last` and a kind of event".into()),
     }
 }
 
-fn read(text: &str, layout: &'static Layout) -> Result<Output, String> {
+fn parse_output(text: &str, layout: &'static Layout) -> Result<Output, String> {
     Output::parse(layout, text).map_err(|error| error.to_string())
 }

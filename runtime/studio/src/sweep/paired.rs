@@ -7,7 +7,7 @@ impl Sweep<'_> {
     /// Runs as many members as each name has values: the first takes the first of all names, and so on. Nothing is kept: what was
     /// read of each is told as soon as it has run, from any thread; members that were not run are not told.
     pub fn each_paired(&self, told: &(dyn Fn(usize, Outcome) + Sync)) -> Result<(), SweepError> {
-        let plan = Plan::of(self)?;
+        let plan = Plan::new(self)?;
         let columns = listed(&self.varied)?;
         let point = |i: usize| columns.iter().map(|values| values[i]).collect();
         plan.run(&point, columns.first().map_or(0, |values| values.len()), &|i, outcome| {

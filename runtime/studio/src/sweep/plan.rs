@@ -32,7 +32,7 @@ pub(super) struct Plan<'a> {
 
 impl<'a> Plan<'a> {
     /// Checks what can be checked before any member is run.
-    pub(super) fn of(sweep: &'a Sweep<'_>) -> Result<Self, SweepError> {
+    pub(super) fn new(sweep: &'a Sweep<'_>) -> Result<Self, SweepError> {
         let Sweep { model, spec, varied, assignments, observations, threads, cancel, .. } = sweep;
         let layout = model.layout();
         let names: Vec<&str> = varied.iter().map(|varied| varied.name.as_str()).collect();
@@ -64,7 +64,7 @@ impl<'a> Plan<'a> {
             .chain(assignments.iter().cloned())
             .map(|assignment| assignment.resolved(&names, layout))
             .collect::<Result<_, _>>()?;
-        let inserted = Inserted::of(&names, layout);
+        let inserted = Inserted::new(&names, layout);
         let is_used = |i: usize| settings.iter().any(|s| s.depends_on(i)) || inserted.uses(spec, i);
         if let Some(idle) = (0..names.len()).find(|&i| !is_used(i)) {
             return Err(unused(names[idle], layout));

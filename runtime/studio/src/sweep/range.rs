@@ -41,7 +41,7 @@ pub struct Range {
 
 impl Range {
     /// The value at a part of the range, from 0 to 1.
-    pub fn at(&self, part: f64) -> f64 {
+    pub fn interpolate(&self, part: f64) -> f64 {
         let Self { low, high, logarithmic } = *self;
         if part >= 1.0 {
             high
@@ -63,7 +63,7 @@ impl Spread {
     pub(super) fn values(&self) -> Option<Vec<f64>> {
         match self {
             Self::Grid(range, count) => {
-                Some((0..*count).map(|i| range.at(i as f64 / (*count - 1) as f64)).collect())
+                Some((0..*count).map(|i| range.interpolate(i as f64 / (*count - 1) as f64)).collect())
             }
             Self::Listed(values) => Some(values.clone()),
             Self::Anywhere(_) => None,

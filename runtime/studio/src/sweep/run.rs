@@ -38,11 +38,11 @@ impl Sweep<'_> {
             }
             Ok(())
         };
-        let ran = plan.run(&|i| points.at(pending[i]), pending.len(), &on_result);
+        let ran = plan.run(&|i| points.compute_point(pending[i]), pending.len(), &on_result);
         let (journal, done) = kept.into_inner().unwrap_or_else(PoisonError::into_inner);
         journal.map_or(Ok(()), |mut journal: Journal| journal.flush())?;
         ran?;
-        let row = |(member, outcome)| MemberResult { member, point: points.at(member), outcome };
+        let row = |(member, outcome)| MemberResult { member, point: points.compute_point(member), outcome };
         let table = Table::new(self, done.into_iter().map(row).collect(), total, pending.len());
         Ok(Table { damaged, ..table })
     }
@@ -54,7 +54,7 @@ impl Sweep<'_> {
 
     /// The plan, and the points of all members.
     pub(super) fn prepared(&self) -> Result<(Plan<'_>, Points), SweepError> {
-        let plan = Plan::of(self)?;
+        let plan = Plan::new(self)?;
         if self.criterion.value().is_some() {
             return Err(SweepError::Invalid("a value to be reached is for thresholds".into()));
         }
@@ -64,12 +64,12 @@ impl Sweep<'_> {
     /// Where what is observed changes along the one name that is varied: every change between neighbours of a coarse grid,
     /// narrowed down to this width by bisection.
     pub fn thresholds(&self, width: f64) -> Result<Vec<Threshold>, SweepError> {
-        thresholds(&Plan::of(self)?, &self.varied, &self.criterion, width)
+        thresholds(&Plan::new(self)?, &self.varied, &self.criterion, width)
     }
 
     /// The curves in the plane of the two names that are varied across which what is observed changes, found on a coarse grid and
     /// followed by continuation, each point to within this part of the ranges.
     pub fn boundaries(&self, width: f64) -> Result<Vec<Boundary>, SweepError> {
-        boundaries(&Plan::of(self)?, &self.varied, &self.criterion, width)
+        boundaries(&Plan::new(self)?, &self.varied, &self.criterion, width)
     }
 }

@@ -135,9 +135,10 @@ impl Points {
     }
 
     /// The point of a number below their count.
-    pub(super) fn at(&self, number: usize) -> Vec<f64> {
-        let spread =
-            |ranges: &[Range], parts: &[f64]| ranges.iter().zip(parts).map(|(r, x)| r.at(*x)).collect();
+    pub(super) fn compute_point(&self, number: usize) -> Vec<f64> {
+        let spread = |ranges: &[Range], parts: &[f64]| {
+            ranges.iter().zip(parts).map(|(r, x)| r.interpolate(*x)).collect()
+        };
         match self {
             Self::Grid(values) => {
                 let mut rest = number;
@@ -166,7 +167,7 @@ mod tests {
     fn points(sample: Sample, varied: &[&str]) -> Vec<Vec<f64>> {
         let varied: Vec<_> = varied.iter().map(|text| Varied::parse(text).expect("a range")).collect();
         let points = sample.points(&varied).expect("points");
-        (0..points.len()).map(|i| points.at(i)).collect()
+        (0..points.len()).map(|i| points.compute_point(i)).collect()
     }
 
     #[test]

@@ -81,7 +81,7 @@ pub(super) fn sweep<'a>(
     name: &str,
     words: &[&str],
 ) -> Result<Sweep<'a>, super::SweepError> {
-    let mut sweep = Sweep::of(models.find(name).expect("a model"));
+    let mut sweep = Sweep::new(models.find(name).expect("a model"));
     for text in words {
         let (word, text) = text.split_once(' ').expect("two words");
         sweep = match word {

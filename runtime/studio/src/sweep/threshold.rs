@@ -90,7 +90,7 @@ impl Threshold {
     /// The value half way, where there is one and it is still to be looked at.
     fn middle(&self, varied: &Varied, width: f64) -> Option<f64> {
         let range = Range { low: self.below, high: self.above, logarithmic: varied.spread.is_logarithmic() };
-        let middle = range.at(0.5);
+        let middle = range.interpolate(0.5);
         (self.above - self.below > width && self.below < middle && middle < self.above).then_some(middle)
     }
 

@@ -14,7 +14,7 @@ impl Sweep<'_> {
     /// # Errors
     /// The sweep cannot be made in this process. The leader has been told, and has sent no more.
     pub fn work(&self, processes: &dyn Processes) -> Result<(), SweepError> {
-        let plan = Plan::of(self).inspect_err(|error| refuse(processes, &error.to_string()))?;
+        let plan = Plan::new(self).inspect_err(|error| refuse(processes, &error.to_string()))?;
         let pool = plan.pool().inspect_err(|error| refuse(processes, &error.to_string()))?;
         let tell = |answer: &Answer| processes.send(0, &answer.text(self.observations.len()));
         tell(&Answer::Ready(Value::Object(self.identity()).to_string()));

@@ -63,7 +63,7 @@ struct Line {
 pub fn peers(path: &Path) -> Result<Vec<WorkPrecisionRow>, FileError> {
     let failed = |source| FileError::File { what: "read", path: path.to_owned(), source };
     let tool = path.file_stem().map_or("peer".into(), |stem| stem.to_string_lossy().into_owned());
-    let text = crate::file::read(path, LARGEST).map_err(|error| failed(error.into()))?;
+    let text = crate::file::read_file(path, LARGEST).map_err(|error| failed(error.into()))?;
     let mut file = csv::Reader::from_reader(&text[..]);
     let row = |line: Line| {
         let timed = line.scene == "fig1a";

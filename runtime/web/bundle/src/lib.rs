@@ -96,7 +96,7 @@ pub fn bundle(engine: &Path, out: &Path) -> Result<Sizes, BundleError> {
         |error| BundleError::File { path, error }
     };
     let code = std::fs::read(engine).map_err(failed(engine))?;
-    let packed = Packed::of(&code).map_err(failed(engine))?;
+    let packed = Packed::new(&code).map_err(failed(engine))?;
     let style = [live::STYLE, STYLE].concat();
     let html = page("Liftoff", &style, &body(&packed));
     liftoff_studio::file::write(out, &html).map_err(failed(out))?;

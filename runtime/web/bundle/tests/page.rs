@@ -138,7 +138,7 @@ fn it_fits_a_phone() {
 #[test]
 #[ignore = "needs chromium, chromedriver and the page"]
 fn a_motion_follows_its_sliders() {
-    let packed = Packed::of(&std::fs::read(file()).unwrap()).unwrap();
+    let packed = Packed::new(&std::fs::read(file()).unwrap()).unwrap();
     let models = source::models(gallery()[1].1).unwrap_or_default();
     let model = models.first().expect("a model");
     let spec = model.default_run();

@@ -11,7 +11,7 @@ fn bars_stand_where_they_are(shown: &Shown, times: &[f64]) {
     let layout = shown.record.layout();
     for &t in times {
         shown.go(t);
-        let still = Configuration::of(&shown.record, t);
+        let still = Configuration::from_run(&shown.record, t);
         for bar in layout.bars {
             let ends = shown.ends(&format!("[data-body={}]", bar.name));
             for (drawn, point) in ends.into_iter().zip([bar.from, bar.to]) {
@@ -119,7 +119,7 @@ fn a_trail_ends_at_its_point() {
         .text("document.querySelector('[data-trail=B] path:last-child').getAttribute('d').split(/[ C]/).slice(-2)")
         .unwrap();
     let place: Vec<f64> = tip.split(',').filter_map(|x| x.parse().ok()).collect();
-    let expected = Configuration::of(&shown.record, 3.3).points[2];
+    let expected = Configuration::from_run(&shown.record, 3.3).points[2];
     // The size of the scene is four lengths.
     assert!(near([place[0], place[1]], expected, 4.0 * 2e-5), "{place:?}, not {expected:?}");
 }

@@ -74,7 +74,7 @@ fn two_fingers_zoom_about_their_middle() {
 fn a_system_that_is_followed_stays_in_place() {
     let shown = Shown::at_rest(dropped_bar());
     let middle = |t: f64| {
-        let points = Configuration::of(&shown.record, t).points;
+        let points = Configuration::from_run(&shown.record, t).points;
         [0, 1].map(|axis| points.iter().map(|point| point[axis]).sum::<f64>() / points.len() as f64)
     };
     let held = shown.on_screen(middle(0.0));

@@ -41,7 +41,7 @@ impl Measured {
         of: &[String],
         deviations: &[String],
     ) -> Result<(), CommandError> {
-        let units = Units::of(layout);
+        let units = Units::from_layout(layout);
         let deviations: Vec<(String, f64)> =
             deviations.iter().map(|text| deviation(&units, text)).collect::<Result<_, _>>()?;
         let names = || deviations.iter().map(|(name, _)| name);
@@ -89,7 +89,7 @@ impl Measured {
             ));
         };
         let kind = output.map_or("t".to_owned(), ToString::to_string);
-        let units = Units::of(layout);
+        let units = Units::from_layout(layout);
         let number = |text: &str| measured(&units, &kind, text).map_err(|why| wrong(&why));
         let (value, known) = (number(value)?, known.map(number).transpose()?);
         if !value.is_finite() {

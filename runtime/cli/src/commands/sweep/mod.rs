@@ -56,7 +56,7 @@ impl Sweep {
                 self.work(models, processes);
                 Ok(())
             }
-            Some(processes) => self.lead(models, Some((processes, &Leader::of(processes)))),
+            Some(processes) => self.lead(models, Some((processes, &Leader::new(processes)))),
             None => self.lead(models, None),
         }
     }
@@ -143,7 +143,7 @@ impl Options {
         if !self.start.is_empty() || !self.energy_of.is_empty() {
             spec.energy_of.clear();
         }
-        let mut sweep = Builder::of(model).spec(spec).sample(self.sample()?);
+        let mut sweep = Builder::new(model).spec(spec).sample(self.sample()?);
         for text in self.varied()? {
             sweep = sweep.vary(text)?;
         }

@@ -30,7 +30,7 @@ impl Packed {
     ///
     /// # Errors
     /// It is neither.
-    pub fn of(content: &[u8]) -> io::Result<Self> {
+    pub fn new(content: &[u8]) -> io::Result<Self> {
         match content.starts_with(b"\0asm") {
             true => compressed(content).map(|packed| Self(STANDARD.encode(packed))),
             false => Self::of_page(content).ok_or_else(|| {
@@ -87,12 +87,12 @@ mod tests {
 
     #[test]
     fn an_engine_is_found_in_a_page_that_has_it() {
-        let packed = Packed::of(b"\0asm and so on").unwrap();
+        let packed = Packed::new(b"\0asm and so on").unwrap();
         let page = format!("<p>text</p>{}", Engine::Within(&packed).html());
-        assert_eq!(Packed::of(page.as_bytes()).unwrap().0, packed.0);
+        assert_eq!(Packed::new(page.as_bytes()).unwrap().0, packed.0);
         let beside = Engine::Beside("engine.js").html();
         for other in ["", "<p>a page</p>", "<script type=\"text/plain\" id=engine>AAAA</script>", &beside] {
-            assert!(Packed::of(other.as_bytes()).is_err(), "{other}");
+            assert!(Packed::new(other.as_bytes()).is_err(), "{other}");
         }
     }
 }

@@ -69,7 +69,7 @@ pub fn section(
     about: &About,
     engine: Engine,
 ) -> Result<String, MotionError> {
-    let Sliders { parameters, start } = Sliders::of(model, spec);
+    let Sliders { parameters, start } = Sliders::new(model, spec);
     let layout = model.layout();
     let described = json!({
         "text": format!("#[derive(BarSystem)]\n{}", layout.declaration), "spec": spec, "outputs": about.outputs,

@@ -26,7 +26,7 @@ pub struct Sliders {
 
 impl Sliders {
     /// Those of a run of a model.
-    pub fn of(model: &Entry, spec: &RunSpec) -> Self {
+    pub fn new(model: &Entry, spec: &RunSpec) -> Self {
         let layout = model.layout();
         let parameters = layout
             .parameters

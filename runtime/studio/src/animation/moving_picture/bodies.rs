@@ -2,7 +2,7 @@
 
 use super::contacts::Contacts;
 use super::stage::Stage;
-use super::track::{carried, line, number, path, place, steps};
+use super::track::{carried, line, number, path, steps, write_point};
 use crate::plot::Colour;
 use crate::plot::svg::plane::{Px, along, left_of, minus, towards, unit};
 use crate::plot::svg::{Fill, Pen};
@@ -10,9 +10,9 @@ use crate::registry::Configuration;
 use liftoff::{EventKind, Trajectory};
 use liftoff_core::model::geometry::{Look, Round, Solid, Spring, Thread};
 
-const BAR: Pen = Pen::of(Colour::Black, 4.5);
-const OUTLINE: Pen = Pen::of(Colour::Black, 1.6);
-const THREAD: Pen = Pen::of(Colour::Blue, 2.0);
+const BAR: Pen = Pen::new(Colour::Black, 4.5);
+const OUTLINE: Pen = Pen::new(Colour::Black, 1.6);
+const THREAD: Pen = Pen::new(Colour::Blue, 2.0);
 
 /// Half the width of a spring.
 const COIL: f64 = 8.0;
@@ -47,7 +47,7 @@ pub(super) fn bodies(stage: &Stage) -> String {
 fn round(stage: &Stage, round: &Round) -> String {
     let radius = stage.long(stage.frames[0].number(round.radius));
     let places: Vec<_> =
-        stage.frames.iter().map(|frame| place(stage.px(frame.points[round.centre]))).collect();
+        stage.frames.iter().map(|frame| write_point(stage.px(frame.points[round.centre]))).collect();
     let fill = match round.solid {
         Solid::Within => Fill::Faint(Colour::Blue, 0.25).to_string(),
         Solid::Around | Solid::Nowhere => String::new(),
@@ -168,5 +168,5 @@ pub(super) fn points(stage: &Stage) -> String {
 }
 
 fn texts(places: &[Px]) -> Vec<String> {
-    places.iter().map(|&at| place(at)).collect()
+    places.iter().map(|&at| write_point(at)).collect()
 }

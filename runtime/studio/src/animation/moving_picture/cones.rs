@@ -11,7 +11,7 @@ use liftoff::Trajectory;
 use liftoff_core::model::geometry::Push;
 use liftoff_core::model::{Contact, ContactKind};
 
-const EDGES: Pen = Pen::of(Colour::Orange, 1.0);
+const EDGES: Pen = Pen::new(Colour::Orange, 1.0);
 
 /// How long the edges are.
 const LONG: f64 = 46.0;

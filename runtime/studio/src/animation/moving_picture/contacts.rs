@@ -1,7 +1,7 @@
 //! Contacts: closed or open, their reactions, and the impulses of impacts.
 
 use super::stage::Stage;
-use super::track::{carried, line, mean, path, place, steps};
+use super::track::{carried, line, mean, path, steps, write_point};
 use crate::plot::Colour;
 use crate::plot::svg::plane::{Px, along, head, left_of, length, towards, unit};
 use crate::plot::svg::{Fill, Pen};
@@ -14,8 +14,8 @@ use liftoff_core::model::{Contact, ContactKind};
 const LONGEST: f64 = 62.0;
 const LEAST: f64 = 1.5;
 
-const REACTION: Pen = Pen::of(Colour::Vermilion, 2.4);
-const IMPULSE: Pen = Pen::of(Colour::Purple, 3.6);
+const REACTION: Pen = Pen::new(Colour::Vermilion, 2.4);
+const IMPULSE: Pen = Pen::new(Colour::Purple, 3.6);
 
 /// Seconds for which an impulse is seen, and how many of them at most.
 const FLASH: f64 = 0.45;
@@ -31,7 +31,7 @@ pub(super) struct Contacts {
 
 impl Contacts {
     /// Of a record at the frames of a stage.
-    pub fn of(record: &Trajectory, stage: &Stage) -> Result<Self, MotionError> {
+    pub fn from_run(record: &Trajectory, stage: &Stage) -> Result<Self, MotionError> {
         let mut reactions = Vec::new();
         for (i, contact) in record.layout().contacts.iter().enumerate() {
             let normal = record.function(&format!("N({})", contact.label))?;
@@ -79,14 +79,14 @@ impl Contacts {
     fn marks(&self, stage: &Stage, record: &Trajectory, contact: &Contact) -> String {
         let mark = |push: &Push| {
             let places: Vec<_> =
-                stage.frames.iter().map(|frame| place(stage.px(frame.touched(push)))).collect();
+                stage.frames.iter().map(|frame| write_point(stage.px(frame.touched(push)))).collect();
             let closed = self.closed(stage, record, push.support);
             let full: Vec<_> =
                 closed.iter().map(|&(key, closed)| (key, if closed { "1" } else { "0" })).collect();
             let first = full.first().map_or("0", |first| first.1);
             let dot = format!(
                 "<circle r=\"6\"{}{} fill-opacity=\"{first}\">{}</circle>",
-                Pen::of(Colour::Vermilion, 1.6),
+                Pen::new(Colour::Vermilion, 1.6),
                 Fill::Colour(Colour::Vermilion),
                 steps(&stage.timeline, "fill-opacity", &full),
             );

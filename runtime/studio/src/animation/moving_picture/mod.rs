@@ -47,7 +47,7 @@ pub fn moving_picture(
 ) -> Result<String, MotionError> {
     let [mut frames, fewest] = FRAMES;
     loop {
-        let svg = with_frames(record, about, Timeline::of(record, frames, slower))?;
+        let svg = with_frames(record, about, Timeline::new(record, frames, slower))?;
         if svg.len() <= LARGEST || frames == fewest {
             return Ok(svg);
         }
@@ -56,8 +56,8 @@ pub fn moving_picture(
 }
 
 fn with_frames(record: &Trajectory, about: &About, timeline: Timeline) -> Result<String, MotionError> {
-    let stage = Stage::of(record, timeline);
-    let contacts = Contacts::of(record, &stage)?;
+    let stage = Stage::new(record, timeline);
+    let contacts = Contacts::from_run(record, &stage)?;
     let [width, height] = stage.size;
     Ok(format!(
         "<svg role=\"img\" aria-label=\"{label}\" width=\"{width:.0}\" height=\"{height:.0}\" \

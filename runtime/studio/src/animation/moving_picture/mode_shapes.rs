@@ -50,11 +50,11 @@ pub fn mode_shapes(
     modes: &[ModeShape],
 ) -> Result<String, MotionError> {
     let model = entry.model(parameters)?;
-    let rest = at(&model, position);
+    let rest = configure(&model, position);
     let cycle = |mode: &ModeShape| -> Vec<Configuration> {
         let reach = reach(&model, &rest, mode);
         let turned = |i: usize| TAU * i as f64 / FRAMES as f64;
-        (0..=FRAMES).map(|i| at(&model, &moved(position, mode, reach, turned(i)))).collect()
+        (0..=FRAMES).map(|i| configure(&model, &moved(position, mode, reach, turned(i)))).collect()
     };
     let cycles: Vec<Vec<Configuration>> = modes.iter().map(cycle).collect();
     let all: Vec<Configuration> = cycles.iter().flatten().chain([&rest]).cloned().collect();
@@ -108,7 +108,7 @@ fn reach(model: &Model, rest: &Configuration, mode: &ModeShape) -> f64 {
     let (turn, most) = (largest(true), largest(true).max(largest(false)));
     let small = SMALL / most;
     let steps = [0.0, 0.25 * TAU].into_iter().flat_map(|angle| {
-        let near = at(model, &moved(position, mode, small, angle));
+        let near = configure(model, &moved(position, mode, small, angle));
         near.points.into_iter().zip(&rest.points).map(|(a, b)| distance(a, *b) / small).collect::<Vec<_>>()
     });
     let size = Box2::round(rest.places()).map_or(0.0, |area| area.size()[0].max(area.size()[1]));
@@ -117,7 +117,7 @@ fn reach(model: &Model, rest: &Configuration, mode: &ModeShape) -> f64 {
     if reach.is_finite() { reach } else { 0.0 }
 }
 
-fn at(model: &Model, coordinates: &[f64]) -> Configuration {
+fn configure(model: &Model, coordinates: &[f64]) -> Configuration {
     let at_rest = [coordinates, &vec![0.0; coordinates.len()]].concat();
-    Configuration::at(model, &model.layout().state_at(&at_rest, 0.0))
+    Configuration::new(model, &model.layout().state_at(&at_rest, 0.0))
 }

@@ -28,8 +28,8 @@ pub(super) struct Stage {
 
 impl Stage {
     /// A scale by which all of the motion is seen.
-    pub fn of(record: &Trajectory, timeline: Timeline) -> Self {
-        let frames: Vec<_> = timeline.times.iter().map(|&t| Configuration::of(record, t)).collect();
+    pub fn new(record: &Trajectory, timeline: Timeline) -> Self {
+        let frames: Vec<_> = timeline.times.iter().map(|&t| Configuration::from_run(record, t)).collect();
         Self::seeing(seen(&frames), frames, timeline)
     }
 
@@ -75,14 +75,14 @@ pub(super) fn seen(frames: &[Configuration]) -> Box2 {
     let start = &frames[0];
     let fixtures = start.geometry().fixtures;
     let fixed = fixtures.iter().filter(|fixture| !matches!(fixture.shape, Shape::Line { .. }));
-    let fixed = fixed.map(|fixture| start.place(fixture.at));
+    let fixed = fixed.map(|fixture| start.position(fixture.at));
     let moving = frames.iter().flat_map(Configuration::places);
     let finite = |at: &Px| at.iter().all(|x| x.is_finite());
     let near = Box2::round(moving.chain(fixed).filter(finite)).unwrap_or(nothing);
     let size = near.size()[0].max(near.size()[1]);
     let circles = fixtures.iter().filter_map(|fixture| {
         let Shape::Circle { radius, .. } = fixture.shape else { return None };
-        let (at, radius) = (start.place(fixture.at), start.number(radius));
+        let (at, radius) = (start.position(fixture.at), start.number(radius));
         (radius < LARGE * size).then(|| Box2 { least: at, most: at }.wider(radius))
     });
     circles.fold(near, Box2::with)

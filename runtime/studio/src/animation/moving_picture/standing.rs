@@ -12,7 +12,7 @@ use liftoff_core::model::geometry::{Fixture, Look, Shape, Solid};
 const STRIP: f64 = 9.0;
 
 /// An outline.
-const EDGE: Pen = Pen::of(Colour::Black, 1.6);
+const EDGE: Pen = Pen::new(Colour::Black, 1.6);
 
 /// What is named where [`drawn`] is.
 pub(super) fn definitions(stage: &Stage) -> String {
@@ -21,7 +21,7 @@ pub(super) fn definitions(stage: &Stage) -> String {
     let [width, height] = stage.size;
     format!(
         "{hatch}{}/></pattern><clipPath id=\"seen\"><rect width=\"{width}\" height=\"{}\"/></clipPath></defs>\n",
-        Pen::of(Colour::Black, 0.8),
+        Pen::new(Colour::Black, 0.8),
         number(height - BELOW + 30.0),
     )
 }
@@ -43,7 +43,7 @@ pub(super) fn drawn(stage: &Stage) -> String {
 
 fn fixed(stage: &Stage, fixture: &Fixture) -> String {
     let start = &stage.frames[0];
-    let at = stage.px(start.place(fixture.at));
+    let at = stage.px(start.position(fixture.at));
     match fixture.shape {
         Shape::Line { angle, solid } => straight(stage, at, towards(start.number(angle)), solid),
         Shape::Circle { radius, solid, .. } => round(at, stage.long(start.number(radius)), solid),
@@ -105,7 +105,7 @@ fn grounded(stage: &Stage, point: usize, look: Look) -> String {
 
 /// A line that something is kept on.
 fn guide(form: &str) -> String {
-    format!("<path d=\"{form}\"{}/>\n", Pen::of(Colour::Black, 1.0).dashed())
+    format!("<path d=\"{form}\"{}/>\n", Pen::new(Colour::Black, 1.0).dashed())
 }
 
 /// An edge, and the strip on its solid side.

@@ -22,7 +22,7 @@ pub(super) struct Timeline {
 
 impl Timeline {
     /// About so many times of a run, so many times slower than it is; as people can follow it if none is given.
-    pub fn of(record: &Trajectory, frames: usize, slower: Option<f64>) -> Self {
+    pub fn new(record: &Trajectory, frames: usize, slower: Option<f64>) -> Self {
         let [start, end] = record.interval();
         let length = end - start;
         let step = length / frames as f64;

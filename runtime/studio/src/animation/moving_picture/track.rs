@@ -10,7 +10,7 @@ pub(super) fn number(x: f64) -> String {
 }
 
 /// A place.
-pub(super) fn place([x, y]: [f64; 2]) -> String {
+pub(super) fn write_point([x, y]: [f64; 2]) -> String {
     format!("{} {}", number(x), number(y))
 }
 
@@ -18,7 +18,7 @@ pub(super) fn place([x, y]: [f64; 2]) -> String {
 pub(super) fn line(places: &[[f64; 2]]) -> String {
     let mut text = String::new();
     for (i, &at) in places.iter().enumerate() {
-        let _ = write!(text, "{}{}", if i == 0 { 'M' } else { 'L' }, place(at));
+        let _ = write!(text, "{}{}", if i == 0 { 'M' } else { 'L' }, write_point(at));
     }
     text
 }

@@ -101,10 +101,10 @@ fn clock(stage: &Stage, keys: &[f64]) -> String {
     let strokes: String = keys.iter().map(|&key| stroke([at(key), y])).collect();
     let marks = match strokes.is_empty() {
         true => String::new(),
-        false => format!("<path d=\"{strokes}\"{}/>\n", Pen::of(Colour::Vermilion, 2.4)),
+        false => format!("<path d=\"{strokes}\"{}/>\n", Pen::new(Colour::Vermilion, 2.4)),
     };
-    let bar = format!("<path d=\"{}\"{}/>\n", rail(to), Pen::of(Colour::Grey, 4.0));
-    bar + &path(timeline, &Pen::of(Colour::Blue, 4.0).to_string(), &passed, "") + &marks
+    let bar = format!("<path d=\"{}\"{}/>\n", rail(to), Pen::new(Colour::Grey, 4.0));
+    bar + &path(timeline, &Pen::new(Colour::Blue, 4.0).to_string(), &passed, "") + &marks
 }
 
 fn stroke([x, y]: Px) -> String {

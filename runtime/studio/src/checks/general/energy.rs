@@ -1,6 +1,6 @@
 //! The energy of phases that nothing drives or damps, as their equations tell at the ends and in the middle of each.
 
-use super::{Effort, at, case, largest, runs, shown};
+use super::{Effort, case, largest, runs, shown, with_tolerance};
 use crate::checks::{Answer, Case, Expected, at_most};
 use crate::registry::{Entry, MotionError};
 use crate::run_spec::RunSpec;
@@ -26,7 +26,7 @@ pub(super) fn cases(model: &'static Entry, _: Effort) -> Vec<Case> {
 }
 
 fn drift(model: &Entry) -> Result<Answer, MotionError> {
-    let spec = at(model, TOLERANCE);
+    let spec = with_tolerance(model, TOLERANCE);
     let record = shown(&spec, model.run(&spec)?);
     let [length, time, mass] = model.units(&spec)?;
     let unit = mass * (length / time).powi(2);

@@ -1,6 +1,6 @@
 //! A phase's own equations, in the coordinates that it leaves free, against the full equations with multipliers.
 
-use super::{Effort, Pair, at, case, runs, same, shown};
+use super::{Effort, Pair, case, runs, same, shown, with_tolerance};
 use crate::checks::{Answer, Case};
 use crate::registry::{Entry, MotionError, RunOptions};
 use liftoff_core::model::Form;
@@ -20,7 +20,7 @@ pub(super) fn cases(model: &'static Entry, _: Effort) -> Vec<Case> {
 }
 
 fn compared(model: &Entry) -> Result<Answer, MotionError> {
-    let spec = at(model, TOLERANCE);
+    let spec = with_tolerance(model, TOLERANCE);
     let pair = Pair { model, natural: model.units(&spec)?, units: [1.0; 3] };
     let projected = RunOptions { form: Form::Projected, ..RunOptions::default() };
     let other = shown(&spec, model.run_by(projected, &spec)?);

@@ -1,7 +1,7 @@
 //! The default run before an independent judge: from the declaration alone, in maximal coordinates and double-double, with
 //! contact decisions of its own.
 
-use super::{Effort, TIGHT, at, case, runs};
+use super::{Effort, TIGHT, case, runs, with_tolerance};
 use crate::checks::{Answer, Case, Expected, at_most};
 use crate::registry::{Entry, MethodId, MotionError, stopped};
 use liftoff_verification::judgement::{Verdict, judge, witness_judged};
@@ -25,7 +25,7 @@ pub(super) fn cases(model: &'static Entry, _: Effort) -> Vec<Case> {
 }
 
 fn judged(model: &Entry) -> Result<Answer, MotionError> {
-    let simulation = model.simulation(&at(model, TIGHT))?.method(MethodId::Auto);
+    let simulation = model.simulation(&with_tolerance(model, TIGHT))?.method(MethodId::Auto);
     let run = simulation.run().map_err(stopped)?;
     let verdict = judge(&run, &simulation.held());
     witness_judged(&run, verdict.clone());

@@ -1,6 +1,6 @@
 //! Every method finds the same events as the product's choice does at a tight tolerance, at the same times.
 
-use super::{Effort, Pair, TIGHT, at, case, runs, same, shown};
+use super::{Effort, Pair, TIGHT, case, runs, same, shown, with_tolerance};
 use crate::checks::{Answer, Case};
 use crate::registry::{Entry, MethodId, MotionError, RunOptions};
 
@@ -25,8 +25,8 @@ pub(super) fn cases(model: &'static Entry, _: Effort) -> Vec<Case> {
 }
 
 fn compared(model: &Entry, method: MethodId) -> Result<Answer, MotionError> {
-    let spec = at(model, TOLERANCE);
+    let spec = with_tolerance(model, TOLERANCE);
     let pair = Pair { model, natural: model.units(&spec)?, units: [1.0; 3] };
     let other = shown(&spec, model.run_by(RunOptions::by(method), &spec)?);
-    Ok(pair.compare(&model.run(&at(model, TIGHT))?, &other))
+    Ok(pair.compare(&model.run(&with_tolerance(model, TIGHT))?, &other))
 }

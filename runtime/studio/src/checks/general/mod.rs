@@ -152,7 +152,7 @@ fn same(model: &Entry, most: f64) -> Expected {
 }
 
 /// The default run at a tolerance.
-fn at(model: &Entry, tolerance: f64) -> RunSpec {
+fn with_tolerance(model: &Entry, tolerance: f64) -> RunSpec {
     model.default_run().tolerance(tolerance)
 }
 

@@ -57,7 +57,7 @@ impl<'a> Charts<'a> {
     /// # Errors
     /// An output that the model does not have.
     pub fn svg(&self) -> Result<String, MotionError> {
-        let units = Units::of(self.record.layout());
+        let units = Units::from_layout(self.record.layout());
         let outputs = if self.outputs.is_empty() { defaults(self.record) } else { self.outputs.clone() };
         let x = self.record.function(&self.against)?;
         let curves: Result<Vec<_>, MotionError> = outputs

@@ -46,7 +46,7 @@ impl Panel {
         let x = if is_last { x.clone() } else { Axis { name: String::new(), ..x.clone() } };
         let mut curves = Vec::new();
         for (i, ((_, curve), name)) in self.curves.iter().zip(&names).enumerate() {
-            let (colour, dash) = Dash::of(i);
+            let (colour, dash) = Dash::choose(i);
             curves.extend(jumps(curve, colour));
             let name = if one { "" } else { name };
             curves.push(Curve { dash, ..Curve::solid(name, colour, curve.joined()) });

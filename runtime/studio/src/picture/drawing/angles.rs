@@ -42,8 +42,8 @@ impl Draft<'_> {
     }
 
     fn opening(&mut self, name: &str, opening: &Opening, taken: &mut Vec<Px>) {
-        let (base, at) = (opening.base, self.at(opening.vertex));
-        let bar = distance(at, self.at(opening.tip));
+        let (base, at) = (opening.base, self.map_point(opening.vertex));
+        let bar = distance(at, self.map_point(opening.tip));
         let others = taken.iter().filter(|other| distance(**other, at) < 1.0).count();
         taken.push(at);
         let wide = if opening.sweep.abs() < 0.35 { 1.6 } else { 1.0 };

@@ -32,7 +32,7 @@ impl Draft<'_> {
     /// A circle about a point, and a stroke from its centre that turns with it.
     fn rim(&mut self, round: &Round) {
         let (centre, radius) =
-            (self.at(round.centre), self.frame.long(self.configuration.number(round.radius)));
+            (self.map_point(round.centre), self.frame.long(self.configuration.number(round.radius)));
         let fill = (round.solid == Solid::Within).then_some(Fill::Pale);
         self.canvas.circle(centre, radius, OUTLINE, fill);
         if let Some(turns) = round.along {
@@ -53,10 +53,10 @@ impl Draft<'_> {
     }
 
     fn body(&mut self, outline: &[usize]) {
-        let points: Vec<Px> = outline.iter().map(|&point| self.at(point)).collect();
+        let points: Vec<Px> = outline.iter().map(|&point| self.map_point(point)).collect();
         match points.as_slice() {
             [from, to] => self.canvas.line(vec![*from, *to], BAR),
-            _ => self.canvas.polygon(points.clone(), Pen::of(Colour::Black, 2.6), Fill::Pale),
+            _ => self.canvas.polygon(points.clone(), Pen::new(Colour::Black, 2.6), Fill::Pale),
         }
     }
 
@@ -64,7 +64,7 @@ impl Draft<'_> {
     pub(super) fn names_of_bodies(&mut self) {
         let bars = self.configuration.layout.bars;
         for (bar, body) in bars.iter().zip(self.geometry.bodies) {
-            let points: Vec<Px> = body.outline.iter().map(|&point| self.at(point)).collect();
+            let points: Vec<Px> = body.outline.iter().map(|&point| self.map_point(point)).collect();
             self.name(bar, &points);
         }
     }
@@ -88,18 +88,18 @@ impl Draft<'_> {
 
     fn masses(&mut self) {
         for point in self.geometry.marked(Look::Mass) {
-            self.canvas.circle(self.at(point), MASS, OUTLINE, Some(Fill::Colour(Colour::Black)));
+            self.canvas.circle(self.map_point(point), MASS, OUTLINE, Some(Fill::Colour(Colour::Black)));
         }
         let bodies = self.geometry.bodies;
         let is_inner = |point: &usize| bodies.iter().any(|body| body.inner.contains(point));
         for point in (0..self.configuration.points.len()).filter(is_inner) {
-            self.canvas.circle(self.at(point), SPOT, OUTLINE, Some(Fill::Colour(Colour::Black)));
+            self.canvas.circle(self.map_point(point), SPOT, OUTLINE, Some(Fill::Colour(Colour::Black)));
         }
     }
 
     fn sections(&mut self) {
         for section in self.geometry.sections {
-            let [from, to] = section.ends.map(|end| self.at(end));
+            let [from, to] = section.ends.map(|end| self.map_point(end));
             let share = self.frame.long(self.configuration.number(section.at)) / distance(from, to);
             let at = along(from, minus(to, from), share);
             let across = left_of(unit(minus(to, from)));

@@ -58,15 +58,15 @@ impl Placement {
 }
 
 /// A bar.
-pub(super) const BAR: Pen = Pen::of(Colour::Black, 4.0);
+pub(super) const BAR: Pen = Pen::new(Colour::Black, 4.0);
 /// Outlines of joints and supports.
-pub(super) const OUTLINE: Pen = Pen::of(Colour::Black, 1.6);
+pub(super) const OUTLINE: Pen = Pen::new(Colour::Black, 1.6);
 /// Hatching.
-pub(super) const HATCH: Pen = Pen::of(Colour::Black, 0.8);
+pub(super) const HATCH: Pen = Pen::new(Colour::Black, 0.8);
 /// Dimensions and arrows of coordinates.
-pub(super) const MEASURE: Pen = Pen::of(Colour::Blue, 1.2);
+pub(super) const MEASURE: Pen = Pen::new(Colour::Blue, 1.2);
 /// Lines that only help to see what is measured.
-pub(super) const HELP: Pen = Pen::of(Colour::Blue, 0.8);
+pub(super) const HELP: Pen = Pen::new(Colour::Blue, 0.8);
 
 impl Canvas {
     pub fn line(&mut self, points: Vec<Px>, pen: Pen) {

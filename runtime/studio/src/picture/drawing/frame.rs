@@ -21,7 +21,7 @@ pub(super) struct Frame {
 
 impl Frame {
     /// The scale by which all of the model is seen.
-    pub fn of(configuration: &Configuration) -> Self {
+    pub fn from_configuration(configuration: &Configuration) -> Self {
         let seen = seen(configuration).unwrap_or(Box2 { least: [0.0; 2], most: [1.0; 2] });
         let size = seen.size();
         let longest = size[0].max(size[1]);
@@ -48,12 +48,12 @@ fn seen(configuration: &Configuration) -> Option<Box2> {
     let fixtures = configuration.geometry().fixtures;
     let points = configuration.places();
     let fixed = fixtures.iter().filter(|fixture| !matches!(fixture.shape, Shape::Line { .. }));
-    let fixed = fixed.map(|fixture| configuration.place(fixture.at));
+    let fixed = fixed.map(|fixture| configuration.position(fixture.at));
     let near = Box2::round(points.chain(fixed).chain(feet(configuration)))?;
     let size = near.size()[0].max(near.size()[1]);
     let circles = fixtures.iter().filter_map(|fixture| {
         let Shape::Circle { radius, .. } = fixture.shape else { return None };
-        let (at, radius) = (configuration.place(fixture.at), configuration.number(radius));
+        let (at, radius) = (configuration.position(fixture.at), configuration.number(radius));
         let shown = radius < LARGE * size || size == 0.0;
         shown.then(|| Box2 { least: at, most: at }.wider(radius))
     });
@@ -66,7 +66,7 @@ fn feet(configuration: &Configuration) -> impl Iterator<Item = Px> + '_ {
     geometry.fixtures.iter().filter_map(|fixture| {
         let Shape::Line { angle, solid: true } = fixture.shape else { return None };
         let [x, y] = towards(configuration.number(angle));
-        let (ahead, through) = ([x, -y], configuration.place(fixture.at));
+        let (ahead, through) = ([x, -y], configuration.position(fixture.at));
         let point = configuration.touched(geometry.push(fixture.name)?);
         let from = [point[0] - through[0], point[1] - through[1]];
         let step = from[0] * ahead[0] + from[1] * ahead[1];

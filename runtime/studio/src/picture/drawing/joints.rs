@@ -23,14 +23,14 @@ impl Draft<'_> {
         let points = self.configuration.layout.points;
         for (point, name) in points.iter().enumerate() {
             if !name.contains('_') || points.len() < 8 {
-                let (at, away) = (self.at(point), self.away(point));
+                let (at, away) = (self.map_point(point), self.away(point));
                 self.placement(Script::quantity(name).standing(), at, 6.0, away);
             }
         }
     }
 
     fn joint(&mut self, mark: &Mark) {
-        let at = self.at(mark.point);
+        let at = self.map_point(mark.point);
         match mark.look {
             Look::Foot => self.foot(at, if self.away(mark.point)[1] < -0.2 { -1.0 } else { 1.0 }),
             Look::Ring => self.canvas.circle(at, HINGE, OUTLINE, Some(Fill::Paper)),
@@ -48,10 +48,10 @@ impl Draft<'_> {
 
     /// Away from the bodies at a point.
     fn away(&self, point: usize) -> Px {
-        let at = self.at(point);
+        let at = self.map_point(point);
         let ends = self.bodies_at(point).flat_map(|body| &body.outline[..2]);
         let others = ends.filter(|&&other| other != point);
-        let sum = others.map(|&other| unit(minus(at, self.at(other)))).fold([0.0, 0.0], add);
+        let sum = others.map(|&other| unit(minus(at, self.map_point(other)))).fold([0.0, 0.0], add);
         if sum[0].hypot(sum[1]) < 0.1 { [0.0, -1.0] } else { unit(sum) }
     }
 
@@ -76,7 +76,7 @@ impl Draft<'_> {
     fn blocks(&mut self) {
         for block in self.geometry.blocks {
             let ahead = towards(self.configuration.direction(block.along));
-            let (at, across) = (self.at(block.point), left_of(ahead));
+            let (at, across) = (self.map_point(block.point), left_of(ahead));
             let corner = |x: f64, y: f64| along(along(at, ahead, x * BLOCK[0]), across, y * BLOCK[1]);
             let corners = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)].map(|(x, y)| corner(x, y));
             self.canvas.polygon(corners.to_vec(), OUTLINE, Fill::Paper);

@@ -49,7 +49,7 @@ impl Draft<'_> {
     /// The bars of each length, as far as they are long enough.
     fn distinct(&self) -> Vec<Vec<Length>> {
         let bars = |length: &geometry::Length| {
-            let ends = length.between.iter().map(|ends| ends.map(|end| self.at(end)));
+            let ends = length.between.iter().map(|ends| ends.map(|end| self.map_point(end)));
             let long = ends.filter(|[a, b]| distance(*a, *b) >= SHORTEST);
             long.map(|ends| Length { ends, text: self.value(length.value, length.text) }).collect::<Vec<_>>()
         };

@@ -33,7 +33,7 @@ const MARGIN: f64 = 14.0;
 /// The model in its pose as SVG text: bars, joints, supports hatched on their solid side, threads, springs, gravity,
 /// coordinates, and lengths with their values.
 pub fn drawing(configuration: &Configuration) -> String {
-    let mut draft = Draft::of(configuration);
+    let mut draft = Draft::new(configuration);
     draft.all();
     let labels = placed(&draft.canvas);
     let area = draft.extent(&labels).wider(MARGIN);
@@ -50,8 +50,8 @@ struct Draft<'a> {
 }
 
 impl<'a> Draft<'a> {
-    fn of(configuration: &'a Configuration) -> Self {
-        let (geometry, frame) = (configuration.geometry(), Frame::of(configuration));
+    fn new(configuration: &'a Configuration) -> Self {
+        let (geometry, frame) = (configuration.geometry(), Frame::from_configuration(configuration));
         Self { configuration, geometry, frame, canvas: Canvas::default() }
     }
 
@@ -72,7 +72,7 @@ impl<'a> Draft<'a> {
     }
 
     /// Where a point is on the drawing.
-    fn at(&self, point: usize) -> Px {
+    fn map_point(&self, point: usize) -> Px {
         self.frame.px(self.configuration.points[point])
     }
 
@@ -93,7 +93,7 @@ impl<'a> Draft<'a> {
     /// An arrow g beside all that is drawn.
     fn gravity(&mut self) {
         let Some(components) = self.geometry.gravity else { return };
-        let [x, y] = self.configuration.place(components);
+        let [x, y] = self.configuration.position(components);
         if x == 0.0 && y == 0.0 {
             return;
         }
@@ -101,7 +101,7 @@ impl<'a> Draft<'a> {
         let down = towards(y.atan2(x));
         let middle = [area.most[0] + 26.0, area.least[1] + 24.0];
         let ends = [along(middle, down, -20.0), along(middle, down, 20.0)];
-        self.canvas.arrow(ends.to_vec(), Pen::of(Colour::Black, 1.6), false);
+        self.canvas.arrow(ends.to_vec(), Pen::new(Colour::Black, 1.6), false);
         self.placement(Script::quantity("g"), middle, 7.0, unit(left_of(down)));
     }
 

@@ -33,7 +33,7 @@ impl Draft<'_> {
     /// Along axis 0 at the height `level`, along axis 1 at the side `level`.
     fn position(&mut self, name: &str, point: usize, axis: usize, sign: f64, level: f64) {
         let on_level = |along: f64| if axis == 0 { [along, level] } else { [level, along] };
-        let at = self.at(point);
+        let at = self.map_point(point);
         let origin = self.frame.px([0.0, 0.0]);
         let [from, to] = [on_level(origin[axis]), on_level(at[axis])];
         let side = if axis == 0 { [0.0, 1.0] } else { [-1.0, 0.0] };

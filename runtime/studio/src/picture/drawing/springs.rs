@@ -15,7 +15,7 @@ const TURNS: u32 = 7;
 /// Half the distance of a spring and its damper.
 const APART: f64 = 9.0;
 /// A thread.
-const THREAD: Pen = Pen::of(Colour::Black, 1.3);
+const THREAD: Pen = Pen::new(Colour::Black, 1.3);
 
 impl Draft<'_> {
     pub(super) fn springs(&mut self) {
@@ -28,7 +28,7 @@ impl Draft<'_> {
     }
 
     fn spring(&mut self, spring: &Spring) {
-        let [a, b] = spring.ends.map(|end| self.at(end));
+        let [a, b] = spring.ends.map(|end| self.map_point(end));
         let across = left_of(unit(minus(b, a)));
         let both = spring.coil && spring.dashpot;
         let shift = if both { APART } else { 0.0 };
@@ -68,7 +68,7 @@ impl Draft<'_> {
             points.push(along(on, across, if i % 2 == 0 { COIL } else { -COIL }));
         }
         points.extend([along(b, ahead, -lead), b]);
-        self.canvas.line(points, Pen::of(Colour::Black, 1.5));
+        self.canvas.line(points, Pen::new(Colour::Black, 1.5));
     }
 
     /// A piston in its cylinder.
@@ -83,18 +83,18 @@ impl Draft<'_> {
     }
 
     fn spiral(&mut self, spiral: &Spiral) {
-        let (centre, from) = (self.at(spiral.point), self.configuration.direction(spiral.from));
+        let (centre, from) = (self.map_point(spiral.point), self.configuration.direction(spiral.from));
         let at = |i: u32| {
             let turn = f64::from(i) / 24.0;
             along(centre, towards(from + TAU * turn), 6.0 + 4.5 * turn)
         };
-        self.canvas.line((0..=48).map(at).collect(), Pen::of(Colour::Black, 1.1));
+        self.canvas.line((0..=48).map(at).collect(), Pen::new(Colour::Black, 1.1));
     }
 
     /// Straight from point to point, dashed where it is slack, over pegs.
     pub(super) fn threads(&mut self) {
         for thread in self.geometry.threads {
-            let points: Vec<Px> = thread.path.iter().map(|&point| self.at(point)).collect();
+            let points: Vec<Px> = thread.path.iter().map(|&point| self.map_point(point)).collect();
             let straight: f64 = points.windows(2).map(|pair| distance(pair[0], pair[1])).sum();
             let length = self.frame.long(self.configuration.number(thread.length));
             let slack = length > straight * (1.0 + 1e-6);
@@ -105,7 +105,7 @@ impl Draft<'_> {
             }
         }
         for point in self.geometry.marked(Look::Peg) {
-            self.canvas.circle(self.at(point), COIL, OUTLINE, Some(Fill::Pale));
+            self.canvas.circle(self.map_point(point), COIL, OUTLINE, Some(Fill::Pale));
         }
     }
 }

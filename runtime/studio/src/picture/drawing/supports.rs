@@ -12,7 +12,7 @@ const BEYOND: f64 = 34.0;
 /// Spacing and length of hatching.
 const HATCHING: [f64; 2] = [9.0, 9.0];
 /// A line that something is kept on.
-const GUIDE: Pen = Pen::of(Colour::Black, 1.0);
+const GUIDE: Pen = Pen::new(Colour::Black, 1.0);
 /// Half the breadth and the height of a wedge.
 const EDGE: Px = [11.0, 22.0];
 /// Points by which a circle is drawn.
@@ -51,7 +51,7 @@ impl Draft<'_> {
         for fixture in self.geometry.fixtures {
             match fixture.shape {
                 Shape::Circle { radius, text, .. } => {
-                    self.radius(self.configuration.place(fixture.at), radius, text);
+                    self.radius(self.configuration.position(fixture.at), radius, text);
                 }
                 Shape::Wedge => self.wedge(fixture),
                 Shape::Line { .. } => {}
@@ -100,7 +100,7 @@ impl Draft<'_> {
 
     /// A circle, or what is seen of it.
     fn round(&mut self, at: [Number; 2], radius: Number, solid: Solid) {
-        let centre = self.frame.px(self.configuration.place(at));
+        let centre = self.frame.px(self.configuration.position(at));
         let radius = self.frame.long(self.configuration.number(radius));
         let area = self.frame.area.wider(BEYOND);
         let step = TAU / f64::from(PARTS) * if solid == Solid::Within { -1.0 } else { 1.0 };
@@ -143,7 +143,7 @@ impl Draft<'_> {
     fn wedge(&mut self, fixture: &Fixture) {
         let Some(push) = self.geometry.push(fixture.name) else { return };
         let solid = towards(self.configuration.normal(push));
-        let (at, solid) = (self.frame.px(self.configuration.place(fixture.at)), solid.map(|x| -x));
+        let (at, solid) = (self.frame.px(self.configuration.position(fixture.at)), solid.map(|x| -x));
         let down = if solid[1].abs() > 0.2 { [0.0, solid[1].signum()] } else { unit([solid[0], 0.0]) };
         let (base, side) = (along(at, down, EDGE[1]), left_of(down));
         let corners = vec![at, along(base, side, EDGE[0]), along(base, side, -EDGE[0])];
@@ -164,9 +164,10 @@ impl Draft<'_> {
     /// A place and the angle of each straight line that is solid or not.
     fn lines(&self, edges: bool) -> impl Iterator<Item = (Px, f64)> + '_ {
         self.geometry.fixtures.iter().filter_map(move |fixture| match fixture.shape {
-            Shape::Line { angle, solid } if solid == edges => {
-                Some((self.frame.px(self.configuration.place(fixture.at)), self.configuration.number(angle)))
-            }
+            Shape::Line { angle, solid } if solid == edges => Some((
+                self.frame.px(self.configuration.position(fixture.at)),
+                self.configuration.number(angle),
+            )),
             _ => None,
         })
     }

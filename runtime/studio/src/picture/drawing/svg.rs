@@ -21,7 +21,7 @@ pub(super) fn svg(description: &str, area: Box2, shapes: &[Shape], labels: &[Pla
         // Not centred: viewers differ in where they centre a word of several parts.
         let at = minus([place.least[0], place.centre()[1]], area.least);
         let lettering =
-            Lettering { size: *size, colour: *colour, anchor: Anchor::Start, ..Lettering::at(at) };
+            Lettering { size: *size, colour: *colour, anchor: Anchor::Start, ..Lettering::new(at) };
         svg.marked(lettering, &text.markup(*size));
     }
     svg.finished(description, area.size().map(f64::ceil))

@@ -76,7 +76,7 @@ fn ladder() -> Configuration {
 }
 
 fn drafted(configuration: &Configuration) -> (Vec<PlacedLabel>, Box2) {
-    let mut draft = Draft::of(configuration);
+    let mut draft = Draft::new(configuration);
     draft.all();
     let labels = placed(&draft.canvas);
     let area = draft.extent(&labels);
@@ -97,7 +97,7 @@ fn no_word_lies_over_another() {
 #[test]
 fn words_stand_beside_what_they_name() {
     let legs = configuration(&models![Legs], "legs", &RunSpec::with(&[("m", 1.0), ("l", 1.0)]));
-    let mut draft = Draft::of(&legs);
+    let mut draft = Draft::new(&legs);
     draft.all();
     let labels = placed(&draft.canvas);
     for (i, (label, placement)) in labels.iter().zip(&draft.canvas.placements).enumerate() {
@@ -139,7 +139,7 @@ fn the_unit_of_length_changes_only_the_value() {
 #[test]
 fn neither_floor_nor_wall_goes_beyond_their_corner() {
     let configuration = ladder();
-    let mut draft = Draft::of(&configuration);
+    let mut draft = Draft::new(&configuration);
     draft.supports();
     let corner = draft.frame.px([0.0, 0.0]);
     let edges: Vec<Vec<Px>> = draft
@@ -176,7 +176,7 @@ struct Wheel {
 fn a_wheel_stands_on_its_rim() {
     let spec = RunSpec::with(&[("m", 1.0), ("r", 0.25), ("g", 9.81)]);
     let wheel = configuration(&models![Wheel], "wheel", &spec);
-    let mut draft = Draft::of(&wheel);
+    let mut draft = Draft::new(&wheel);
     draft.all();
     let circles = draft.canvas.shapes.iter().filter_map(|shape| match shape.form {
         canvas::Form::Circle(centre, radius) => Some((centre, radius)),

@@ -142,7 +142,7 @@ mod tests {
     #[test]
     fn words_are_escaped() {
         let mut svg = Svg::default();
-        svg.word(Lettering::at([0.0, 0.0]), "a < b & c");
+        svg.word(Lettering::new([0.0, 0.0]), "a < b & c");
         assert!(svg.finished("\"", [8.0, 8.0]).contains(">a &lt; b &amp; c</text>"));
     }
 }

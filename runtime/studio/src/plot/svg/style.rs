@@ -17,7 +17,7 @@ pub(crate) struct Pen {
 }
 
 impl Pen {
-    pub const fn of(colour: Colour, width: f64) -> Self {
+    pub const fn new(colour: Colour, width: f64) -> Self {
         Self { colour, width, opacity: 1.0, dashes: "" }
     }
 
@@ -116,7 +116,7 @@ pub(crate) struct Lettering {
 
 impl Lettering {
     /// Black letters of charts about a place.
-    pub const fn at(at: Px) -> Self {
+    pub const fn new(at: Px) -> Self {
         Self { at, anchor: Anchor::Middle, size: 11.3, colour: Colour::Black, bold: false, upwards: false }
     }
 

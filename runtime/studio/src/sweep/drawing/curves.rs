@@ -43,7 +43,7 @@ pub(super) fn curves(table: &Table) -> String {
 
 /// Neighbours of one category as one band; each reaches half way to the next.
 fn bands(table: &Table, order: &[usize], observation: usize) -> (Vec<Stripe>, Vec<LegendSquare>) {
-    let colours = Colours::of(table, observation);
+    let colours = Colours::from_table(table, observation);
     let label = |row: usize| match &table.rows[row].outcome {
         Ok(cells) => cells[observation].to_string(),
         Err(_) => FAILED.to_owned(),

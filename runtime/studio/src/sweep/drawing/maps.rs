@@ -20,7 +20,7 @@ fn map(table: &Table, i: usize) -> Map {
     let numbers: Vec<f64> =
         table.cells(i).filter_map(|(_, cell)| cell.number()).filter(|value| value.is_finite()).collect();
     let (legend, bar) = if observation.is_category() {
-        (Colours::of(table, i), None)
+        (Colours::from_table(table, i), None)
     } else {
         let mut colours = Vec::new();
         if table.cells(i).any(|(_, cell)| cell.number().is_none()) {

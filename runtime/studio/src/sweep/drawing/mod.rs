@@ -82,7 +82,7 @@ struct Colours(Vec<(String, Colour)>);
 
 impl Colours {
     /// The most frequent first; all beyond the colours of curves share the last.
-    fn of(table: &Table, observation: usize) -> Self {
+    fn from_table(table: &Table, observation: usize) -> Self {
         let mut colours = Colour::CURVES.into_iter();
         let colour = |(name, _): (String, usize)| {
             let colour = if name == NONE { Colour::Grey } else { colours.next().unwrap_or(Colour::Orange) };

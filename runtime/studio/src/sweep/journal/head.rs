@@ -54,10 +54,10 @@ pub(in crate::sweep) fn same(first: &[u8], identity: &Identity) -> Result<(), St
 pub(in crate::sweep) fn difference(found: &Identity, expected: &Identity) -> Option<String> {
     let words = FIRST.into_iter().chain(expected.keys().chain(found.keys()).map(String::as_str));
     let word = words.into_iter().find(|word| found.get(*word) != expected.get(*word))?;
-    Some(format!("its `{word}` is {}", told(found.get(word), expected.get(word))))
+    Some(format!("its `{word}` is {}", describe_difference(found.get(word), expected.get(word))))
 }
 
-fn told(found: Option<&Value>, expected: Option<&Value>) -> String {
+fn describe_difference(found: Option<&Value>, expected: Option<&Value>) -> String {
     let [found, expected] = [found, expected].map(|value| value.map_or("nothing".into(), Value::to_string));
     match found.chars().count().max(expected.chars().count()) {
         ..=TOLD => format!("{found}, not {expected}"),

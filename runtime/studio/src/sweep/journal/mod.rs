@@ -58,7 +58,7 @@ impl Journal {
         let (kept, rows) = match bytes.iter().position(|byte| *byte == b'\n') {
             Some(end) if !fresh => {
                 head::same(&bytes[..end], identity).map_err(refused)?;
-                Rows::read(&bytes, &format!("{first}\n{columns}"), seed, observations)
+                Rows::parse(&bytes, &format!("{first}\n{columns}"), seed, observations)
             }
             _ => (0, Rows::default()),
         };

@@ -69,7 +69,7 @@ pub(super) struct Rows {
 
 impl Rows {
     /// Reads a journal with this head, and how many of its bytes may stay.
-    pub(super) fn read(bytes: &[u8], head: &str, seed: u64, observations: &[Observation]) -> (usize, Self) {
+    pub(super) fn parse(bytes: &[u8], head: &str, seed: u64, observations: &[Observation]) -> (usize, Self) {
         let mut rows = Self::default();
         let mut kept = if bytes.starts_with(head.as_bytes()) { head.len() } else { 0 };
         // Of a head that is not whole the first line is.

@@ -22,7 +22,7 @@ pub(super) struct Found {
 
 impl Found {
     /// Reads a file that begins with this head.
-    pub(super) fn read(mut file: &File, head: &Head) -> io::Result<Self> {
+    pub(super) fn load(mut file: &File, head: &Head) -> io::Result<Self> {
         file.rewind()?;
         let mut lines = Lines::new(BufReader::new(file));
         // The head has been looked at.

@@ -59,7 +59,7 @@ impl Gaps {
     }
 
     /// All of it in a line, if anything is missing.
-    pub(super) fn told(mut self) -> Option<String> {
+    pub(super) fn describe(mut self) -> Option<String> {
         if self.again.is_empty() {
             return None;
         }

@@ -47,7 +47,7 @@ impl Head {
     }
 
     /// The head that a file begins with.
-    pub(super) fn read(first: &[u8], second: &[u8]) -> Result<Self, String> {
+    pub(super) fn parse(first: &[u8], second: &[u8]) -> Result<Self, String> {
         let identity = identity_of(first.trim_ascii_end()).ok_or(NONE)?;
         let number = |word| identity.get(word).and_then(Value::as_u64)?.try_into().ok();
         let names = String::from_utf8(second.to_vec()).ok().filter(|names| names.ends_with('\n'));

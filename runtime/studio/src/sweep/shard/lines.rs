@@ -60,7 +60,7 @@ fn understood<'a>(line: &'a [u8], head: &Head) -> Line<'a> {
         Some(text) if text == head.last() => Line::Last,
         Some(text) => {
             let member = text.split(',').next().and_then(|member| member.parse().ok());
-            let place = member.filter(|member| *member < head.members).and_then(|m| head.shard.place(m));
+            let place = member.filter(|member| *member < head.members).and_then(|m| head.shard.find_row(m));
             place.map_or(Line::Damaged, |place| Line::Member(place, text))
         }
     }

@@ -34,7 +34,7 @@ pub fn merge(paths: &[PathBuf]) -> Result<Merged, SweepError> {
             }
         }
     }
-    match gaps.told() {
+    match gaps.describe() {
         Some(text) => Err(SweepError::Gaps(text)),
         None => Ok(Merged::new(head, parts, failed)),
     }
@@ -47,7 +47,7 @@ fn parts(paths: &[PathBuf]) -> Result<(BTreeMap<usize, Part>, Vec<Shard>), Sweep
         let (files, journals) = files(path)?;
         begun.extend(journals);
         for file in files {
-            let part = Part::read(file)?;
+            let part = Part::open(file)?;
             if let Some((_, first)) = parts.first_key_value() {
                 part.check(first)?;
             }

@@ -73,7 +73,8 @@ impl Merged {
                 let mut reader = csv::ReaderBuilder::new();
                 let reader = reader.has_headers(false).buffer_capacity(line.len().max(1));
                 let record = reader.from_reader(line.as_bytes()).into_records().next().transpose()?;
-                let values = record.as_ref().and_then(|record| columnar::read(record, &self.head.columns));
+                let values =
+                    record.as_ref().and_then(|record| columnar::parse_row(record, &self.head.columns));
                 table.row(values.ok_or_else(changed)?)
             })
         })

@@ -73,7 +73,7 @@ impl Shard {
     }
 
     /// The place of a member in it.
-    fn place(self, member: usize) -> Option<usize> {
+    fn find_row(self, member: usize) -> Option<usize> {
         let behind = member.checked_sub(self.index)?;
         (behind % self.count == 0).then_some(behind / self.count)
     }

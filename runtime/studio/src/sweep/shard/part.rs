@@ -17,12 +17,12 @@ pub(super) struct Part {
 }
 
 impl Part {
-    pub(super) fn read(path: PathBuf) -> Result<Self, SweepError> {
+    pub(super) fn open(path: PathBuf) -> Result<Self, SweepError> {
         let failed = |source| SweepError::File { doing: "read", path: path.clone(), source };
         let mut lines = Lines::new(BufReader::new(File::open(&path).map_err(failed)?));
         let first = lines.raw().map_err(failed)?.to_vec();
         let second = lines.raw().map_err(failed)?;
-        let head = Head::read(&first, second);
+        let head = Head::parse(&first, second);
         let head = head.map_err(|reason| SweepError::Journal { path: path.clone(), reason })?;
         Ok(Self { path, head })
     }
@@ -50,7 +50,7 @@ impl Part {
     pub(super) fn found(&self) -> Result<Found, SweepError> {
         let failed = |source| SweepError::File { doing: "read", path: self.path.clone(), source };
         let file = File::open(&self.path).map_err(failed)?;
-        Found::read(&file, &self.head).map_err(failed)
+        Found::load(&file, &self.head).map_err(failed)
     }
 }
 

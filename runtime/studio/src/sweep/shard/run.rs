@@ -38,7 +38,8 @@ impl Sweep<'_> {
         let member = |i: usize| shard.member(pending[i] as usize);
         let kept = Mutex::new(store);
         let on_result = |i: usize, outcome: Outcome| {
-            let line = table::line(member(i), &points.at(member(i)), &outcome, self.observations.len());
+            let line =
+                table::line(member(i), &points.compute_point(member(i)), &outcome, self.observations.len());
             let mut store = kept.lock().unwrap_or_else(PoisonError::into_inner);
             store.note(pending[i] as usize, &line)?;
             if let Some(on_progress) = self.progress {
@@ -46,7 +47,7 @@ impl Sweep<'_> {
             }
             Ok(())
         };
-        let ran = plan.run(&|i| points.at(member(i)), pending.len(), &on_result);
+        let ran = plan.run(&|i| points.compute_point(member(i)), pending.len(), &on_result);
         let mut store = kept.into_inner().unwrap_or_else(PoisonError::into_inner);
         store.flush()?;
         ran?;
@@ -83,7 +84,7 @@ fn known_of(path: &Path, head: &Head, fresh: bool) -> Result<Option<Found>, Swee
         Err(error) => return Err(failed(error)),
     };
     check(&file, path, head, fresh)?;
-    if fresh { Ok(None) } else { Found::read(&file, head).map(Some).map_err(failed) }
+    if fresh { Ok(None) } else { Found::load(&file, head).map(Some).map_err(failed) }
 }
 
 /// Refuses a folder that has shards of as many as these are not.

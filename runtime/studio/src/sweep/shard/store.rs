@@ -37,7 +37,7 @@ impl Store {
             file.set_len(0).map_err(failed("write"))?;
         }
         let text = head.text();
-        let mut found = Found::read(&file, &head).map_err(failed("read"))?;
+        let mut found = Found::load(&file, &head).map_err(failed("read"))?;
         if found.done == 0 {
             found.end = text.len() as u64;
             file.set_len(0).and_then(|()| file.rewind()).map_err(failed("write"))?;

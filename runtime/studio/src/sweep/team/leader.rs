@@ -60,7 +60,7 @@ impl Work<'_> {
 
 impl<'a> Leader<'a> {
     /// Of these processes, of which this is the first.
-    pub fn of(processes: &'a dyn Processes) -> Self {
+    pub fn new(processes: &'a dyn Processes) -> Self {
         let workers = (1..processes.count()).map(|_| Worker::Coming).collect();
         Self { processes, workers: Mutex::new(workers) }
     }

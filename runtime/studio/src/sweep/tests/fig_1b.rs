@@ -45,7 +45,7 @@ fn models() -> Models {
 
 /// From rest with all bars at the angle `phi`, a number or a varied name as λ is.
 fn zigzag<'a>(models: &'a Models, lambda: &str, phi: &str) -> Sweep<'a> {
-    let sweep = Sweep::of(models.find("zigzag").unwrap());
+    let sweep = Sweep::new(models.find("zigzag").unwrap());
     let sweep = sweep.set(&format!("m1=1-{lambda}")).unwrap().set(&format!("m2={lambda}")).unwrap();
     let sweep = sweep.start(&format!("phi_inner={phi}")).unwrap();
     sweep.start(&format!("phi_outer={phi}")).unwrap().observe("first open").unwrap()

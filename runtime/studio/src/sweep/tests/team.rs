@@ -73,7 +73,7 @@ fn shared<T>(
         while processes[1..].iter().any(|worker| worker.sent.load(Ordering::Relaxed) == 0) {
             thread::sleep(Duration::from_millis(1));
         }
-        let leader = Leader::of(&processes[0]);
+        let leader = Leader::new(&processes[0]);
         let made = lead(&leader);
         (made, processes[0].given.load(Ordering::Relaxed))
     })
