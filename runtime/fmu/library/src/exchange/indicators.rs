@@ -12,7 +12,6 @@
 use crate::place::Instant;
 use liftoff::{Output, Simulation};
 use liftoff_core::model::{Layout, Slip};
-use liftoff_core::model::{Layout, Slip};
 use liftoff_fmu::{Guard, Interface, Quantity};
 
 /// The indicators of a model.
