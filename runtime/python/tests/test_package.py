@@ -43,7 +43,7 @@ def test_stubs_have_what_there_is(kind):
 def test_the_package_is_typed_and_has_its_version():
     files = importlib.resources.files(liftoff)
     assert files.joinpath("py.typed").is_file()
-    assert liftoff.__version__ == importlib.metadata.version("liftoff")
+    assert liftoff.__version__ == importlib.metadata.version("liftoff-dynamics")
     assert all(hasattr(liftoff, name) for name in liftoff.__all__)
 
 

@@ -51,7 +51,7 @@ impl Core {
         match self {
             Self::Algebra | Self::Phases => &["-p", "liftoff-codegen", "--lib"],
             Self::Contact | Self::Event | Self::Simulation => {
-                &["-p", "liftoff", "-p", "liftoff-engine-tests", "--lib", "--test", "it"]
+                &["-p", "liftoff-dynamics", "-p", "liftoff-engine-tests", "--lib", "--test", "it"]
             }
         }
     }

@@ -14,7 +14,7 @@ use imports::Imports;
 /// Each floor with the crates of ours that it may depend on.
 const FLOORS: [(&str, &[&str]); 15] = [
     ("core", &[]),
-    ("engine", &["liftoff-core", "liftoff-derive"]),
+    ("engine", &["liftoff-core", "liftoff-derive", "liftoff-codegen"]),
     // Of the generator only the resolved declaration; nothing of the engine.
     ("judge", &["liftoff-core", "liftoff-codegen"]),
     // What was derived, as the engine sees it.
@@ -253,10 +253,10 @@ fn no_tests_are_left_out() {
 
 /// Packages of a program at most, itself among them: those that it is built from and with.
 const PACKAGES: [(&str, &[&str], usize); 5] = [
-    ("liftoff", &[], 28),
-    ("liftoff", &["--no-default-features", "--features", "libm"], 13),
+    ("liftoff-dynamics", &[], 28),
+    ("liftoff-dynamics", &["--no-default-features", "--features", "libm"], 13),
     ("liftoff-cli", &[], 111),
-    ("liftoff-models", &[], 118),
+    ("liftoff-dynamics-cli", &[], 118),
     ("liftoff-python", &[], 85),
 ];
 

@@ -15,7 +15,8 @@ const FILES: [(&str, &str); 4] = [
 ];
 
 /// Cargo's own folders, and what the project depends on.
-const TAKEN: [&str; 6] = ["build", "deps", "examples", "incremental", "liftoff", "liftoff-cli"];
+const TAKEN: [&str; 7] =
+    ["build", "deps", "examples", "incremental", "liftoff", "liftoff-cli", "liftoff-dynamics"];
 
 #[derive(Args, Debug)]
 pub struct New {

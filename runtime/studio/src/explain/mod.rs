@@ -91,5 +91,5 @@ fn attribute(attribute: &syn::Attribute) -> String {
 /// phase in closed form. As text they are stable, fit for snapshots. In place of a declaration's equations stand its mistakes,
 /// if it has any.
 pub fn equations(layout: &Layout) -> Equations {
-    declared(layout, liftoff_codegen::equations).unwrap_or_else(|mistakes| Equations::missing(&mistakes))
+    liftoff_codegen::equations_from_text(layout.declaration)
 }
