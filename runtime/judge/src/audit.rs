@@ -4,7 +4,7 @@
 use crate::decision;
 use crate::expansion::{Expansion, State};
 use crate::motion::Number;
-use crate::record::{Record, Stretch, Verdict};
+use crate::record::{MotionSegment, Record, Verdict};
 use crate::scene::Scene;
 use liftoff_core::scalar::{Real, Scalar};
 
@@ -43,7 +43,7 @@ struct Auditor<'a> {
 type Finding = (f64, String);
 
 impl Auditor<'_> {
-    fn stretch(&mut self, stretch: &Stretch) -> Result<(), Finding> {
+    fn stretch(&mut self, stretch: &MotionSegment) -> Result<(), Finding> {
         let closed: Vec<usize> = self.places(&stretch.closed);
         for (k, (t, public)) in stretch.samples.iter().enumerate() {
             let seen = self.seen(*t, public)?;

@@ -29,7 +29,7 @@ use scene::{Scene, SceneError};
 
 pub use condition::{Condition, Expression, Function, Operator, Relation};
 pub use motion::{Action, Change, Event, Motion, NotJudged, Task};
-pub use record::{Happening, Record, Stretch, Verdict};
+pub use record::{MotionSegment, Record, RecordedEvent, Verdict};
 
 /// A declared system with values of its parameters, by which motions are judged.
 pub struct Judge {

@@ -25,9 +25,9 @@ pub struct Record {
     /// When and of which contacts it says that they may have opened or not.
     pub undecided: Vec<(f64, Vec<String>)>,
     /// What happened, in order of time; touches that nothing follows from left out.
-    pub events: Vec<Happening>,
+    pub events: Vec<RecordedEvent>,
     /// Its parts between events, in order of time.
-    pub stretches: Vec<Stretch>,
+    pub stretches: Vec<MotionSegment>,
     /// When it ends.
     pub end: f64,
     /// Natural size of each entry of a state.
@@ -42,7 +42,7 @@ pub struct Record {
 
 /// Something that happened.
 #[derive(Clone, Debug)]
-pub struct Happening {
+pub struct RecordedEvent {
     /// When.
     pub t: f64,
     /// What.
@@ -55,7 +55,7 @@ pub struct Happening {
 
 /// A part of a motion with one set of closed contacts.
 #[derive(Clone, Debug)]
-pub struct Stretch {
+pub struct MotionSegment {
     /// The closed supports.
     pub closed: Vec<String>,
     /// Times and states from its start to its end.

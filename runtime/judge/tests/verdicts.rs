@@ -1,7 +1,7 @@
 //! Records written by hand: right ones agree, wrong ones do not.
 
 use liftoff_core::scalar::Scalar;
-use liftoff_judge::{Change, Happening, Judge, Record, Stretch, Task, Verdict};
+use liftoff_judge::{Change, Judge, MotionSegment, Record, RecordedEvent, Task, Verdict};
 
 const MOST_WORK: u64 = Task::WORK;
 const G: f64 = 10.0;
@@ -24,11 +24,11 @@ fn rising(t: f64, u: f64) -> (f64, Vec<f64>) {
 }
 
 fn bounced(u: f64) -> Record {
-    let free = |samples| Stretch { closed: Vec::new(), samples };
+    let free = |samples| MotionSegment { closed: Vec::new(), samples };
     Record {
         t: 0.0,
         start: falling(0.0).1,
-        events: vec![Happening {
+        events: vec![RecordedEvent {
             t: 1.0,
             change: Change::Impact,
             contacts: vec!["P".to_owned()],
@@ -96,7 +96,7 @@ fn a_contact_that_pulls_does_not() {
     let samples = [0.0, 0.5, 1.0].map(still).to_vec();
     let record = Record {
         start: vec![0.0; 4],
-        stretches: vec![Stretch { closed: vec!["P".to_owned()], samples }],
+        stretches: vec![MotionSegment { closed: vec!["P".to_owned()], samples }],
         end: 1.0,
         units: vec![1.0; 4],
         time: 0.3,
@@ -122,11 +122,12 @@ fn a_lateness_that_errors_at_the_start_make_is_none() {
     let late = |by: f64| {
         let t = open.t.to_f64() + by;
         let contacts = vec!["P".to_owned(), "Q".to_owned()];
-        let event = Happening { t, change: Change::Open, contacts: contacts.clone(), state: state.clone() };
+        let event =
+            RecordedEvent { t, change: Change::Open, contacts: contacts.clone(), state: state.clone() };
         let record = Record {
             start: start.clone(),
             events: vec![event],
-            stretches: vec![Stretch { closed: contacts, samples: vec![(0.0, start.clone())] }],
+            stretches: vec![MotionSegment { closed: contacts, samples: vec![(0.0, start.clone())] }],
             end: t,
             units: vec![1.0; 4],
             time: 1.0,

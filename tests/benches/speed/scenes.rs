@@ -96,8 +96,16 @@ fn row<M: BarSystem, const K: usize>(
 fn dependencies(core: bool) -> Option<usize> {
     let features: &[&str] = if core { &["--no-default-features", "--features", "libm"] } else { &[] };
     let mut tree = std::process::Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    tree.args(["tree", "--package", "liftoff-dynamics", "--edges", "normal,no-proc-macro", "--prefix", "none"])
-        .args(features);
+    tree.args([
+        "tree",
+        "--package",
+        "liftoff-dynamics",
+        "--edges",
+        "normal,no-proc-macro",
+        "--prefix",
+        "none",
+    ])
+    .args(features);
     let listed = String::from_utf8(tree.output().ok()?.stdout).ok()?;
     let mut packages: Vec<&str> = listed.lines().filter_map(|line| line.split(' ').next()).collect();
     packages.sort_unstable();

@@ -3,7 +3,7 @@
 use super::Comparison;
 use crate::condition::Condition;
 use crate::motion::{Action, Change, Motion, Task, follow};
-use crate::record::Happening;
+use crate::record::RecordedEvent;
 
 impl Comparison<'_> {
     /// The judge's motion from a time on.
@@ -78,8 +78,8 @@ impl Comparison<'_> {
     fn summed(&self) -> Vec<[f64; 2]> {
         let events = &self.record.events;
         let settles = events.iter().enumerate().filter(|(_, event)| event.change == Change::Settle);
-        let span = |(k, settle): (usize, &Happening)| {
-            let of = |event: &&Happening| {
+        let span = |(k, settle): (usize, &RecordedEvent)| {
+            let of = |event: &&RecordedEvent| {
                 event.change == Change::Impact
                     && event.contacts.iter().any(|name| settle.contacts.contains(name))
             };

@@ -2,7 +2,7 @@
 
 use super::{Comparison, TOGETHER};
 use crate::motion::{Change, Event, Motion};
-use crate::record::Happening;
+use crate::record::RecordedEvent;
 use liftoff_core::scalar::{DoubleDouble, Scalar};
 
 /// Events of one instant.
@@ -16,7 +16,7 @@ pub(super) struct Group {
 
 impl Comparison<'_> {
     pub(super) fn recorded(&self) -> Vec<Group> {
-        let one = |event: &Happening| Group {
+        let one = |event: &RecordedEvent| Group {
             t: event.t,
             changes: vec![event.change],
             contacts: event.contacts.clone(),

@@ -63,7 +63,7 @@ struct Comparison<'a> {
 }
 
 /// Where and how a motion parts from the judge's.
-struct Parting {
+struct Divergence {
     /// The groups that agreed.
     agreed: usize,
     t: f64,
@@ -88,7 +88,7 @@ impl Comparison<'_> {
                     None => return Verdict::Agrees { error },
                 },
                 // Later events are compared from the run's own states on.
-                Err(Parting { agreed: 0, t: at, what }) => {
+                Err(Divergence { agreed: 0, t: at, what }) => {
                     let first = groups.first().filter(|_| from == 0);
                     match first.map_or(Ok(false), |first| self.is_sensitive((t, state), first, &motion)) {
                         Ok(true) => {
@@ -103,7 +103,7 @@ impl Comparison<'_> {
                         _ => Verdict::Disagrees { t: at, what },
                     };
                 }
-                Err(Parting { agreed, .. }) => from += agreed,
+                Err(Divergence { agreed, .. }) => from += agreed,
             }
         }
         Verdict::NotJudged { why: "the motion parts from its neighbours again and again".to_owned() }
@@ -136,7 +136,7 @@ impl Comparison<'_> {
         (from, groups): (f64, &[Group]),
         motion: &Motion,
         error: &mut f64,
-    ) -> Result<(), Parting> {
+    ) -> Result<(), Divergence> {
         let judged = self.judged(from, groups, motion);
         let last = motion.samples.last().map_or(from, |(last, _)| *last);
         let reached = if motion.stopped.is_some() { last } else { f64::INFINITY };
@@ -146,12 +146,16 @@ impl Comparison<'_> {
             let until = earlier(own, other) - TOGETHER * self.record.time;
             while let Some((t, apart)) = states.next_if(|(t, _)| *t < until) {
                 if apart > self.record.within {
-                    return Err(Parting { agreed: k, t, what: format!("the states are {apart:.1e} apart") });
+                    return Err(Divergence {
+                        agreed: k,
+                        t,
+                        what: format!("the states are {apart:.1e} apart"),
+                    });
                 }
                 *error = error.max(apart);
             }
             let apart = self.paired((own, other), reached);
-            match apart.map_err(|what| Parting { agreed: k, t: earlier(own, other), what })? {
+            match apart.map_err(|what| Divergence { agreed: k, t: earlier(own, other), what })? {
                 Some(apart) => *error = error.max(apart),
                 None => return Ok(()),
             }

@@ -2,8 +2,7 @@
 
 use liftoff::__private::event::Guard;
 use liftoff::{Event, Scales, Segment, Trajectory};
-use liftoff::{EventKind, Note};
-use liftoff_judge::{Action, Change, Condition, Happening, Record, Stretch};
+use liftoff_judge::{Action, Change, Condition, MotionSegment, Record, RecordedEvent};
 
 use super::conditions::translated;
 
@@ -40,7 +39,7 @@ pub(super) fn record(run: &Trajectory, held: &[&str]) -> Option<Record> {
             .map(|event| (event.t, names(event)))
             .collect(),
         events: run.events().iter().filter_map(|event| happening(run, event)).collect(),
-        stretches: run.segments().iter().map(|segment| stretch(run, segment)).collect(),
+        stretches: run.segments().iter().map(|segment| convert_segment(run, segment)).collect(),
         end: run.end_time(),
         units: run.scales().state(layout),
         time,
@@ -114,10 +113,10 @@ fn action(run: &Trajectory, event: &Event) -> Option<(f64, Action)> {
     }
 }
 
-fn happening(run: &Trajectory, event: &Event) -> Option<Happening> {
+fn happening(run: &Trajectory, event: &Event) -> Option<RecordedEvent> {
     let change = change_of(run, event)?;
     let state = run.layout().public_state(&event.state).to_vec();
-    Some(Happening { t: event.t, change, contacts: names(event), state })
+    Some(RecordedEvent { t: event.t, change, contacts: names(event), state })
 }
 
 /// What an event is to the judge; none if it is nothing that changes a motion or that the judge waits for.
@@ -145,7 +144,7 @@ fn is_found(run: &Trajectory, event: &Event) -> bool {
 }
 
 /// The state at an event belongs to what follows it, the one before it to the segment that it ends.
-fn stretch(run: &Trajectory, segment: &Segment) -> Stretch {
+fn convert_segment(run: &Trajectory, segment: &Segment) -> MotionSegment {
     let Segment { t0, t1, .. } = *segment;
     let inside = INSIDE.iter().map(|part| t0 + part * (t1 - t0));
     let times = core::iter::once(t0).chain(inside).chain([t1.next_down()]);
@@ -155,5 +154,5 @@ fn stretch(run: &Trajectory, segment: &Segment) -> Stretch {
             samples.push((t, run.state(t)));
         }
     }
-    Stretch { closed: segment.closed.iter().map(|&name| name.to_owned()).collect(), samples }
+    MotionSegment { closed: segment.closed.iter().map(|&name| name.to_owned()).collect(), samples }
 }
