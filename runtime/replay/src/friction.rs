@@ -4,7 +4,7 @@
 use crate::Number;
 use crate::collision::Collision;
 use crate::model::ReplayModel;
-use liftoff::__private::impulse::Striker;
+use liftoff::__private::impulse::RouthContact;
 use liftoff_core::model::{ContactSet, Layout, Slip, SlipState};
 
 /// Slip velocities below this, in natural units relative to the fastest, are zero.
@@ -75,7 +75,7 @@ impl<S: Number> Collision<'_, S> {
             let terms = self.equations.jacobian(row).iter().zip(by);
             terms.fold(S::ZERO, |sum, (&entry, &by)| entry.mul_add(by, sum))
         };
-        let striker = Striker {
+        let striker = RouthContact {
             w_nn: product(contact, &by_normal),
             w_nt: product(contact, &by_tangent),
             w_tt: product(tangent, &by_tangent),

@@ -4,7 +4,7 @@ use crate::friction::slips;
 use crate::kinematic::Kinematic;
 use crate::model::{ReplayModel, ReplayPhase};
 use crate::{Number, arithmetic};
-use liftoff::__private::event::{Guard, Rub};
+use liftoff::__private::event::{FrictionGuard, Guard};
 use liftoff::__private::expression::{Environment, Function, Operator, Variable};
 use liftoff::{Condition, Output};
 use liftoff_core::model::{Side, SlipState};
@@ -34,14 +34,16 @@ impl<'a, S: Number> Instant<'a, S> {
             Guard::Reaction(i) => self.phase.reactions(self.reduced)[i],
             Guard::Side(i, side) => signed::<S>(side) * self.phase.reactions(self.reduced)[i],
             Guard::Gap(i) => self.kinematic().gap(i),
-            Guard::Parting(i) => -self.kinematic().gap(i),
+            Guard::RedundantGap(i) => -self.kinematic().gap(i),
             Guard::Foot { entry, .. } => self.foot(entry),
             Guard::Limit(rub) => {
                 let reactions = self.phase.reactions(self.reduced);
                 let force = reactions[self.model.layout().contacts.len() + rub.friction];
                 self.slip(rub).limit * signed::<S>(rub.side) * reactions[rub.contact] + sign::<S>(rub) * force
             }
-            Guard::Grip => return Err(Unsupported("the limit load of contacts that share their load")),
+            Guard::SharedFriction => {
+                return Err(Unsupported("the limit load of contacts that share their load"));
+            }
             Guard::Slip(rub) => sign::<S>(rub) * self.slip(rub).velocity,
             Guard::Condition(k) => {
                 let [left, right] = conditions[k].values(self)?;
@@ -60,7 +62,7 @@ impl<'a, S: Number> Instant<'a, S> {
         Kinematic { model: &self.model.on, state: &self.state }
     }
 
-    fn slip(&self, rub: Rub) -> SlipState<S> {
+    fn slip(&self, rub: FrictionGuard) -> SlipState<S> {
         slips(self.model, &self.state)[rub.friction]
     }
 
@@ -92,7 +94,7 @@ fn signed<S: Number>(side: Side) -> S {
     S::ratio(side.sign().into(), 1)
 }
 
-fn sign<S: Number>(rub: Rub) -> S {
+fn sign<S: Number>(rub: FrictionGuard) -> S {
     S::ratio(rub.slip.sign().into(), 1)
 }
 

@@ -7,7 +7,7 @@ use core::f64::consts::TAU;
 use nalgebra::DVector;
 
 use super::fold::settle_on_fold;
-use super::path::{Path, steps};
+use super::path::{AssemblyPath, steps};
 use super::problem::AssemblyProblem;
 use super::{largest, touches, worst};
 use crate::assembly::StartError;
@@ -146,11 +146,11 @@ fn completed(assembly: &AssemblyProblem<'_>, given: &[Option<f64>], set: Contact
     let mut q = nominal.clone();
     nearest(assembly, unknown, f64::EPSILON, &mut q);
     if ways[0].iter().any(|by| *by != 0.0) {
-        let end = |path: Path<'_>| ways.iter().find_map(|moves| path.end(moves)).map(|q| at(&q));
-        q = match Path::from(q.clone(), assembly, unknown) {
+        let end = |path: AssemblyPath<'_>| ways.iter().find_map(|moves| path.end(moves)).map(|q| at(&q));
+        q = match AssemblyPath::from(q.clone(), assembly, unknown) {
             Some(path) => end(path)?,
             // Of more rows than are needed those that are independent lead the way.
-            None => Path::from(q.clone(), assembly, (&independent(assembly, &closed, &q), &open))
+            None => AssemblyPath::from(q.clone(), assembly, (&independent(assembly, &closed, &q), &open))
                 .and_then(end)
                 .filter(|q| assembly.gaps(q, &closed).amax() <= NEAR)
                 .unwrap_or_else(|| at(&stepwise(assembly, &ways[0], unknown))),

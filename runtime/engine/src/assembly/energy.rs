@@ -4,7 +4,7 @@
 
 use nalgebra::DMatrix;
 
-use super::Start;
+use super::ConsistentStart;
 use crate::assembly::StartError;
 use crate::context::{CLOSED, RunContext, reduce};
 use crate::integration::chart;
@@ -14,18 +14,22 @@ use crate::numerics::decomposition::symmetric_eigen;
 use crate::system::Phase;
 
 /// `start` with the rates that its phase has on the energy level of `level`.
-pub(crate) fn on_energy_of(context: &RunContext, start: &Start, level: &Start) -> Result<Start, StartError> {
+pub(crate) fn on_energy_of(
+    context: &RunContext,
+    start: &ConsistentStart,
+    level: &ConsistentStart,
+) -> Result<ConsistentStart, StartError> {
     let phase = |state: &[f64]| chart::choose_chart(context, start.touching, state, (CLOSED, CLOSED)).1;
     let at_level = phase(&level.state);
     let energy = at_level.energy(&reduce(&*at_level, &level.state));
     let search = EnergyLevel { context, start, level, energy };
-    Ok(Start { state: search.state(&*phase(&start.state))?, ..*start })
+    Ok(ConsistentStart { state: search.state(&*phase(&start.state))?, ..*start })
 }
 
 struct EnergyLevel<'a> {
     context: &'a RunContext,
-    start: &'a Start,
-    level: &'a Start,
+    start: &'a ConsistentStart,
+    level: &'a ConsistentStart,
     /// Energies of the level.
     energy: Energy<f64>,
 }

@@ -21,7 +21,7 @@ use crate::model::{ContactSet, Joint};
 use crate::numerics::decomposition::singular_values;
 use crate::numerics::zero::{MARGIN, compute_place_error};
 use crate::system::Equations;
-use pose::Given;
+use pose::GivenPose;
 use problem::AssemblyProblem;
 use settle::settled;
 
@@ -46,7 +46,7 @@ pub(crate) fn touches(
 
 /// A consistent start.
 #[derive(Clone)]
-pub(crate) struct Start {
+pub(crate) struct ConsistentStart {
     pub(crate) state: Vec<f64>,
     /// Contacts with g = 0 and ġ = 0.
     pub(crate) touching: ContactSet,
@@ -60,11 +60,11 @@ pub(crate) fn start(
     pose: &Pose,
     tolerance: f64,
     t: f64,
-) -> Result<Start, StartError> {
+) -> Result<ConsistentStart, StartError> {
     let given = pose.resolve(&context.model)?;
     refuse_lost_units(context)?;
     if let Some(state) = unbound((context, switches), &given, t) {
-        return Ok(Start { state, touching: ContactSet::EMPTY, depth: 0.0 });
+        return Ok(ConsistentStart { state, touching: ContactSet::EMPTY, depth: 0.0 });
     }
     let rates = given.rates.iter().map(|rate| rate.unwrap_or(0.0)).collect();
     let assembly = AssemblyProblem::new((context, switches), deepest(tolerance), (rates, given.below), t);
@@ -86,7 +86,7 @@ pub(crate) fn start(
         None => (state, touching),
     };
     assembly.refuse_feet_off_bars(&state, touching)?;
-    Ok(Start { state, touching, depth })
+    Ok(ConsistentStart { state, touching, depth })
 }
 
 /// The contacts that a start in this state must say to be below their edges, `below(P)` = 1.
@@ -109,7 +109,7 @@ pub(crate) fn find_below(
 }
 
 /// The state of a model that has neither contacts nor joints, where all rates or none are given: it is as it was asked for.
-fn unbound((context, switches): (&RunContext, &Switches), given: &Given, t: f64) -> Option<Vec<f64>> {
+fn unbound((context, switches): (&RunContext, &Switches), given: &GivenPose, t: f64) -> Option<Vec<f64>> {
     let (layout, nominal) = (context.layout(), &context.model.nominal);
     let any = given.rates.iter().any(Option::is_some);
     if layout.rows() > 0 || any && !given.rates.iter().all(Option::is_some) {

@@ -42,16 +42,16 @@ enum Branch {
 }
 
 /// The rows to be closed and the coordinates to be found, with the position where the path begins.
-pub(super) struct Path<'a> {
+pub(super) struct AssemblyPath<'a> {
     assembly: &'a AssemblyProblem<'a>,
     closed: &'a [usize],
     open: &'a [usize],
-    begin: Point,
+    begin: PathPoint,
 }
 
 /// A position on the path.
 #[derive(Clone)]
-struct Point {
+struct PathPoint {
     /// The part of the way behind it.
     fraction: f64,
     q: Vec<f64>,
@@ -71,7 +71,7 @@ pub(super) fn steps(assembly: &AssemblyProblem<'_>, moves: &[f64]) -> usize {
     (far / STEP).ceil().clamp(1.0, STEPS) as usize
 }
 
-impl<'a> Path<'a> {
+impl<'a> AssemblyPath<'a> {
     /// The one that begins at a position, if that closes the rows and determines a tangent.
     pub(super) fn from(
         q: Vec<f64>,
@@ -81,7 +81,7 @@ impl<'a> Path<'a> {
         if closed.len() > open.len() {
             return None;
         }
-        let begin = Point::evaluate(assembly, (closed, open), 0.0, q);
+        let begin = PathPoint::evaluate(assembly, (closed, open), 0.0, q);
         let values = &begin.svd.singular_values;
         let is_independent = values.min() > INDEPENDENT * values.max();
         let is_determined = is_independent && begin.gap.amax() <= CLOSED;
@@ -112,7 +112,7 @@ impl<'a> Path<'a> {
     }
 
     /// The next point, a step or the next half of it that is short enough away.
-    fn step(&self, from: &Point, moves: &[f64], (longest, branch): (f64, Branch)) -> Option<Point> {
+    fn step(&self, from: &PathPoint, moves: &[f64], (longest, branch): (f64, Branch)) -> Option<PathPoint> {
         let halves = core::iter::successors(Some(longest), |step| Some(0.5 * step));
         let mut halves = halves.take_while(|step| *step >= SHORTEST);
         halves.find_map(|step| {
@@ -122,7 +122,7 @@ impl<'a> Path<'a> {
     }
 
     /// The point behind so much of the way, if the tangent leads near it.
-    fn corrected(&self, from: &Point, moves: &[f64], fraction: f64) -> Option<Point> {
+    fn corrected(&self, from: &PathPoint, moves: &[f64], fraction: f64) -> Option<PathPoint> {
         let part = fraction - from.fraction;
         let given = DVector::from_fn(moves.len(), |i, _| part * moves[i] / self.unit(i));
         let tangent = -from.solve(&(&from.jacobian * &given))?;
@@ -137,7 +137,7 @@ impl<'a> Path<'a> {
         let mut most = length;
         for _ in 0..CORRECTIONS {
             self.open.iter().zip(change.iter()).for_each(|(&i, by)| q[i] += by * self.unit(i));
-            let mut point = Point::evaluate(self.assembly, (self.closed, self.open), fraction, q.clone());
+            let mut point = PathPoint::evaluate(self.assembly, (self.closed, self.open), fraction, q.clone());
             change = -point.solve(&point.gap)?;
             if is_long && change.amax() > NEAR {
                 return None;
@@ -157,7 +157,7 @@ impl<'a> Path<'a> {
     }
 }
 
-impl Point {
+impl PathPoint {
     fn evaluate(
         assembly: &AssemblyProblem<'_>,
         (closed, open): (&[usize], &[usize]),

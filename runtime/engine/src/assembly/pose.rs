@@ -41,16 +41,17 @@ impl Pose {
 
     /// The coordinates and the rates given, in their places; elsewhere what they are nominally, and zero.
     pub(crate) fn values(&self, model: &Model) -> Result<[Vec<f64>; 2], StartError> {
-        let Given { positions, rates, .. } = self.resolve(model)?;
+        let GivenPose { positions, rates, .. } = self.resolve(model)?;
         let positions =
             positions.iter().zip(&model.nominal).map(|(given, nominal)| given.unwrap_or(*nominal));
         Ok([positions.collect(), rates.into_iter().map(Option::unwrap_or_default).collect()])
     }
 
-    pub(super) fn resolve(&self, model: &Model) -> Result<Given, StartError> {
+    pub(super) fn resolve(&self, model: &Model) -> Result<GivenPose, StartError> {
         let layout = model.layout();
         let n = layout.coordinates.len();
-        let mut given = Given { positions: vec![None; n], rates: vec![None; n], below: ContactSet::EMPTY };
+        let mut given =
+            GivenPose { positions: vec![None; n], rates: vec![None; n], below: ContactSet::EMPTY };
         let mut following = Vec::new();
         for (k, (name, value)) in self.values.iter().enumerate() {
             if !value.is_finite() {
@@ -87,7 +88,7 @@ impl Pose {
 }
 
 /// What is given of each coordinate and rate.
-pub(super) struct Given {
+pub(super) struct GivenPose {
     pub(super) positions: Vec<Option<f64>>,
     pub(super) rates: Vec<Option<f64>>,
     /// Contacts that have gone round an end of their edges and are below these.
@@ -103,7 +104,7 @@ fn edge_contact(layout: &'static Layout, support: &str, value: f64) -> Result<us
     }
 }
 
-impl Given {
+impl GivenPose {
     /// Whether a state has every value that was given, within a relative bound: what was left open follows the contacts.
     pub(super) fn is_kept(&self, context: &RunContext, state: &[f64], bound: f64) -> bool {
         let given = self.positions.iter().chain(&self.rates);

@@ -27,11 +27,11 @@ pub(super) struct AssemblyProblem<'a> {
     pub(super) t: f64,
     /// Contacts that have gone round an end of their edges and are below these.
     below: ContactSet,
-    last: RefCell<Option<Known>>,
+    last: RefCell<Option<KnownEquations>>,
 }
 
 /// The last position asked for, and what holds there.
-struct Known {
+struct KnownEquations {
     position: Vec<f64>,
     equations: Rc<Equations<f64>>,
 }
@@ -63,10 +63,11 @@ impl<'a> AssemblyProblem<'a> {
     pub(super) fn rows(&self, positions: &[f64]) -> Rc<Equations<f64>> {
         let mut last = self.last.borrow_mut();
         match &*last {
-            Some(Known { position, equations }) if position == positions => Rc::clone(equations),
+            Some(KnownEquations { position, equations }) if position == positions => Rc::clone(equations),
             _ => {
                 let equations = Rc::new(self.context.system().equations(&self.at_rest(positions)));
-                *last = Some(Known { position: positions.to_vec(), equations: Rc::clone(&equations) });
+                *last =
+                    Some(KnownEquations { position: positions.to_vec(), equations: Rc::clone(&equations) });
                 equations
             }
         }

@@ -18,13 +18,13 @@ use crate::system::Equations;
 const SINGULAR: f64 = 1e-5;
 
 /// M, J and ∂g/∂t: contacts, then joints.
-struct Rows {
+struct RateRows {
     mass: DMatrix<f64>,
     jacobian: DMatrix<f64>,
     drift: DVector<f64>,
 }
 
-impl Rows {
+impl RateRows {
     fn from_equations(equations: &Equations<f64>) -> Self {
         let (n, count) = (equations.force().len(), equations.gap().len());
         Self {
@@ -42,7 +42,7 @@ pub(super) fn rates(
     closed: ContactSet,
     given: &[Option<f64>],
 ) -> Result<(Vec<f64>, ContactSet), StartError> {
-    let rows = Rows::from_equations(&assembly.rows(positions));
+    let rows = RateRows::from_equations(&assembly.rows(positions));
     let scales = &assembly.context.scales;
     let size = |(rate, coordinate): (&Option<f64>, _)| {
         rate.unwrap_or(0.0).abs() * scales.length / scales.coordinate(coordinate)
@@ -106,7 +106,7 @@ fn refuse(
 /// against those of a gap of natural size, does not determine them: the given rates satisfy it or nothing does.
 fn holding(
     assembly: &AssemblyProblem<'_>,
-    rows: &Rows,
+    rows: &RateRows,
     set: ContactSet,
     given: &[Option<f64>],
 ) -> Vec<usize> {
@@ -125,7 +125,7 @@ fn holding(
 }
 
 /// The least kinetic energy; `inertias` are natural ones of the coordinates.
-fn least(rows: &Rows, closed: &[usize], given: &[Option<f64>], inertias: &[f64]) -> DVector<f64> {
+fn least(rows: &RateRows, closed: &[usize], given: &[Option<f64>], inertias: &[f64]) -> DVector<f64> {
     let n = given.len();
     let free: Vec<usize> = (0..n).filter(|&i| given[i].is_none()).collect();
     let mut u = DVector::from_fn(n, |i, _| given[i].unwrap_or(0.0));

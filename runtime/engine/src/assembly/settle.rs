@@ -9,7 +9,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::pose::Given;
+use super::pose::GivenPose;
 use crate::context::{CLOSED, Numbers, RunContext};
 use crate::integration::chart;
 use crate::model::{ContactSet, Form};
@@ -31,7 +31,7 @@ pub(super) fn settled(
     context: &RunContext,
     touching: ContactSet,
     state: &[f64],
-    given: &Given,
+    given: &GivenPose,
 ) -> Option<Vec<f64>> {
     let phase = context.phase(touching, Form::Closed);
     let mut state = state.to_vec();
@@ -63,7 +63,7 @@ fn correct(
     context: &RunContext,
     phase: &dyn Phase,
     (state, image): (&mut [f64], &[f64]),
-    given: &Given,
+    given: &GivenPose,
 ) -> Option<()> {
     let asked: Vec<(usize, f64)> =
         given.positions.iter().enumerate().filter_map(|(i, given)| Some((i, (*given)?))).collect();

@@ -80,7 +80,7 @@ impl fmt::Display for Finding {
 }
 
 /// Bounds that follow from the tolerance and the number of steps.
-pub(crate) struct Bounds {
+pub(crate) struct AuditBounds {
     /// Local error of a step, not below some roundings.
     error: f64,
     steps: f64,
@@ -88,7 +88,7 @@ pub(crate) struct Bounds {
     passages: f64,
 }
 
-impl Bounds {
+impl AuditBounds {
     pub(crate) fn new(tolerance: f64, steps: u64) -> Self {
         Self { error: tolerance.max(SOLVED), steps: steps as f64, passages: 0.0 }
     }

@@ -19,10 +19,10 @@ mod tests;
 use core::fmt;
 
 pub(crate) use defect::work_of;
-pub(crate) use finding::{Bounds, gain};
+pub(crate) use finding::{AuditBounds, gain};
 pub use finding::{Finding, Quantity};
 pub(crate) use phase::energy_finding;
-pub(crate) use place::Place;
+pub(crate) use place::AuditPoint;
 
 use crate::context::RunContext;
 use crate::event::{Event, Note};
@@ -76,7 +76,7 @@ impl Seam<'_> {
         let [positions, rates] = chart::apart(self.context, before, after);
         // Times are told apart by the spacing of doubles, in which a fast motion comes far.
         let [_, rounding] = self.context.travelled(before, self.t);
-        let bound = Bounds::new(self.tolerance, 1).jump() + rounding;
+        let bound = AuditBounds::new(self.tolerance, 1).jump() + rounding;
         let finding = |quantity, value| Some(Finding { t: self.t, quantity, value, bound });
         let kick = if self.is_struck { None } else { finding(Quantity::Kick, rates) };
         [finding(Quantity::Jump, positions), kick]
@@ -118,7 +118,7 @@ impl Trajectory {
     fn look_between(&self, [before, after]: [&RecordedPhase; 2], audit: &mut Audit) {
         let (context, t) = (&self.context, after.t0);
         let [from, to] = [before.interpolate(before.t1), after.interpolate(t)];
-        let bounds = Bounds::new(self.tolerance, 1);
+        let bounds = AuditBounds::new(self.tolerance, 1);
         let seam = Seam { context, t, tolerance: self.tolerance, is_struck: after.is_struck };
         seam.compare(from.state(), to.state()).into_iter().flatten().for_each(|finding| audit.note(finding));
         audit.note(Finding { t, quantity: Quantity::Order, value: before.t1 - t, bound: 0.0 });

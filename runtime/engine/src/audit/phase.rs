@@ -2,7 +2,7 @@
 
 use super::finding::largest;
 use super::place::worst;
-use super::{Audit, Bounds, Finding, Place, Quantity};
+use super::{Audit, AuditBounds, AuditPoint, Finding, Quantity};
 use crate::context::RunContext;
 use crate::event::detection::Guard;
 use crate::expression::Variable;
@@ -27,14 +27,14 @@ impl Trajectory {
         let times: Vec<f64> = phase.times().collect();
         let between = times.windows(2).flat_map(|t| [t[0], 0.5 * (t[0] + t[1])]);
         let seen: Vec<f64> = between.chain(times.last().copied()).collect();
-        let bounds = Bounds::new(self.tolerance, times.len() as u64);
+        let bounds = AuditBounds::new(self.tolerance, times.len() as u64);
         let mut before = phase.t0;
         for &t in &seen {
             let point = phase.interpolate(t);
             *passed = self.find_passed(phase, (before, &point), *passed);
             before = t;
             let (set, absent) = (phase.segment().set, phase.removed.union(*passed));
-            let place = Place { context: &self.context, set, absent, t };
+            let place = AuditPoint { context: &self.context, set, absent, t };
             place.gaps(point.state(), &bounds).for_each(|finding| audit.note(finding));
         }
         if let Some(finding) = self.pull((phase, ended_by), &seen, &bounds) {
@@ -45,7 +45,7 @@ impl Trajectory {
 
     /// The distance within which a gap counts as zero, and a foot as at the end of its bar.
     fn margin(&self) -> f64 {
-        Bounds::new(self.tolerance, 1).gap() * self.context.scales.length
+        AuditBounds::new(self.tolerance, 1).gap() * self.context.scales.length
     }
 
     /// Open contacts below their grounds at a point of a phase.
@@ -89,7 +89,7 @@ impl Trajectory {
         &self,
         (phase, ended_by): (&RecordedPhase, &[Guard]),
         seen: &[f64],
-        bounds: &Bounds,
+        bounds: &AuditBounds,
     ) -> Option<Finding> {
         let free = phase.segment().set.difference(phase.held);
         let opens = |t: f64, i: &usize| {
@@ -119,7 +119,7 @@ impl Trajectory {
     fn look_at_energy(&self, phase: &RecordedPhase, times: &[f64], audit: &mut Audit) {
         let context = &self.context;
         let logged = self.log.iter().filter(|entry| phase.t0 <= entry.t && entry.t <= phase.t1);
-        let bounds = Bounds::new(self.tolerance, times.len() as u64).past(logged);
+        let bounds = AuditBounds::new(self.tolerance, times.len() as u64).past(logged);
         let begun = phase.interpolate(phase.t0);
         let start = context.system().energy(begun.state());
         let mut work = Work::default();
@@ -174,7 +174,7 @@ pub(crate) fn energy_finding(
     context: &RunContext,
     t: f64,
     [start, now]: [&Energy<f64>; 2],
-    (work, bounds): (&Work, &Bounds),
+    (work, bounds): (&Work, &AuditBounds),
 ) -> Finding {
     let size = work.size(largest(&context.scales, start, now));
     let value = (now.gained_since(start) - work.done).abs() / size;

@@ -1,7 +1,7 @@
 //! The contacts at one state.
 
 use super::finding::SMALL;
-use super::{Bounds, Finding, Quantity};
+use super::{AuditBounds, Finding, Quantity};
 use crate::context::{ROUNDINGS, RunContext};
 use crate::integration::chart::nan_max;
 use crate::model::ContactSet;
@@ -11,7 +11,7 @@ use crate::model::ContactSet;
 const FLAT: f64 = 0.1;
 
 /// A time of a phase.
-pub(crate) struct Place<'a> {
+pub(crate) struct AuditPoint<'a> {
     pub(crate) context: &'a RunContext,
     /// The closed contacts.
     pub(crate) set: ContactSet,
@@ -20,9 +20,9 @@ pub(crate) struct Place<'a> {
     pub(crate) t: f64,
 }
 
-impl Place<'_> {
+impl AuditPoint<'_> {
     /// The largest gap and rate of what is closed, and the deepest penetration of what is open.
-    pub(crate) fn gaps(&self, state: &[f64], bounds: &Bounds) -> impl Iterator<Item = Finding> {
+    pub(crate) fn gaps(&self, state: &[f64], bounds: &AuditBounds) -> impl Iterator<Item = Finding> {
         let [far, rounding] = self.context.travelled(state, self.t);
         let length = (far + rounding / bounds.gap()) * self.context.scales.length;
         let [gap, rate] = self.closed(state, length, bounds.gap());

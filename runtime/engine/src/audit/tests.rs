@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use liftoff_fixtures::Particle;
 
-use super::{Audit, Bounds, Quantity};
+use super::{Audit, AuditBounds, Quantity};
 use crate::context::{RunContext, scales_of};
 use crate::event::Note;
 use crate::method::MethodId;
@@ -144,7 +144,7 @@ fn velocities_jump_at_impacts_alone() {
 /// energy is no error of theirs.
 #[test]
 fn bounds_of_energies_say_something() {
-    let energy = |tolerance: f64, steps: u64| Bounds::new(tolerance, steps).energy();
+    let energy = |tolerance: f64, steps: u64| AuditBounds::new(tolerance, steps).energy();
     assert!(energy(1e-3, 80) <= 0.1 && energy(1e-5, 1_000_000) <= 0.1);
     assert!((energy(1e-9, 90) - 1e-5).abs() < 1e-12);
 }

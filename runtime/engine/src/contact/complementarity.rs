@@ -76,7 +76,7 @@ impl LcpRows<'_> {
 }
 
 /// Closed rows with the solution that follows.
-type Found = (Vec<usize>, TrialSolution);
+type ActiveSolution = (Vec<usize>, TrialSolution);
 
 impl EquilibratedKkt {
     /// The solution, its set found among the candidates.
@@ -96,7 +96,7 @@ impl EquilibratedKkt {
     }
 
     /// Smooth contacts by the principle of least constraint.
-    fn bear(&self, choice: &LcpRows, least: &LeastConstraint) -> Result<Found, LcpError> {
+    fn bear(&self, choice: &LcpRows, least: &LeastConstraint) -> Result<ActiveSolution, LcpError> {
         let fixed = choice.rows(&[]);
         let bearing = least.bearing(&fixed, choice.candidates)?;
         let candidates: Vec<usize> =
@@ -105,7 +105,7 @@ impl EquilibratedKkt {
     }
 
     /// Rough contacts: those that open slip, all others do not.
-    fn stick(&self, choice: &LcpRows, least: &LeastConstraint) -> Result<Found, LcpError> {
+    fn stick(&self, choice: &LcpRows, least: &LeastConstraint) -> Result<ActiveSolution, LcpError> {
         let mut closed = choice.candidates.to_vec();
         loop {
             let held: Vec<usize> =
@@ -127,7 +127,7 @@ impl EquilibratedKkt {
     }
 
     /// The solution with these rows closed, if it meets all conditions.
-    fn checked(&self, choice: &LcpRows, rows: Vec<usize>) -> Result<Found, LcpError> {
+    fn checked(&self, choice: &LcpRows, rows: Vec<usize>) -> Result<ActiveSolution, LcpError> {
         let attempt = self.attempt(&rows)?;
         let holds = |&row: &usize| self.holds(row, &rows, &attempt);
         match attempt.consistent {
@@ -138,7 +138,7 @@ impl EquilibratedKkt {
     }
 
     /// Murty: from all closed, flip the least violated index until none is.
-    fn pivot(&self, choice: &LcpRows) -> Result<Option<Found>, LcpError> {
+    fn pivot(&self, choice: &LcpRows) -> Result<Option<ActiveSolution>, LcpError> {
         let candidates = choice.candidates;
         let mut closed = candidates.to_vec();
         for _ in 0..1usize << candidates.len().min(EXHAUSTIVE) {
@@ -156,7 +156,7 @@ impl EquilibratedKkt {
 
     /// Tries every set, larger ones first. Only redundant or rough contacts can jam; without them a missing solution is a
     /// numerical failure.
-    fn exhaust(&self, choice: &LcpRows) -> Result<Found, LcpError> {
+    fn exhaust(&self, choice: &LcpRows) -> Result<ActiveSolution, LcpError> {
         let count = choice.candidates.len();
         if count > EXHAUSTIVE {
             return Err(LcpError::Jammed);

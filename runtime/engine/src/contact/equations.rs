@@ -8,14 +8,14 @@ use crate::scalar::Jet;
 use crate::system::{self, Model, TIME_ORDERS};
 
 /// Taylor coefficients of M, f, J and b, by order.
-pub(crate) struct Equations {
+pub(crate) struct SeriesEquations {
     pub(crate) mass: Vec<DMatrix<f64>>,
     pub(crate) force: Vec<DVector<f64>>,
     pub(crate) jacobian: Vec<DMatrix<f64>>,
     pub(crate) bias: Vec<DVector<f64>>,
 }
 
-impl Equations {
+impl SeriesEquations {
     /// Along the motion that starts at `state` with the Taylor coefficients `accelerations`;
     /// right up to the order of their number. Without contacts, whose decisions alone ask for more, of order 0.
     pub(crate) fn along(model: &Model, state: &[f64], accelerations: &[DVector<f64>]) -> Self {

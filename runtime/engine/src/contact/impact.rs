@@ -42,7 +42,7 @@ use nalgebra::DVector;
 
 use super::complementarity::{LcpRows, Solution};
 use super::equilibrated_kkt::EquilibratedKkt;
-use super::impulse::{Collision, CollisionError, Method, Outcome, Row};
+use super::impulse::{Collision, CollisionError, ImpulseMethod, Outcome, Row};
 use super::trials::{LcpError, Trials};
 use crate::model::{ContactSet, Law};
 
@@ -342,7 +342,7 @@ impl<'a> Stages<'a> {
             compression: before,
             factor,
             unique: found.unique,
-            method: Method::AtOnce,
+            method: ImpulseMethod::AtOnce,
             gained: 0.0,
             solutions: 1,
             groups: Vec::new(),

@@ -44,7 +44,7 @@ pub enum Row {
 
 /// How the impulses were found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Method {
+pub enum ImpulseMethod {
     /// By complementarity of all contacts at the end of each stage.
     AtOnce,
     /// Along Routh's path of a single contact with friction.
@@ -88,7 +88,7 @@ pub struct Outcome {
     /// Whether P is the only one; u⁺ is the only one where no contact is rough and `solutions` is 1.
     pub unique: bool,
     /// How the impulses were found.
-    pub method: Method,
+    pub method: ImpulseMethod,
     /// The work of all contacts: what the collision gained where it is positive, lost where it is negative. What is applied
     /// from outside is taken to act before.
     pub gained: f64,

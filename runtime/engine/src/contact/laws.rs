@@ -2,7 +2,7 @@
 //! only, so that a program has the code of those laws alone that its models name.
 
 use super::degenerate::{decide, decide_smooth};
-use super::friction::{Grip, Margin, holds, least_hold, margin};
+use super::friction::{SharedFriction, SharedFrictionMargin, holds, least_hold, margin};
 use super::hinges::{self, answer};
 use super::impulse::{Collision, CollisionError, Outcome};
 use super::nondegenerate::{self, slider};
@@ -20,7 +20,7 @@ pub(crate) struct Laws {
     /// The outcome with the contacts of a set closed, within so many trials.
     pub(crate) come_to_rest: fn(&Collision, &ContactSet, usize) -> Result<Outcome, CollisionError>,
     /// What contacts with friction need besides.
-    pub(crate) rough: Option<&'static Rough>,
+    pub(crate) rough: Option<&'static FrictionLaws>,
 }
 
 type Decide =
@@ -30,7 +30,7 @@ type Strike = fn(&dyn System, &[f64], &Collision, usize) -> Result<Outcome, Coll
 type Holds = fn(&dyn System, &[f64], &ContactSet) -> Vec<(usize, f64)>;
 
 /// What only contacts with friction need.
-pub(crate) struct Rough {
+pub(crate) struct FrictionLaws {
     /// The impulse that ends a slip which no reaction holds, within so many trials.
     pub(crate) end_slip: fn(&Collision, usize) -> Result<Outcome, CollisionError>,
     /// What holds each contact that slides.
@@ -38,13 +38,18 @@ pub(crate) struct Rough {
     /// The least of them.
     pub(crate) least_hold: fn(&dyn System, &[f64], &ContactSet) -> Option<f64>,
     /// The closed contacts that share their load.
-    pub(crate) grip: fn(&dyn System, &[f64], &ContactSet) -> Grip,
+    pub(crate) grip: fn(&dyn System, &[f64], &ContactSet) -> SharedFriction,
     /// How far these are from slipping together.
-    pub(crate) margin: fn(&dyn System, &[f64], &ContactSet, &[f64]) -> Margin,
+    pub(crate) margin: fn(&dyn System, &[f64], &ContactSet, &[f64]) -> SharedFrictionMargin,
 }
 
-const FRICTION: Rough =
-    Rough { end_slip: Collision::tangential_impact, holds, least_hold, grip: Grip::compute, margin };
+const FRICTION: FrictionLaws = FrictionLaws {
+    end_slip: Collision::tangential_impact,
+    holds,
+    least_hold,
+    grip: SharedFriction::compute,
+    margin,
+};
 
 /// Contacts without friction.
 static SMOOTH: Laws = Laws {

@@ -29,10 +29,10 @@ pub(crate) use active_rows::ActiveRows;
 #[cfg(test)]
 pub(crate) use degenerate::decide;
 pub(crate) use degenerate::{Alternatives, ContactProblem, ContactSolution};
-pub use friction::impact::path::{Path, Striker, Vertex};
+pub use friction::impact::path::{Path, RouthContact, Vertex};
 pub(crate) use laws::Laws;
 pub(crate) use shares::shortest_reactions;
-pub(crate) use single_impact::Struck;
+pub(crate) use single_impact::ReducedCollision;
 pub(crate) use singular::{are_determined, refuse_singular, singular};
 pub(crate) use stationary_gap::StationaryGaps;
 pub(crate) use trials::Trials;

@@ -3,11 +3,11 @@
 use nalgebra::DVector;
 
 use super::equilibrated_kkt::EquilibratedKkt;
-use super::impulse::{Collision, Method, Outcome, Row};
+use super::impulse::{Collision, ImpulseMethod, Outcome, Row};
 use crate::model::Law;
 
 /// One stage of an impact.
-struct Stage<'a> {
+struct StageImpulses<'a> {
     /// u at its end.
     rates: &'a DVector<f64>,
     /// What u gains in it.
@@ -49,16 +49,16 @@ impl Collision {
         if fastest > 0.0 { worst / fastest } else { worst }
     }
 
-    fn stages<'a>(&self, outcome: &'a Outcome) -> Vec<Stage<'a>> {
-        let whole = Stage {
+    fn stages<'a>(&self, outcome: &'a Outcome) -> Vec<StageImpulses<'a>> {
+        let whole = StageImpulses {
             rates: &outcome.rates,
             change: &outcome.rates - &self.rates,
             impulses: outcome.impulses.clone(),
             applied: self.applied.clone(),
         };
         let Some((rates, impulses)) = &outcome.compression else { return vec![whole] };
-        let first = Stage { rates, change: rates - &self.rates, impulses: impulses.clone(), ..whole };
-        let second = Stage {
+        let first = StageImpulses { rates, change: rates - &self.rates, impulses: impulses.clone(), ..whole };
+        let second = StageImpulses {
             rates: &outcome.rates,
             change: &outcome.rates - rates,
             impulses: &outcome.impulses - impulses,
@@ -69,7 +69,7 @@ impl Collision {
 
     /// Of rows that hold both ways: always, or while their contact acts. A contact whose impulse vanishes may have a
     /// tangential one only if it stays closed without slip.
-    fn slip(&self, stage: &Stage, row: usize, units: &dyn Fn(usize) -> (f64, f64)) -> f64 {
+    fn slip(&self, stage: &StageImpulses, row: usize, units: &dyn Fn(usize) -> (f64, f64)) -> f64 {
         let speed = |row: usize| (self.speed(stage.rates)[row] * units(row).0).abs();
         match self.rows[row] {
             Row::TwoSided | Row::Guide => speed(row),
@@ -81,7 +81,13 @@ impl Collision {
 
     /// Of Coulomb's law in a stage: within its cone, and against the slip at its end where that is all the law asks for. Along a
     /// path the slip may have turned.
-    fn friction(&self, stage: &Stage, method: Method, row: usize, (opening, impulse): (f64, f64)) -> f64 {
+    fn friction(
+        &self,
+        stage: &StageImpulses,
+        method: ImpulseMethod,
+        row: usize,
+        (opening, impulse): (f64, f64),
+    ) -> f64 {
         let Row::Friction { of, mu, restitution } = self.rows[row] else { return 0.0 };
         if !matches!(self.rows[of], Row::Contact { .. } | Row::Guide) {
             return (stage.impulses[row] * impulse).abs();
@@ -89,7 +95,7 @@ impl Collision {
         let normal = if self.rows[of] == Row::Guide { stage.impulses[of].abs() } else { stage.impulses[of] };
         let (friction, most) = (stage.impulses[row], mu * normal);
         let excess = (friction.abs() - most).max(0.0) * impulse;
-        if method == Method::Path || restitution > 0.0 {
+        if method == ImpulseMethod::Path || restitution > 0.0 {
             return excess;
         }
         let slip = self.speed(stage.rates)[row];
@@ -101,7 +107,7 @@ impl Collision {
         let both = |a: f64, b: f64| (a * opening).min(b * impulse).abs();
         match (self.rows[row], &outcome.compression) {
             (Row::Contact { .. }, Some((rates, compressed)))
-                if outcome.law == Law::Stronge && outcome.method == Method::Path =>
+                if outcome.law == Law::Stronge && outcome.method == ImpulseMethod::Path =>
             {
                 let first = both(self.speed(rates)[row], compressed[row]);
                 let gained = (outcome.impulses[row] - compressed[row]) * impulse;

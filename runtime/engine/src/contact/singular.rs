@@ -2,7 +2,7 @@
 
 use nalgebra::{Cholesky, DMatrix};
 
-use super::equations::Equations;
+use super::equations::SeriesEquations;
 use super::equilibrated_kkt::EquilibratedKkt;
 use super::{ContactError, labels};
 use crate::model::{ContactSet, MeasureKind};
@@ -11,7 +11,7 @@ use crate::system::{Model, System};
 
 /// The error that names a state where the accelerations with these contacts closed are all but undetermined.
 pub(crate) fn refuse_singular(model: &Model, state: &[f64], closed: ContactSet) -> Result<(), ContactError> {
-    let equations = Equations::along(model, state, &[]);
+    let equations = SeriesEquations::along(model, state, &[]);
     if !equations.are_finite() {
         return Err(ContactError::NotFinite);
     }
@@ -24,7 +24,7 @@ pub(crate) fn refuse_singular(model: &Model, state: &[f64], closed: ContactSet) 
 /// The error of accelerations that are not determined, with what moves without a mass.
 pub(crate) fn singular(model: &Model, state: &[f64], closed: ContactSet) -> ContactError {
     let layout = model.layout();
-    let equations = Equations::along(model, state, &[]);
+    let equations = SeriesEquations::along(model, state, &[]);
     let free = if equations.are_finite() { undetermined(model, &equations, closed) } else { Vec::new() };
     let massless = model.measures.iter().filter(|of| of.kind == MeasureKind::Mass && of.value == 0.0);
     ContactError::Singular {
@@ -45,7 +45,7 @@ pub(crate) fn are_determined(system: &dyn System, state: &[f64]) -> bool {
 }
 
 /// The coordinates whose accelerations are all but undetermined with these contacts closed.
-fn undetermined(model: &Model, equations: &Equations, closed: ContactSet) -> Vec<usize> {
+fn undetermined(model: &Model, equations: &SeriesEquations, closed: ContactSet) -> Vec<usize> {
     let layout = model.layout();
     let rows: Vec<usize> = (0..layout.rows()).filter(|&row| layout.is_closed(row, &closed)).collect();
     let (force, bias) = (&equations.force[0], &equations.bias[0]);

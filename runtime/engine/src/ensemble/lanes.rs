@@ -2,7 +2,7 @@
 
 use super::{Member, MemberError};
 use crate::assembly::StartError;
-use crate::audit::{Bounds, energy_finding};
+use crate::audit::{AuditBounds, energy_finding};
 use crate::expression::Output;
 use crate::integrate::StepError;
 use crate::integration::equilibrium::is_equilibrium;
@@ -39,7 +39,7 @@ pub(super) fn is_smooth(simulation: &Simulation) -> bool {
 }
 
 /// Members of one tolerance.
-pub(super) struct Group {
+pub(super) struct MemberGroup {
     pub(super) tolerance: f64,
     lanes: Box<dyn LaneGroup>,
     members: [Option<Entered>; LANES],
@@ -52,7 +52,7 @@ struct Entered {
     energy: Option<Energy<f64>>,
 }
 
-impl Group {
+impl MemberGroup {
     /// An empty one for members like this; none where the lanes are those of another model, or there are none.
     pub(super) fn new(lanes: LaneConstructor, like: &Simulation) -> Option<Self> {
         let lanes = lanes(&like.context.model.parameters, like.tolerance)?;
@@ -134,7 +134,7 @@ impl Entered {
     fn keeps_energy(&self, end: &LaneEnd<'_>, state: &[f64]) -> bool {
         let Some(before) = &self.energy else { return true };
         let (context, steps) = (&*self.simulation.context, end.counts.accepted + end.counts.rejected);
-        let bounds = Bounds::new(self.simulation.tolerance, steps);
+        let bounds = AuditBounds::new(self.simulation.tolerance, steps);
         let now = context.system().energy(state);
         !energy_finding(context, end.t, [before, &now], (&Work::default(), &bounds)).is_violation()
     }

@@ -50,7 +50,7 @@ use crate::expression::Output;
 use crate::simulation::Simulation;
 use crate::system::LaneConstructor;
 use crate::trajectory::Trajectory;
-use worker::{Ends, Shared, Worker};
+use worker::{EndsWorker, Shared, Worker};
 
 /// A member's whole motion, or why there is none.
 pub type Motion = Result<Trajectory, MemberError>;
@@ -122,7 +122,7 @@ impl<'a, F: Fn(usize) -> Result<Simulation, MemberError> + Sync> Ensemble<'a, F>
         let shared = Shared::default();
         rayon::broadcast(|_| {
             let worker = Worker { ensemble: self, shared: &shared };
-            Ends { worker, told }.run();
+            EndsWorker { worker, told }.run();
         });
     }
 

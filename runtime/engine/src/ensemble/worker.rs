@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use super::lanes::{Group, is_smooth};
+use super::lanes::{MemberGroup, is_smooth};
 use super::{Ensemble, Member, MemberError, Motion};
 use crate::simulation::Simulation;
 
@@ -22,12 +22,12 @@ pub(super) struct Worker<'a, 'b, F> {
 }
 
 /// Called with the number and the result of each member.
-pub(super) type Told<'a> = &'a (dyn Fn(usize, Result<Member, MemberError>) + Sync);
+pub(super) type MemberCallback<'a> = &'a (dyn Fn(usize, Result<Member, MemberError>) + Sync);
 
 /// A thread's part of an ensemble of which only the results are reported.
-pub(super) struct Ends<'a, 'b, F> {
+pub(super) struct EndsWorker<'a, 'b, F> {
     pub(super) worker: Worker<'a, 'b, F>,
-    pub(super) told: Told<'a>,
+    pub(super) told: MemberCallback<'a>,
 }
 
 impl<F: Fn(usize) -> Result<Simulation, MemberError>> Worker<'_, '_, F> {
@@ -66,11 +66,11 @@ impl<F: Fn(usize) -> Result<Simulation, MemberError>> Worker<'_, '_, F> {
     }
 }
 
-impl<F: Fn(usize) -> Result<Simulation, MemberError>> Ends<'_, '_, F> {
+impl<F: Fn(usize) -> Result<Simulation, MemberError>> EndsWorker<'_, '_, F> {
     /// Runs members until none is left, side by side where possible, and reports each result.
     pub(super) fn run(&self) {
         // One for each tolerance, which decides the order.
-        let mut groups: Vec<Group> = Vec::new();
+        let mut groups: Vec<MemberGroup> = Vec::new();
         while let Some((i, member)) = self.worker.next() {
             match member {
                 Err(error) => self.finish(i, Err(error)),
@@ -88,16 +88,20 @@ impl<F: Fn(usize) -> Result<Simulation, MemberError>> Ends<'_, '_, F> {
     }
 
     /// The group that a member can enter, made where there is none yet; none where it runs alone.
-    fn group<'g>(&self, groups: &'g mut Vec<Group>, simulation: &Simulation) -> Option<&'g mut Group> {
+    fn group<'g>(
+        &self,
+        groups: &'g mut Vec<MemberGroup>,
+        simulation: &Simulation,
+    ) -> Option<&'g mut MemberGroup> {
         let lanes = self.worker.ensemble.lanes.filter(|_| is_smooth(simulation))?;
         let known = groups.iter().position(|group| group.suits(simulation)).unwrap_or(groups.len());
         if known == groups.len() {
-            groups.push(Group::new(lanes, simulation)?);
+            groups.push(MemberGroup::new(lanes, simulation)?);
         }
         groups.get_mut(known)
     }
 
-    fn enter(&self, group: &mut Group, i: usize, simulation: Simulation) {
+    fn enter(&self, group: &mut MemberGroup, i: usize, simulation: Simulation) {
         if let Err(error) = group.enter(i, simulation) {
             self.finish(i, Err(error));
         }
@@ -106,7 +110,7 @@ impl<F: Fn(usize) -> Result<Simulation, MemberError>> Ends<'_, '_, F> {
         }
     }
 
-    fn step(&self, group: &mut Group) {
+    fn step(&self, group: &mut MemberGroup) {
         group.step(&self.worker.ensemble.outputs, |i, end| self.finish(i, end));
     }
 

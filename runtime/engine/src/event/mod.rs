@@ -5,7 +5,7 @@ mod filter;
 mod note;
 mod occurrence;
 
-pub use detection::{Guard, Rub};
+pub use detection::{FrictionGuard, Guard};
 pub use filter::EventFilter;
 pub use note::{FrictionState, ImpactOrder, Note};
 pub use occurrence::Occurrence;

@@ -72,11 +72,11 @@ impl Enclosure {
 }
 
 /// What a condition reads.
-pub(crate) type Bounds<'a> = &'a dyn Fn(Variable) -> Option<Enclosure>;
+pub(crate) type VariableBounds<'a> = &'a dyn Fn(Variable) -> Option<Enclosure>;
 
 impl Condition {
     /// Bounds of left side less right side; none if something that it reads has none.
-    pub(crate) fn enclosure(&self, parameters: &[f64], bounds: Bounds) -> Option<Enclosure> {
+    pub(crate) fn enclosure(&self, parameters: &[f64], bounds: VariableBounds) -> Option<Enclosure> {
         let [left, right] = self.values(&Piece { parameters, bounds }).ok()?;
         Some(left.minus(right))
     }
@@ -91,7 +91,7 @@ impl Condition {
 
 struct Piece<'a> {
     parameters: &'a [f64],
-    bounds: Bounds<'a>,
+    bounds: VariableBounds<'a>,
 }
 
 /// Something has no bounds.

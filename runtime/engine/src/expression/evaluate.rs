@@ -10,25 +10,25 @@ use crate::integration::phase_point::PhasePoint;
 use crate::system::{TIME_ORDERS, TimeSeries};
 
 pub(super) fn evaluate(expression: &Expression, context: &RunContext, at: &PhasePoint) -> f64 {
-    let Ok(value) = environment::evaluate(expression, &Motion { context, at });
+    let Ok(value) = environment::evaluate(expression, &MotionEnvironment { context, at });
     value
 }
 
 impl Variable {
     /// Its value at a point of a motion.
     pub(crate) fn value(self, context: &RunContext, at: &PhasePoint) -> f64 {
-        let Ok(value) = (Motion { context, at }).get_value(self);
+        let Ok(value) = (MotionEnvironment { context, at }).get_value(self);
         value
     }
 }
 
 /// A model at one time of its motion.
-struct Motion<'a> {
+struct MotionEnvironment<'a> {
     context: &'a RunContext,
     at: &'a PhasePoint,
 }
 
-impl Environment for Motion<'_> {
+impl Environment for MotionEnvironment<'_> {
     type Value = f64;
     type Error = Infallible;
 
@@ -77,7 +77,7 @@ impl Environment for Motion<'_> {
     }
 }
 
-impl Motion<'_> {
+impl MotionEnvironment<'_> {
     /// The friction force of the phase's own equations where it has one, else the sum over the tangential rows.
     fn friction(&self, contact: usize) -> f64 {
         let layout = self.context.layout();

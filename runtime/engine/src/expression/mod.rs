@@ -26,7 +26,7 @@ pub use environment::{Environment, Variable};
 pub use formula::Formula;
 pub(crate) use interval::Interval;
 pub use resolve::{contact_of, contact_set, unknown_support};
-pub(crate) use series::{Known, Sides};
+pub(crate) use series::{SeriesQuantity, Sides};
 pub use significant::{significant, superscript, unrounded};
 pub(crate) use switch::{Switch, Switched, Switches};
 pub use tree::{Function, Operator};

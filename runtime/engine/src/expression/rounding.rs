@@ -23,13 +23,13 @@ struct Rounded {
 impl Condition {
     /// What rounding may make of left side less right side where they are equal.
     pub(crate) fn rounding(&self, context: &RunContext, point: &PhasePoint) -> f64 {
-        let Ok([a, b]) = self.values(&Point { context, point });
+        let Ok([a, b]) = self.values(&PointEnvironment { context, point });
         Rounded::new(a.value - b.value, a.error + b.error).error
     }
 }
 
 /// A model at one time of its motion.
-struct Point<'a> {
+struct PointEnvironment<'a> {
     context: &'a RunContext,
     point: &'a PhasePoint,
 }
@@ -40,7 +40,7 @@ impl Rounded {
     }
 }
 
-impl Environment for Point<'_> {
+impl Environment for PointEnvironment<'_> {
     type Value = Rounded;
     type Error = Infallible;
 

@@ -7,11 +7,11 @@ use crate::numerics::root_isolation::{self, TERMS};
 use crate::scalar::{Jet, Real};
 
 /// Σ cₖ θᵏ.
-type Series = Jet<f64, TERMS>;
+type TermSeries = Jet<f64, TERMS>;
 
 /// Quantities of which a method may provide series.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Known {
+pub(crate) enum SeriesQuantity {
     /// A coordinate, order 0, or its rate, order 1.
     Coordinate { index: usize, order: usize },
     /// The reaction of a contact.
@@ -23,7 +23,7 @@ pub(crate) enum Known {
 }
 
 /// Writes the first terms of a quantity's series; none if it is not known.
-pub(crate) type Source<'a> = &'a dyn Fn(Known, &mut [f64; TERMS]) -> Option<()>;
+pub(crate) type Source<'a> = &'a dyn Fn(SeriesQuantity, &mut [f64; TERMS]) -> Option<()>;
 
 /// The sides of a condition.
 pub(crate) struct Sides {
@@ -94,21 +94,21 @@ impl Condition {
             known(quantity, &mut terms)?;
             return Some(Sides::against(terms, value));
         }
-        self.values(&Step { parameters, known }).ok().map(|sides| Sides::from_terms(&sides))
+        self.values(&StepEnvironment { parameters, known }).ok().map(|sides| Sides::from_terms(&sides))
     }
 }
 
 /// A quantity by itself on the left side.
-fn leaf((expression, value): (&Expression, f64)) -> Option<(Known, f64)> {
+fn leaf((expression, value): (&Expression, f64)) -> Option<(SeriesQuantity, f64)> {
     match *expression {
-        Expression::Coordinate { index, order } => Some((Known::Coordinate { index, order }, value)),
-        Expression::Gap(contact) => Some((Known::Gap(contact), value)),
+        Expression::Coordinate { index, order } => Some((SeriesQuantity::Coordinate { index, order }, value)),
+        Expression::Gap(contact) => Some((SeriesQuantity::Gap(contact), value)),
         _ => None,
     }
 }
 
 /// A step of a method that has series.
-struct Step<'a> {
+struct StepEnvironment<'a> {
     parameters: &'a [f64],
     known: Source<'a>,
 }
@@ -120,7 +120,7 @@ struct Step<'a> {
 )]
 enum Term {
     Constant(f64),
-    Varying(Series),
+    Varying(TermSeries),
 }
 
 /// The method has no series of a part of the expression.
@@ -152,15 +152,15 @@ impl Term {
         }
     }
 
-    fn series(self) -> Series {
+    fn series(self) -> TermSeries {
         match self {
-            Self::Constant(value) => Series::constant(value),
+            Self::Constant(value) => TermSeries::constant(value),
             Self::Varying(series) => series,
         }
     }
 }
 
-impl Environment for Step<'_> {
+impl Environment for StepEnvironment<'_> {
     type Value = Term;
     type Error = NoSeries;
 
@@ -173,15 +173,15 @@ impl Environment for Step<'_> {
             Variable::Parameter(i) => {
                 return self.parameters.get(i).map(|value| Term::Constant(*value)).ok_or(NoSeries);
             }
-            Variable::Time => Known::Time,
-            Variable::Coordinate { index, order } => Known::Coordinate { index, order },
-            Variable::Reaction(contact) => Known::Reaction(contact),
-            Variable::Gap(contact) => Known::Gap(contact),
+            Variable::Time => SeriesQuantity::Time,
+            Variable::Coordinate { index, order } => SeriesQuantity::Coordinate { index, order },
+            Variable::Reaction(contact) => SeriesQuantity::Reaction(contact),
+            Variable::Gap(contact) => SeriesQuantity::Gap(contact),
             _ => return Err(NoSeries),
         };
         let mut terms = [0.0; TERMS];
         (self.known)(known, &mut terms).ok_or(NoSeries)?;
-        Ok(Term::Varying(Series::new(terms)))
+        Ok(Term::Varying(TermSeries::new(terms)))
     }
 
     fn apply(&self, function: Function, x: Term) -> Result<Term, NoSeries> {
@@ -200,7 +200,7 @@ impl Environment for Step<'_> {
     fn join(&self, operator: Operator, a: Term, b: Term) -> Result<Term, NoSeries> {
         Ok(Term::Varying(match (operator, a, b) {
             (_, Term::Constant(a), Term::Constant(b)) => return Ok(Term::Constant(operator.apply(a, b))),
-            (Operator::Divide, a, Term::Constant(b)) => a.series() * Series::constant(1.0 / b),
+            (Operator::Divide, a, Term::Constant(b)) => a.series() * TermSeries::constant(1.0 / b),
             (Operator::Divide | Operator::Power, ..) => return Err(NoSeries),
             (Operator::Add, a, b) => a.series() + b.series(),
             (Operator::Subtract, a, b) => a.series() - b.series(),

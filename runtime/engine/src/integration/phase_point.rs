@@ -9,7 +9,7 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, DVector};
 use smallvec::smallvec;
 
-use crate::contact::friction::Grip;
+use crate::contact::friction::SharedFriction;
 use crate::contact::shortest_reactions;
 use crate::context::{Numbers, reactions_of};
 use crate::model::{ContactSet, Energy, Form, Slip};
@@ -22,7 +22,7 @@ pub(crate) struct PhasePoint {
     t: f64,
     reduced: Numbers,
     state: Numbers,
-    solution: OnceCell<Solution>,
+    solution: OnceCell<PhaseSolution>,
     accelerations: OnceCell<Numbers>,
     redundant: OnceCell<bool>,
     /// The dual of the last shares of a load, from which the next ones are near.
@@ -31,7 +31,7 @@ pub(crate) struct PhasePoint {
     dissipated: f64,
 }
 
-struct Solution {
+struct PhaseSolution {
     accelerations: Numbers,
     multipliers: Numbers,
 }
@@ -136,7 +136,7 @@ impl PhasePoint {
 
     /// Whether more contacts are closed than the phase needs to hold them, or friction holds more than it needs.
     fn is_redundant(&self) -> bool {
-        let shares = || !Grip::compute(self.phase.system(), &self.state, &self.closed).is_empty();
+        let shares = || !SharedFriction::compute(self.phase.system(), &self.state, &self.closed).is_empty();
         *self.redundant.get_or_init(|| self.closed != self.phase.info().set || shares())
     }
 
@@ -146,7 +146,7 @@ impl PhasePoint {
     }
 
     /// What the full equations with the bearing contacts closed have, multipliers shared.
-    fn solution(&self) -> &Solution {
+    fn solution(&self) -> &PhaseSolution {
         self.solution.get_or_init(|| {
             let (system, info) = (self.phase.system(), self.phase.info());
             let layout = system.layout();
@@ -162,7 +162,7 @@ impl PhasePoint {
                     &mut self.dual.borrow_mut(),
                 );
             }
-            Solution { accelerations, multipliers }
+            PhaseSolution { accelerations, multipliers }
         })
     }
 

@@ -32,7 +32,7 @@ pub struct Modes {
     /// The sets, free motion first.
     pub modes: Vec<Mode>,
     /// The changes by one contact.
-    pub transitions: Vec<Transition>,
+    pub transitions: Vec<ModeTransition>,
     /// Whether all sets are listed, or only those that have code of their own.
     pub complete: bool,
 }
@@ -59,7 +59,7 @@ pub struct Mode {
 
 /// Two modes that differ by one contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Transition {
+pub struct ModeTransition {
     /// The contact's label.
     pub contact: &'static str,
     /// What it does on the way.
@@ -146,7 +146,7 @@ fn label(contact: &Contact, slip: Slip) -> String {
     }
 }
 
-fn transitions(layout: &'static Layout, sets: &[ContactSet]) -> Vec<Transition> {
+fn transitions(layout: &'static Layout, sets: &[ContactSet]) -> Vec<ModeTransition> {
     let mut all = Vec::new();
     for (i, contact) in layout.contacts.iter().enumerate() {
         let ways: &[(Change, Option<Slip>)] = match contact.friction {
@@ -157,7 +157,7 @@ fn transitions(layout: &'static Layout, sets: &[ContactSet]) -> Vec<Transition> 
         };
         let mut add = |change, from, to: ContactSet| {
             let to = sets.iter().position(|set| *set == to);
-            all.extend(to.map(|to| Transition { contact: contact.label, change, from, to }));
+            all.extend(to.map(|to| ModeTransition { contact: contact.label, change, from, to }));
         };
         for (from, set) in sets.iter().enumerate() {
             if !set.contains(i) {

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::{ALL, Change, Mode, Modes, Transition};
+use super::{ALL, Change, Mode, ModeTransition, Modes};
 
 impl Modes {
     /// `free`, or `on A, E`.
@@ -20,7 +20,7 @@ impl Modes {
             let style = if mode.own_code { "" } else { ", style=dashed" };
             text += &format!("  {i} [label=\"{}\\n{}\"{style}]\n", self.title(mode), mode.degrees);
         }
-        for Transition { contact, change, from, to } in &self.transitions {
+        for ModeTransition { contact, change, from, to } in &self.transitions {
             let style = if *change == Change::Sticks { ", style=dotted" } else { "" };
             text += &format!("  {from} -> {to} [label=\"{contact}\"{style}]\n");
         }
@@ -28,7 +28,7 @@ impl Modes {
     }
 }
 
-impl Transition {
+impl ModeTransition {
     fn there(&self) -> String {
         let contact = self.contact;
         match self.change {
@@ -57,8 +57,8 @@ impl fmt::Display for Modes {
         for (i, mode) in self.modes.iter().enumerate() {
             let code = if mode.own_code { "own code" } else { "multipliers" };
             write!(f, "{:<width$}  degrees {}, {code}", titles[i], mode.degrees)?;
-            let there = self.transitions.iter().filter(|change| change.from == i).map(Transition::there);
-            let back = self.transitions.iter().filter(|change| change.to == i).map(Transition::back);
+            let there = self.transitions.iter().filter(|change| change.from == i).map(ModeTransition::there);
+            let back = self.transitions.iter().filter(|change| change.to == i).map(ModeTransition::back);
             let changes: Vec<String> = there.chain(back).collect();
             writeln!(f, "{}{}", if changes.is_empty() { "" } else { "; " }, changes.join("; "))?;
         }

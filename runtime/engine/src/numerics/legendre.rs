@@ -30,9 +30,9 @@ pub(crate) const TERMS: usize = POINTS + 2;
 
 /// c₀, c₁, …
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Series([f64; TERMS]);
+pub(crate) struct LegendreSeries([f64; TERMS]);
 
-impl Series {
+impl LegendreSeries {
     /// The polynomial through values at Gauss's points.
     pub(crate) fn through(values: impl Fn(usize) -> f64) -> Self {
         let mut terms = [0.0; TERMS];
@@ -100,7 +100,7 @@ mod tests {
     /// f = 6x² integrates to 2x³ + 2, and again to x⁴/2 + 2x + 3/2, over a step of length 2.
     #[test]
     fn polynomials_are_integrated_exactly() {
-        let twice = Series::through(|k| 6.0 * X[k] * X[k]).integral(0.0, 2.0).integral(0.0, 2.0);
+        let twice = LegendreSeries::through(|k| 6.0 * X[k] * X[k]).integral(0.0, 2.0).integral(0.0, 2.0);
         let powers = twice.powers();
         for x in [-1.0, -0.3, 0.0, 0.7, 1.0_f64] {
             let exact = 0.5 * x.powi(4) + 2.0 * x + 1.5;

@@ -10,7 +10,7 @@ use crate::model::{ContactSet, Form, Layout, QuantityKind};
 
 /// What has a bound.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Bounded {
+pub(crate) enum BoundedQuantity {
     /// A driven distance, by its entry among the quantities; of a drive on a condition with its contact.
     Distance(usize, Option<usize>),
     /// The friction of a contact, by its entry in [`Layout::frictions`].
@@ -20,7 +20,7 @@ pub(crate) enum Bounded {
 /// A bound of the equations, with the condition that they have left it.
 #[derive(Debug, Clone)]
 pub(crate) struct Domain {
-    pub(crate) of: Bounded,
+    pub(crate) of: BoundedQuantity,
     pub(crate) left: Condition,
 }
 
@@ -31,21 +31,21 @@ impl Domain {
         let distances = quantities.filter(|(_, quantity)| quantity.kind == QuantityKind::DrivenDistance);
         let distances = distances.filter_map(|(entry, quantity)| {
             let contact = contact_of(layout, &format!("drive {}", driven(quantity.name)));
-            let of = Bounded::Distance(entry, contact.map(|(contact, _)| contact));
+            let of = BoundedQuantity::Distance(entry, contact.map(|(contact, _)| contact));
             Some(Self { of, left: Condition::parse(layout, &format!("{} < 0", quantity.name)).ok()? })
         });
         let frictions = layout.frictions.iter().enumerate().filter(|(_, friction)| friction.follows_slip);
         let frictions = frictions.filter_map(|(entry, friction)| {
             let support = layout.contacts[friction.contact].supports.first()?;
             let left = Condition::parse(layout, &format!("mu({support}) < 0")).ok()?;
-            Some(Self { of: Bounded::Friction(entry), left })
+            Some(Self { of: BoundedQuantity::Friction(entry), left })
         });
         distances.chain(frictions).collect()
     }
 
     /// Refuses a distance that is driven throughout and not above zero at t = 0.
     pub(crate) fn check(&self, context: &RunContext) -> Result<(), ModelError> {
-        let Bounded::Distance(entry, None) = self.of else { return Ok(()) };
+        let BoundedQuantity::Distance(entry, None) = self.of else { return Ok(()) };
         let (layout, nominal) = (context.layout(), &context.model.nominal);
         let at_rest: Vec<f64> = nominal.iter().copied().chain(nominal.iter().map(|_| 0.0)).collect();
         let phase = context.phase(ContactSet::EMPTY, Form::Projected);

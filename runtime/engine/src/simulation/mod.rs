@@ -29,7 +29,7 @@ use core::sync::atomic::AtomicBool;
 use std::sync::Arc;
 
 use crate::EventKind;
-use crate::assembly::{Pose, Start, StartError, on_energy_of, start};
+use crate::assembly::{ConsistentStart, Pose, StartError, on_energy_of, start};
 use crate::context::{RunContext, Scales, reduce, scales_of};
 use crate::error::{ModelError, NameError, OutputError, ScheduleError, SupportError};
 use crate::event::EventFilter;
@@ -94,7 +94,7 @@ struct GivenStart {
     /// A pose on whose energy level it has its rate.
     level: Option<Pose>,
     tolerance: f64,
-    start: Start,
+    start: ConsistentStart,
 }
 
 impl Simulation {
@@ -458,7 +458,7 @@ impl Simulation {
         Arc::make_mut(&mut self.context).scales = scales;
     }
 
-    pub(crate) fn started(&self) -> Result<Start, StartError> {
+    pub(crate) fn started(&self) -> Result<ConsistentStart, StartError> {
         match &self.start {
             None => self.complete(&Pose::nominal()),
             Some(given) if given.tolerance == self.tolerance => Ok(given.start.clone()),
@@ -467,7 +467,7 @@ impl Simulation {
     }
 
     /// The start of a pose, with the rate of an energy level where one is given.
-    fn resolve(&self, pose: &Pose, level: Option<&Pose>) -> Result<Start, StartError> {
+    fn resolve(&self, pose: &Pose, level: Option<&Pose>) -> Result<ConsistentStart, StartError> {
         let from = self.complete(pose)?;
         match level {
             None => Ok(from),
@@ -475,7 +475,7 @@ impl Simulation {
         }
     }
 
-    fn complete(&self, pose: &Pose) -> Result<Start, StartError> {
+    fn complete(&self, pose: &Pose) -> Result<ConsistentStart, StartError> {
         start((&self.context, &self.rules.switches), pose, self.tolerance, self.begin)
     }
 }

@@ -4,7 +4,7 @@
 use crate::context::{Numbers, RunContext};
 use crate::integration::phase_point::PhasePoint;
 use crate::model::Energy;
-use crate::numerics::legendre::{Series, W, X};
+use crate::numerics::legendre::{LegendreSeries, W, X};
 use crate::numerics::root_isolation::{NODES, last_coefficients};
 use crate::numerics::zero::SOLVED;
 use crate::trajectory::RecordedPhase;
@@ -145,7 +145,7 @@ impl Part {
             phase.show(t0 + 0.5 * (1.0 + x) * h, &mut point);
             power(&point, h)
         });
-        let tail = Series::through(|k| powers[k]).tail();
+        let tail = LegendreSeries::through(|k| powers[k]).tail();
         let matters = || {
             let work =
                 h / context.scales.time * powers.iter().fold(0.0, |most: f64, power| most.max(power.abs()));

@@ -8,7 +8,7 @@ mod tests;
 
 use crate::plot::svg::plane::{Box2, Px, add, along, head, minus};
 use crate::plot::svg::{Anchor, Colour, Fill, Lettering, Pen, Svg};
-use liftoff::{Change, Mode, Modes, Transition};
+use liftoff::{Change, Mode, ModeTransition, Modes};
 use liftoff_core::model::{Layout, Slip};
 use place::Places;
 
@@ -88,11 +88,11 @@ impl Graph<'_> {
     }
 
     /// The changes but those by which a contact closes and sticks at once: they pass over the boxes in which it slides.
-    fn drawn(&self) -> Vec<Transition> {
+    fn drawn(&self) -> Vec<ModeTransition> {
         self.0.transitions.iter().filter(|of| of.change != Change::ClosesSticking).copied().collect()
     }
 
-    fn change(&self, change: &Transition, ends: [Px; 2], labelled: bool, svg: &mut Svg) {
+    fn change(&self, change: &ModeTransition, ends: [Px; 2], labelled: bool, svg: &mut Svg) {
         let pen = pen_of(self.contact(change), change.change);
         arrow(svg, ends, pen);
         if labelled {
@@ -106,7 +106,7 @@ impl Graph<'_> {
     }
 
     /// The contact that a change is about.
-    fn contact(&self, change: &Transition) -> usize {
+    fn contact(&self, change: &ModeTransition) -> usize {
         let contacts = self.0.layout().contacts;
         contacts.iter().position(|contact| contact.label == change.contact).unwrap_or_default()
     }

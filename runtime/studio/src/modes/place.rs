@@ -2,7 +2,7 @@
 
 use super::Node;
 use crate::plot::svg::plane::{Box2, Px};
-use liftoff::Transition;
+use liftoff::ModeTransition;
 
 const MARGIN: f64 = 12.0;
 const HEIGHT: f64 = 42.0;
@@ -47,11 +47,12 @@ impl Places {
     }
 
     /// Where each arrow begins and ends: side by side, in the order of where they lead.
-    pub fn arrows(&self, changes: &[Transition]) -> Vec<[Px; 2]> {
-        let arrow = |change: &Transition| {
-            let beside: Vec<&Transition> = changes.iter().filter(|other| other.from == change.from).collect();
+    pub fn arrows(&self, changes: &[ModeTransition]) -> Vec<[Px; 2]> {
+        let arrow = |change: &ModeTransition| {
+            let beside: Vec<&ModeTransition> =
+                changes.iter().filter(|other| other.from == change.from).collect();
             let start = self.port(beside.iter().map(|other| other.to).collect(), change.to);
-            let beside: Vec<&Transition> = changes.iter().filter(|other| other.to == change.to).collect();
+            let beside: Vec<&ModeTransition> = changes.iter().filter(|other| other.to == change.to).collect();
             let end = self.port(beside.iter().map(|other| other.from).collect(), change.from);
             let [from, to] = [&self.boxes[change.from], &self.boxes[change.to]];
             [[from.most[0], from.centre()[1] + start], [to.least[0], to.centre()[1] + end]]

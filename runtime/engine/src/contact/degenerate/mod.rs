@@ -22,12 +22,12 @@ mod tests;
 pub(crate) use rubbing::Alternatives;
 
 use nalgebra::{Cholesky, DVector};
-use rubbing::Rubbing;
+use rubbing::FrictionAtOrder;
 
 use super::complementarity::{LcpRows, Solution};
-use super::equations::Equations;
+use super::equations::SeriesEquations;
 use super::equilibrated_kkt::EquilibratedKkt;
-use super::friction::{FrictionError, Frictional, Mode, Question, Slip as KnownSlip};
+use super::friction::{ContactMode, FrictionError, FrictionProblem, Frictional, SlipVelocity as KnownSlip};
 use super::least_constraint::LeastConstraint;
 use super::trials::LcpError;
 use super::{ContactError, Trials, joint_names, singular};
@@ -101,7 +101,7 @@ fn decide_by<const ROUGH: bool>(
     let mut off: Vec<(usize, f64)> = Vec::new();
     loop {
         let touching = question.touching.difference(off.iter().map(|(row, _)| *row).collect());
-        let mut ladder = Ladder::new(model.layout(), &ContactProblem { touching, ..*question });
+        let mut ladder = OrderLadder::new(model.layout(), &ContactProblem { touching, ..*question });
         if ROUGH {
             ladder.rub(model, state, &ContactProblem { touching, ..*question })?;
         }
@@ -145,7 +145,7 @@ impl From<FrictionError> for LcpError {
 }
 
 /// Orders solved so far.
-pub(super) struct Ladder {
+pub(super) struct OrderLadder {
     /// Rows that stay closed: two-sided ones and those found to bear.
     closed: Vec<usize>,
     /// Rows not decided by the orders so far.
@@ -163,7 +163,7 @@ pub(super) struct Ladder {
     reactions: Vec<DVector<f64>>,
     unique: bool,
     lowest: Option<Lowest>,
-    rubbing: Vec<Rubbing>,
+    rubbing: Vec<FrictionAtOrder>,
     layout: &'static Layout,
     time: Option<f64>,
 }
@@ -177,7 +177,7 @@ struct Lowest {
     alternatives: Option<Alternatives>,
 }
 
-impl Ladder {
+impl OrderLadder {
     pub(super) fn new(layout: &'static Layout, question: &ContactProblem) -> Self {
         let contacts = layout.contacts.len();
         let joints = contacts..contacts + layout.joints.len();
@@ -209,7 +209,7 @@ impl Ladder {
     }
 
     fn is_decided(&self) -> bool {
-        let rubs = |rubbing: &Rubbing| rubbing.later.is_none() && rubbing.frictional.is_decided();
+        let rubs = |rubbing: &FrictionAtOrder| rubbing.later.is_none() && rubbing.frictional.is_decided();
         self.open_question.is_empty() && self.pledged.is_empty() && self.rubbing.iter().all(rubs)
     }
 
@@ -227,8 +227,8 @@ impl Ladder {
         for _ in 0..orders {
             let (layout, acting) = (model.layout(), &self.acting);
             let acts = |row: usize| layout.contact_of(row).is_none_or(|contact| acting.contains(contact));
-            let equations = Equations::along(model, state, &self.accelerations).acting(acts);
-            let lifted = match self.climb::<ROUGH>(&equations, trials) {
+            let equations = SeriesEquations::along(model, state, &self.accelerations).acting(acts);
+            let lifted = match self.solve_next_order::<ROUGH>(&equations, trials) {
                 // How rows that are dependent here only share the load follows from the orders
                 // above: with another share these contradict each other.
                 Err(LcpError::Jammed) if !self.unique => return Ok(ContactSet::EMPTY),
@@ -242,9 +242,9 @@ impl Ladder {
     }
 
     /// Solves the next order and keeps as undecided what it leaves at zero.
-    fn climb<const ROUGH: bool>(
+    fn solve_next_order<const ROUGH: bool>(
         &mut self,
-        equations: &Equations,
+        equations: &SeriesEquations,
         trials: Option<&Trials>,
     ) -> Result<ContactSet, LcpError> {
         let order = self.accelerations.len();
@@ -266,7 +266,7 @@ impl Ladder {
                 let found = self.solve_smooth(&problem, &choice, &known, equations)?;
                 let shared = (order == 0).then(|| self.share_rough(&problem, &found)).flatten();
                 if let Some(shared) = &shared {
-                    let question = Question { rows: choice, contacts: &[] };
+                    let question = FrictionProblem { rows: choice, contacts: &[] };
                     first_to_bear = problem.order_bearing(&question, &[], shared);
                 }
                 shared.unwrap_or(found)
@@ -274,7 +274,7 @@ impl Ladder {
             false => {
                 let contacts: Vec<Frictional> =
                     self.rubbing.iter().map(|one| one.frictional.clone()).collect();
-                let question = Question { rows: choice, contacts: &contacts };
+                let question = FrictionProblem { rows: choice, contacts: &contacts };
                 let mut found = problem.solve_with_friction(&question).map_err(LcpError::from)?;
                 if order == 0 && (found.solutions.len() > 1 || !found.complete || !found.determined) {
                     alternatives = Some(self.alternatives_of(&found, &candidates));
@@ -318,7 +318,7 @@ impl Ladder {
         problem: &EquilibratedKkt,
         choice: &LcpRows,
         known: &[usize],
-        equations: &Equations,
+        equations: &SeriesEquations,
     ) -> Result<Solution, LcpError> {
         let free = problem.solve(choice)?;
         let mut opened = choice.candidates.iter().filter(|row| !free.tight.contains(row)).peekable();
@@ -368,7 +368,7 @@ impl Ladder {
         if off.is_empty() {
             return false;
         }
-        let equations = Equations::along(model, state, &[]);
+        let equations = SeriesEquations::along(model, state, &[]);
         let (jacobian, bias) = (&equations.jacobian[0], &equations.bias[0]);
         let mut force = equations.force[0].abs();
         if let Some((rate, time)) = equations.force.get(1).zip(self.time) {
@@ -391,7 +391,7 @@ impl Ladder {
         off.iter().any(|(row, _)| is_pressed(*row))
     }
 
-    pub(super) fn problem(&self, equations: &Equations, order: usize) -> EquilibratedKkt {
+    pub(super) fn problem(&self, equations: &SeriesEquations, order: usize) -> EquilibratedKkt {
         let mut force = equations.force[order].clone();
         let mut bias = equations.bias[order].clone();
         let (mut force_size, mut bias_size) = (force.abs(), bias.abs());
@@ -428,7 +428,7 @@ impl Ladder {
     fn decision(&self, layout: &Layout) -> ContactSolution {
         let contacts = layout.contacts.len();
         let undecided: Vec<usize> = self.open_question.iter().chain(&self.pledged).copied().collect();
-        let rubbing = self.rubbing.iter().filter(|rubbing| rubbing.mode != Mode::Open);
+        let rubbing = self.rubbing.iter().filter(|rubbing| rubbing.mode != ContactMode::Open);
         let normals: Vec<usize> = rubbing.clone().map(|rubbing| rubbing.contact).collect();
         let held: Vec<usize> = self.closed.iter().chain(&normals).copied().collect();
         let rows = [&held[..], &undecided].concat();

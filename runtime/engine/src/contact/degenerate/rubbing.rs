@@ -1,7 +1,7 @@
 //! Contacts with friction on their way up the orders: what each order leaves them, and the motions that order 0 allows.
 
-use super::{ContactProblem, Ladder};
-use crate::contact::friction::{FrictionSolution, Frictional, Mode, Reason, Sense};
+use super::{ContactProblem, OrderLadder};
+use crate::contact::friction::{ContactMode, FrictionSolution, Frictional, Reason, SlipDirection};
 use crate::contact::{ContactError, refuse_negative_friction};
 use crate::context::slips;
 use crate::model::{ContactKind, ContactSet, Slip};
@@ -22,52 +22,52 @@ pub(crate) struct Alternatives {
 }
 
 /// A contact with friction on its way up the orders.
-pub(super) struct Rubbing {
+pub(super) struct FrictionAtOrder {
     pub(super) contact: usize,
     pub(super) frictional: Frictional,
     /// What it may do from the next order on, where its reaction is known to vanish at order 0.
     pub(super) later: Option<Frictional>,
-    pub(super) mode: Mode,
+    pub(super) mode: ContactMode,
 }
 
-impl Rubbing {
+impl FrictionAtOrder {
     /// The set with the slip of this contact, if it is closed in it.
     pub(super) fn slip(&self, set: ContactSet) -> ContactSet {
         let slip = match self.mode {
-            Mode::Stick => Slip::Stick,
-            Mode::Slide(Sense::Forward) => Slip::Forward,
-            Mode::Slide(Sense::Backward) => Slip::Backward,
-            Mode::Guide { side, sense } => {
+            ContactMode::Stick => Slip::Stick,
+            ContactMode::Slide(SlipDirection::Forward) => Slip::Forward,
+            ContactMode::Slide(SlipDirection::Backward) => Slip::Backward,
+            ContactMode::Guide { side, sense } => {
                 return set
                     .with(self.contact)
                     .slipping(self.contact, slip_of(sense))
                     .pressing(self.contact, side);
             }
-            Mode::Open | Mode::Part(_) => return set,
+            ContactMode::Open | ContactMode::Part(_) => return set,
         };
         if set.contains(self.contact) { set.slipping(self.contact, slip) } else { set }
     }
 }
 
-fn slip_of(sense: Option<Sense>) -> Slip {
+fn slip_of(sense: Option<SlipDirection>) -> Slip {
     match sense {
         None => Slip::Stick,
-        Some(Sense::Forward) => Slip::Forward,
-        Some(Sense::Backward) => Slip::Backward,
+        Some(SlipDirection::Forward) => Slip::Forward,
+        Some(SlipDirection::Backward) => Slip::Backward,
     }
 }
 
 /// What a guide did in the phase before.
-fn as_before(set: &ContactSet, contact: usize) -> Mode {
+fn as_before(set: &ContactSet, contact: usize) -> ContactMode {
     let sense = match set.slip(contact) {
         Slip::Stick => None,
-        Slip::Forward => Some(Sense::Forward),
-        Slip::Backward => Some(Sense::Backward),
+        Slip::Forward => Some(SlipDirection::Forward),
+        Slip::Backward => Some(SlipDirection::Backward),
     };
-    Mode::Guide { side: set.side(contact), sense }
+    ContactMode::Guide { side: set.side(contact), sense }
 }
 
-impl Ladder {
+impl OrderLadder {
     /// Takes in the contacts with friction, with their coefficients at a state.
     pub(super) fn rub(
         &mut self,
@@ -93,7 +93,7 @@ impl Ladder {
             let is_held = question.held.contains(contact) && !is_guide;
             let unloaded = question.unloaded.contains(contact) && !is_held;
             let frictional = match (unloaded, is_guide) {
-                (true, false) => Frictional::decided(rows, coefficients, Mode::Open),
+                (true, false) => Frictional::decided(rows, coefficients, ContactMode::Open),
                 // With N = 0 both sides have the same motion.
                 (true, true) => {
                     Frictional::decided(rows, coefficients, as_before(&question.touching, contact))
@@ -101,7 +101,7 @@ impl Ladder {
                 (false, _) => touching.clone(),
             };
             let later = unloaded.then_some(touching);
-            Some(Rubbing { contact, frictional, later, mode: Mode::Open })
+            Some(FrictionAtOrder { contact, frictional, later, mode: ContactMode::Open })
         });
         self.rubbing = known.collect();
         Ok(())
@@ -112,7 +112,7 @@ impl Ladder {
         let contacts = self.rubbing.iter().map(|rubbing| rubbing.contact).chain(candidates.iter().copied());
         let labels: Vec<&str> = contacts.map(|contact| self.layout.contacts[contact].label).collect();
         let rubbing = self.rubbing.len();
-        let told = |modes: &Vec<Mode>| {
+        let told = |modes: &Vec<ContactMode>| {
             let each = labels.iter().zip(modes).enumerate();
             let each: Vec<String> = each
                 .map(|(k, (label, mode))| {

@@ -2,10 +2,10 @@
 
 use nalgebra::DVector;
 
-use super::{ContactProblem, Ladder, decide};
+use super::{ContactProblem, OrderLadder, decide};
 use crate::contact::ContactError;
-use crate::contact::equations::Equations;
-use crate::contact::friction::{Mode, Sense, Slip};
+use crate::contact::equations::SeriesEquations;
+use crate::contact::friction::{ContactMode, SlipDirection, SlipVelocity};
 use crate::model::{ContactKind, ContactSet, Side, Slip as ModelSlip};
 use crate::prelude::*;
 use crate::system::Model;
@@ -18,7 +18,7 @@ fn rows_that_take_no_part_are_zero() {
     let model = Model::new(&RodOnSupports { m: 1.0, l: 2.0, g: 1.0 });
     let state = [0.3, 0.1, 0.2, 0.7, 0.4, -0.2];
     let acceleration = DVector::from_row_slice(&[0.3, -0.1, 0.5]);
-    let equations = || Equations::along(&model, &state, std::slice::from_ref(&acceleration));
+    let equations = || SeriesEquations::along(&model, &state, std::slice::from_ref(&acceleration));
     let (whole, acting) = (equations(), equations().acting(|row| row == 1 || row == 2));
     for order in 0..2 {
         assert!(whole.bias[order][0] != 0.0 && whole.jacobian[order].row(0).amax() > 0.0);
@@ -43,7 +43,7 @@ fn a_contact_is_pressed_beyond_the_rounding_of_its_terms() {
         let state = [turn, 0.0, 0.0, rate * unit, 0.0, 0.0];
         for (part, pressed) in [(1.0, false), (0.0, false), (-1e-10, false), (-1e-8, true), (-1.0, true)] {
             let mut ladder =
-                Ladder::new(model.layout(), &ContactProblem { touching, ..ContactProblem::default() });
+                OrderLadder::new(model.layout(), &ContactProblem { touching, ..ContactProblem::default() });
             // The two terms cancel but for a part of them.
             let a = -turned * (1.0 - 2.0 * part) * unit * unit;
             ladder.accelerations = vec![DVector::from_row_slice(&[0.0, 0.0, a])];
@@ -62,7 +62,7 @@ fn what_a_located_reaction_accelerates_is_no_pressing() {
         let compliance = (1.0 + 3.0 * turn.cos().powi(2)) / m;
         for (part, pressed) in [(0.0, true), (0.4, true), (0.6, false), (-0.6, true)] {
             let mut ladder =
-                Ladder::new(model.layout(), &ContactProblem { touching, ..ContactProblem::default() });
+                OrderLadder::new(model.layout(), &ContactProblem { touching, ..ContactProblem::default() });
             // The rod falls with 1e-7 of the weight.
             ladder.accelerations = vec![DVector::from_row_slice(&[0.0, 0.0, -1e-7])];
             let located = part * 1e-7 / compliance;
@@ -80,7 +80,7 @@ fn higher_orders_are_known_as_well_as_their_terms() {
     let (c, rate) = (0.8, -1.3);
     let state = [0.6_f64.asin(), 0.7 * 0.6, rate, 0.7 * c * rate];
     let a = [[0.4, -0.3], [1.5, 0.2]].map(|a| DVector::from_row_slice(&a));
-    let along = || Equations::along(&model, &state, &a);
+    let along = || SeriesEquations::along(&model, &state, &a);
     // Reactions so large that their terms are the largest, none, and no rows' own terms beside those of the accelerations.
     for (load, time, quiet) in [
         (1e4, None, false),
@@ -91,7 +91,7 @@ fn higher_orders_are_known_as_well_as_their_terms() {
     ] {
         let question =
             ContactProblem { touching: ContactSet::EMPTY.with(0), time, ..ContactProblem::default() };
-        let mut ladder = Ladder::new(model.layout(), &question);
+        let mut ladder = OrderLadder::new(model.layout(), &question);
         ladder.accelerations = a.to_vec();
         let reactions = [1.0, -2.0].map(|part| DVector::repeat(model.layout().rows(), part * load));
         ladder.reactions = reactions.to_vec();
@@ -172,21 +172,21 @@ fn contacts_with_friction_begin_as_they_are_known() {
     let layout = model.layout();
     let guide = (0..2).find(|&contact| layout.contacts[contact].kind == ContactKind::Guide).unwrap();
     let support = 1 - guide;
-    let slips = [(guide, Slip::Rest), (support, Slip::Rest)];
+    let slips = [(guide, SlipVelocity::Rest), (support, SlipVelocity::Rest)];
     let touching = ContactSet::EMPTY.with(support).slipping(guide, ModelSlip::Backward);
     let touching = touching.pressing(guide, Side::Negative);
-    let as_before = Mode::Guide { side: Side::Negative, sense: Some(Sense::Backward) };
+    let as_before = ContactMode::Guide { side: Side::Negative, sense: Some(SlipDirection::Backward) };
     for is_held in [false, true] {
         for is_unloaded in [false, true] {
             let if_so = |it: bool| if it { touching } else { ContactSet::EMPTY };
             let (held, unloaded) = (if_so(is_held), if_so(is_unloaded));
             let question =
                 ContactProblem { touching, held, unloaded, slips: &slips, ..ContactProblem::default() };
-            let mut ladder = Ladder::new(layout, &question);
+            let mut ladder = OrderLadder::new(layout, &question);
             ladder.rub(&model, &[0.0; 4], &question).unwrap();
             let told = |contact: usize| {
                 let it = ladder.rubbing.iter().find(|it| it.contact == contact).unwrap();
-                let modes: Vec<Mode> = it.frictional.choices.iter().map(|it| it.mode).collect();
+                let modes: Vec<ContactMode> = it.frictional.choices.iter().map(|it| it.mode).collect();
                 (modes, it.later.as_ref().map(|later| later.choices.len()))
             };
             let note = format!("{is_held} {is_unloaded}");
@@ -195,7 +195,7 @@ fn contacts_with_friction_begin_as_they_are_known() {
                 false => assert!(told(guide).0.len() == 6 && told(guide).1.is_none(), "{note}"),
             }
             match is_unloaded && !is_held {
-                true => assert_eq!(told(support), (vec![Mode::Open], Some(4)), "{note}"),
+                true => assert_eq!(told(support), (vec![ContactMode::Open], Some(4)), "{note}"),
                 false => assert!(told(support).0.len() == 4 && told(support).1.is_none(), "{note}"),
             }
         }
@@ -206,7 +206,7 @@ fn contacts_with_friction_begin_as_they_are_known() {
         slips: &slips,
         ..ContactProblem::default()
     };
-    let mut ladder = Ladder::new(layout, &question);
+    let mut ladder = OrderLadder::new(layout, &question);
     ladder.rub(&model, &[0.0; 4], &question).unwrap();
     assert_eq!(ladder.rubbing.iter().map(|it| it.contact).collect::<Vec<_>>(), [support]);
 }

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::{Equations, TIME_ORDERS};
+use super::{SeriesEquations, TIME_ORDERS};
 use crate::prelude::*;
 use crate::system::Model;
 
@@ -45,7 +45,7 @@ fn series_are_those_of_the_states_on_the_way() {
     let time = |k: usize| (k as f64 - 4.0) * span;
     let powers = DMatrix::from_fn(points, points, |k, power| time(k).powi(power as i32)).lu();
     for count in 0..=all.len() {
-        let series = Equations::along(&model, &start, &all[..count]);
+        let series = SeriesEquations::along(&model, &start, &all[..count]);
         let states = (0..points).map(|k| model.system.equations(&moved(&start, &all[..count], time(k))));
         let states: Vec<_> = states.collect();
         let rows = series.bias[0].len();
@@ -78,9 +78,9 @@ fn series_are_those_of_the_states_on_the_way() {
 #[test]
 fn entries_that_are_not_finite_are_found() {
     let model = Model::new(&Pulled { m: 2.0, l: 0.7, g: 9.81, f: 3.0 });
-    let equations = || Equations::along(&model, &[0.4, 0.1, -0.2, 0.9, 0.5, -0.8, 1.3], &[]);
+    let equations = || SeriesEquations::along(&model, &[0.4, 0.1, -0.2, 0.9, 0.5, -0.8, 1.3], &[]);
     assert!(equations().are_finite());
-    let wrong: [fn(&mut Equations); 4] = [
+    let wrong: [fn(&mut SeriesEquations); 4] = [
         |it| it.mass[0][(2, 2)] = f64::NAN,
         |it| it.force[0][2] = f64::INFINITY,
         |it| it.jacobian[0][(0, 2)] = f64::NEG_INFINITY,

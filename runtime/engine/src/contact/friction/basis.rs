@@ -12,8 +12,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::modes::Mode;
-use super::problem::Question;
+use super::modes::ContactMode;
+use super::problem::FrictionProblem;
 use crate::contact::complementarity::Solution;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
 use crate::numerics::decomposition::range;
@@ -37,8 +37,8 @@ impl EquilibratedKkt {
     /// `modes` are those of the contacts with friction.
     pub(in crate::contact) fn order_bearing(
         &self,
-        question: &Question,
-        modes: &[Mode],
+        question: &FrictionProblem,
+        modes: &[ContactMode],
         found: &Solution,
     ) -> Vec<usize> {
         let mut kept = self.columns(question, modes, found);
@@ -49,7 +49,7 @@ impl EquilibratedKkt {
         kept.iter().map(|column| column.row).chain(removed.into_iter().rev()).collect()
     }
 
-    fn columns(&self, question: &Question, modes: &[Mode], found: &Solution) -> Vec<Column> {
+    fn columns(&self, question: &FrictionProblem, modes: &[ContactMode], found: &Solution) -> Vec<Column> {
         let load = |row: usize| found.reactions[row] / self.scale[self.n + row];
         let mut columns = Vec::new();
         for (contact, mode) in question.contacts.iter().zip(modes).filter(|(_, mode)| mode.is_closed()) {
@@ -60,7 +60,7 @@ impl EquilibratedKkt {
                 }
                 None => self.column_of(contact.normal),
             };
-            let one_sided = !matches!(mode, Mode::Guide { .. });
+            let one_sided = !matches!(mode, ContactMode::Guide { .. });
             let (row, load, sticks) = (contact.normal, load(contact.normal), mode.sense().is_none());
             columns.push(Column { row, entries, load, one_sided, sticks });
         }

@@ -9,8 +9,8 @@ use std::collections::BTreeSet;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::modes::{Choice, Condition, Mode};
-use super::problem::{self, Closed, Equations, Problem, Trial, Unit};
+use super::modes::{ContactMode, ModeChoice, ModeCondition};
+use super::problem::{self, ActiveRows, BalancedProblem, RowEquations, Trial, Unit};
 use crate::contact::trials::LcpError;
 use crate::numerics::decomposition::svd;
 use crate::numerics::zero::SOLVED;
@@ -21,27 +21,13 @@ const CHANGES: usize = 10;
 /// A combination of the balanced multipliers of rows, (row, part).
 pub(super) type Edge = Vec<(usize, f64)>;
 
-impl Closed {
-    /// What multipliers of closed rows the loads of edges are, a column for each; `None` where an
-    /// edge has a row that is not closed.
-    pub(super) fn build_edge_matrix(&self, edges: &[Edge]) -> Option<DMatrix<f64>> {
-        let mut of_edges = DMatrix::zeros(self.rows.len(), edges.len());
-        for (k, edge) in edges.iter().enumerate() {
-            for &(row, part) in edge {
-                of_edges[(self.find_place(row)?, k)] = part;
-            }
-        }
-        Some(of_edges)
-    }
-}
-
-impl Problem<'_> {
+impl BalancedProblem<'_> {
     /// The motion of modes whose equations are singular, if reactions exist that meet the conditions on them.
     pub(super) fn admissible(
         &self,
-        chosen: &[&Choice],
-        closed: &Closed,
-        equations: &Equations,
+        chosen: &[&ModeChoice],
+        closed: &ActiveRows,
+        equations: &RowEquations,
     ) -> Result<Option<Trial>, LcpError> {
         if self.units.iter().any(|unit| unit.given.is_some()) {
             // One with fewer contacts closed, or at the bounds of friction, has the same motion.
@@ -72,7 +58,7 @@ impl Problem<'_> {
     fn least_squares(
         &self,
         a: &DMatrix<f64>,
-        equations: &Equations,
+        equations: &RowEquations,
         entries: &[(usize, bool)],
     ) -> Option<DVector<f64>> {
         let parts = &self.kkt.parts;
@@ -90,11 +76,11 @@ impl Problem<'_> {
     }
 
     /// The edges of all multipliers with whether each has a sign.
-    pub(super) fn edges(&self, chosen: &[&Choice], closed: &Closed) -> (Vec<Edge>, Vec<bool>) {
+    pub(super) fn edges(&self, chosen: &[&ModeChoice], closed: &ActiveRows) -> (Vec<Edge>, Vec<bool>) {
         let mut edges = Vec::new();
         let mut taken = Vec::new();
         for (unit, choice) in self.units.iter().zip(chosen) {
-            if choice.mode == Mode::Open {
+            if choice.mode == ContactMode::Open {
                 continue;
             }
             taken.extend([Some(unit.normal), unit.tangent.filter(|_| choice.mode.sense().is_none())]);
@@ -105,19 +91,19 @@ impl Problem<'_> {
         edges.into_iter().unzip()
     }
 
-    fn cone(&self, unit: &Unit, choice: &Choice) -> Vec<(Edge, bool)> {
+    fn cone(&self, unit: &Unit, choice: &ModeChoice) -> Vec<(Edge, bool)> {
         let normal = (unit.normal, choice.mode.side());
         let Some(tangent) = unit.tangent.filter(|_| choice.mode.sense().is_none()) else {
-            return vec![(vec![normal], choice.asks(Condition::Presses))];
+            return vec![(vec![normal], choice.asks(ModeCondition::Presses))];
         };
         let share = unit.limit * self.kkt.ratio(unit.normal, tangent);
         let edge = |sign: f64| vec![normal, (tangent, sign * share)];
         let across = |sign: f64| vec![(tangent, sign)];
-        match (choice.asks(Condition::Below), choice.asks(Condition::Above)) {
+        match (choice.asks(ModeCondition::Below), choice.asks(ModeCondition::Above)) {
             (true, true) => vec![(edge(1.0), true), (edge(-1.0), true)],
             (true, false) => vec![(edge(1.0), false), (across(-1.0), true)],
             (false, true) => vec![(edge(-1.0), false), (across(1.0), true)],
-            (false, false) => vec![(vec![normal], choice.asks(Condition::Presses)), (across(1.0), false)],
+            (false, false) => vec![(vec![normal], choice.asks(ModeCondition::Presses)), (across(1.0), false)],
         }
     }
 }

@@ -3,8 +3,8 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::enumeration::FEW;
-use super::modes::{Bound, Choice, Condition, Frictional, Mode, Sense};
-use super::problem::{Candidate, Problem, Question, Trial, Unit};
+use super::modes::{Bound, ContactMode, Frictional, ModeChoice, ModeCondition, SlipDirection};
+use super::problem::{BalancedProblem, Candidate, FrictionProblem, Trial, Unit};
 use crate::contact::complementarity::Solution;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
 use crate::contact::least_constraint::add_change;
@@ -64,11 +64,11 @@ pub(crate) struct FrictionSolution {
     /// friction only.
     pub(crate) solution: Solution,
     /// The mode of each contact with friction.
-    pub(crate) modes: Vec<Mode>,
+    pub(crate) modes: Vec<ContactMode>,
     /// The same contacts with what is left to the next order.
     pub(crate) next: Vec<Frictional>,
     /// The modes of all solutions with different accelerations, contacts with friction first, then the candidates without.
-    pub(crate) solutions: Vec<Vec<Mode>>,
+    pub(crate) solutions: Vec<Vec<ContactMode>>,
     /// Which of them it is.
     pub(crate) taken: usize,
     pub(crate) reason: Reason,
@@ -79,7 +79,7 @@ pub(crate) struct FrictionSolution {
 }
 
 /// What some of the contacts do: one choice of each, in the order of the problem's units.
-pub(super) struct Decision {
+pub(super) struct FrictionDecision {
     chosen: Vec<usize>,
     trial: Trial,
     /// The choices of all motions.
@@ -93,10 +93,10 @@ impl EquilibratedKkt {
     /// The motion with friction, its modes found among those that the contacts may have.
     pub(crate) fn solve_with_friction(
         &mut self,
-        question: &Question,
+        question: &FrictionProblem,
     ) -> Result<FrictionSolution, FrictionError> {
         self.couple(question.contacts);
-        let problem = Problem::new(self, question);
+        let problem = BalancedProblem::new(self, question);
         let decision = match problem.decide_groups()? {
             Some(decision) => decision,
             None => problem.decide_alone()?,
@@ -107,17 +107,17 @@ impl EquilibratedKkt {
     /// The same with the solutions alone whose accelerations are not zero.
     pub(super) fn moved_with_friction(
         &mut self,
-        question: &Question,
+        question: &FrictionProblem,
     ) -> Result<FrictionSolution, FrictionError> {
         self.couple(question.contacts);
-        let problem = Problem::new(self, question);
+        let problem = BalancedProblem::new(self, question);
         let mut found = problem.enumerate()?;
         found.retain(|it| (0..self.n).any(|i| it.trial.a[i].abs() > SAME * SIZE * self.tolerance[i]));
         Ok(problem.conclude(problem.decide(found, true)?))
     }
 }
 
-impl Problem<'_> {
+impl BalancedProblem<'_> {
     /// All solutions, or where there are many contacts one; and whether these are all.
     fn candidates(&self) -> Result<(Vec<Candidate>, bool), LcpError> {
         if self.is_small() {
@@ -133,12 +133,12 @@ impl Problem<'_> {
 
     /// The decisions of groups of contacts that nothing couples, each with all others open; `None`
     /// where all are coupled, or where a group does not determine its motion without the others.
-    fn decide_groups(&self) -> Result<Option<Decision>, FrictionError> {
+    fn decide_groups(&self) -> Result<Option<FrictionDecision>, FrictionError> {
         let groups = self.find_groups()?;
         let apart = |group: &Vec<usize>| self.with_units(group).decide_alone();
         let decisions = match groups.len() {
             0 | 1 => return Ok(None),
-            _ => groups.iter().map(apart).collect::<Result<Vec<Decision>, _>>(),
+            _ => groups.iter().map(apart).collect::<Result<Vec<FrictionDecision>, _>>(),
         };
         let free = self.with_units(&[]).attempt(&[])?.filter(|free| free.determined);
         match (free, decisions) {
@@ -161,7 +161,7 @@ impl Problem<'_> {
     }
 
     /// Motions of groups as one: each changes what no contact at all would do.
-    fn join(&self, free: &Trial, groups: &[Vec<usize>], decisions: &[Decision]) -> Decision {
+    fn join(&self, free: &Trial, groups: &[Vec<usize>], decisions: &[FrictionDecision]) -> FrictionDecision {
         let put = |mut all: Vec<usize>, group: &[usize], chosen: &[usize]| {
             group.iter().zip(chosen).for_each(|(&unit, &k)| all[unit] = k);
             all
@@ -190,28 +190,32 @@ impl Problem<'_> {
             determined: decisions.iter().all(|it| it.trial.determined),
         };
         let reason = decisions.iter().map(|it| it.reason).find(|reason| *reason != Reason::Only);
-        Decision { chosen, trial, solutions, taken, reason: reason.unwrap_or(Reason::Only), complete }
+        FrictionDecision { chosen, trial, solutions, taken, reason: reason.unwrap_or(Reason::Only), complete }
     }
 
-    pub(super) fn decide_alone(&self) -> Result<Decision, FrictionError> {
+    pub(super) fn decide_alone(&self) -> Result<FrictionDecision, FrictionError> {
         let (found, complete) = self.candidates()?;
         self.decide(found, complete)
     }
 
-    pub(super) fn decide(&self, found: Vec<Candidate>, complete: bool) -> Result<Decision, FrictionError> {
+    pub(super) fn decide(
+        &self,
+        found: Vec<Candidate>,
+        complete: bool,
+    ) -> Result<FrictionDecision, FrictionError> {
         let distinct = self.distinct(found);
         let (taken, reason) = self.choose(&distinct).ok_or(FrictionError::Inconsistent)?;
         let solutions = distinct.iter().map(|candidate| candidate.chosen.clone()).collect();
         let Candidate { chosen, trial, .. } = distinct[taken].clone();
         let slides = self.modes(&chosen).iter().any(|mode| mode.sense().is_some());
         match trial.determined || slides {
-            true => Ok(Decision { chosen, trial, solutions, taken, reason, complete }),
+            true => Ok(FrictionDecision { chosen, trial, solutions, taken, reason, complete }),
             false => Err(FrictionError::Singular),
         }
     }
 
-    pub(super) fn conclude(&self, decision: Decision) -> FrictionSolution {
-        let Decision { chosen, trial, solutions, taken, reason, complete } = decision;
+    pub(super) fn conclude(&self, decision: FrictionDecision) -> FrictionSolution {
+        let FrictionDecision { chosen, trial, solutions, taken, reason, complete } = decision;
         let modes = self.modes(&chosen);
         let contacts = self.question.contacts.iter().zip(&self.units).zip(&modes);
         let solution = self.finish(&modes, &trial);
@@ -233,7 +237,7 @@ impl Problem<'_> {
         }
     }
 
-    pub(super) fn modes(&self, chosen: &[usize]) -> Vec<Mode> {
+    pub(super) fn modes(&self, chosen: &[usize]) -> Vec<ContactMode> {
         self.units.iter().zip(chosen).map(|(unit, &k)| unit.choices[k].mode).collect()
     }
 
@@ -278,33 +282,33 @@ impl Problem<'_> {
     }
 
     /// Whether a motion is one of a contact in a mode.
-    fn is_mode_of(&self, unit: &Unit, choice: &Choice, trial: &Trial) -> bool {
+    fn is_mode_of(&self, unit: &Unit, choice: &ModeChoice, trial: &Trial) -> bool {
         let kkt = self.kkt;
         let still = |row: usize| kkt.opening(row, &trial.a).abs() <= kkt.slack(row);
         let free = |row: usize| trial.reactions[row].abs() <= kkt.slack(row);
         let tied = self.question.rows.tied_to(&[unit.normal]);
         let mut tangents = tied.iter().copied().chain(unit.tangent);
         let meets = match choice.mode {
-            Mode::Open => free(unit.normal) && tangents.all(free),
-            Mode::Stick => still(unit.normal) && tangents.all(still),
-            Mode::Slide(sense) => still(unit.normal) && self.is_kinetic(unit, sense, trial),
-            Mode::Guide { sense: None, .. } => tangents.all(still),
-            Mode::Guide { sense: Some(sense), side } => {
+            ContactMode::Open => free(unit.normal) && tangents.all(free),
+            ContactMode::Stick => still(unit.normal) && tangents.all(still),
+            ContactMode::Slide(sense) => still(unit.normal) && self.is_kinetic(unit, sense, trial),
+            ContactMode::Guide { sense: None, .. } => tangents.all(still),
+            ContactMode::Guide { sense: Some(sense), side } => {
                 self.is_kinetic_with(unit, sense, f64::from(side.sign()), trial)
             }
-            Mode::Part(None) => free(unit.normal) && tangents.all(still),
-            Mode::Part(Some(sense)) => free(unit.normal) && self.is_kinetic(unit, sense, trial),
+            ContactMode::Part(None) => free(unit.normal) && tangents.all(still),
+            ContactMode::Part(Some(sense)) => free(unit.normal) && self.is_kinetic(unit, sense, trial),
         };
         meets && self.holds(unit, choice, trial)
     }
 
     /// Whether R = −σ μ λ_N.
-    fn is_kinetic(&self, unit: &Unit, sense: Sense, trial: &Trial) -> bool {
+    fn is_kinetic(&self, unit: &Unit, sense: SlipDirection, trial: &Trial) -> bool {
         self.is_kinetic_with(unit, sense, 1.0, trial)
     }
 
     /// Whether R = −σ μ s λ_N.
-    fn is_kinetic_with(&self, unit: &Unit, sense: Sense, side: f64, trial: &Trial) -> bool {
+    fn is_kinetic_with(&self, unit: &Unit, sense: SlipDirection, side: f64, trial: &Trial) -> bool {
         unit.tangent.is_some_and(|tangent| {
             let Bound { slope, offset } = unit.kinetic(sense);
             let share = slope * self.kkt.ratio(unit.normal, tangent);
@@ -318,15 +322,15 @@ impl Problem<'_> {
 
     /// The modes that a motion leaves possible, that which it has been solved in among them, each with the conditions that it meets
     /// with zero.
-    fn left_open(&self, unit: &Unit, own: Mode, trial: &Trial) -> Vec<Choice> {
+    fn left_open(&self, unit: &Unit, own: ContactMode, trial: &Trial) -> Vec<ModeChoice> {
         // Nearly singular equations are solved to more than the rounding of their rows.
-        let is_possible = |choice: &&Choice| choice.mode == own || self.is_mode_of(unit, choice, trial);
+        let is_possible = |choice: &&ModeChoice| choice.mode == own || self.is_mode_of(unit, choice, trial);
         let possible = unit.choices.iter().filter(is_possible);
-        let vanishes = |choice: &Choice, condition: &Condition| {
+        let vanishes = |choice: &ModeChoice, condition: &ModeCondition| {
             let (value, slack) = self.value(unit, choice.mode, *condition, trial);
-            value.abs() <= slack && *condition != Condition::Follows
+            value.abs() <= slack && *condition != ModeCondition::Follows
         };
-        let open = |choice: &Choice| Choice {
+        let open = |choice: &ModeChoice| ModeChoice {
             mode: choice.mode,
             conditions: choice.conditions.iter().copied().filter(|it| vanishes(choice, it)).collect(),
         };
@@ -335,7 +339,7 @@ impl Problem<'_> {
 
     /// Whether redundant contacts move the system alike however they share their load: those that slide at different μ do
     /// not, and have more independent columns than rows.
-    fn is_determined(&self, modes: &[Mode]) -> bool {
+    fn is_determined(&self, modes: &[ContactMode]) -> bool {
         let closed = self.closed(modes);
         let rows: Vec<_> = closed.rows.iter().map(|&row| self.kkt.column_of(row)).collect();
         let mut columns = rows.clone();
@@ -347,7 +351,7 @@ impl Problem<'_> {
         rank(&columns) == rank(&rows)
     }
 
-    fn finish(&self, modes: &[Mode], trial: &Trial) -> Solution {
+    fn finish(&self, modes: &[ContactMode], trial: &Trial) -> Solution {
         let kkt = self.kkt;
         let smooth = self.units.iter().zip(modes).filter(|(unit, _)| unit.tangent.is_none());
         let closed = smooth.filter(|(_, mode)| mode.is_closed()).map(|(unit, _)| unit.normal);

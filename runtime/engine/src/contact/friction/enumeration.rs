@@ -1,7 +1,7 @@
 //! All combinations of modes, one after the other: every solution is found.
 
-use super::modes::Choice;
-use super::problem::{Candidate, Problem, Trial};
+use super::modes::ModeChoice;
+use super::problem::{BalancedProblem, Candidate, Trial};
 use crate::contact::trials::LcpError;
 
 /// Up to this many combinations all are tried at once.
@@ -9,7 +9,7 @@ pub(super) const FEW: usize = 1024;
 /// More are tried only where pivoting finds no solution, and no more than these.
 const MOST: usize = 1 << 16;
 
-impl Problem<'_> {
+impl BalancedProblem<'_> {
     fn combinations(&self) -> Option<usize> {
         self.units.iter().try_fold(1usize, |count, unit| count.checked_mul(unit.choices.len()))
     }
@@ -44,7 +44,7 @@ impl Problem<'_> {
 
     /// The motion of some modes if it meets all conditions.
     pub(super) fn verified(&self, chosen: &[usize]) -> Result<Option<Trial>, LcpError> {
-        let choices: Vec<&Choice> =
+        let choices: Vec<&ModeChoice> =
             self.units.iter().zip(chosen).map(|(unit, &k)| &unit.choices[k]).collect();
         let trial = self.attempt(&choices)?;
         let meets = |trial: &Trial| {

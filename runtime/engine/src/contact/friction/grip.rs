@@ -6,7 +6,7 @@
 use nalgebra::DVector;
 
 use super::limit::{Limit, find_limit, row_space};
-use super::modes::Sense;
+use super::modes::SlipDirection;
 use crate::contact::closed_rows::ClosedRows;
 use crate::context::{Slips, slips};
 use crate::model::{ContactSet, Layout, Slip, SlipState};
@@ -19,7 +19,7 @@ const ROUNDED: f64 = roundoff(16.0);
 
 /// The closed contacts of a phase whose reactions are not determined by the motion.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(crate) struct Grip {
+pub(crate) struct SharedFriction {
     /// Those with friction that stick: they slip when no reactions within the cones are left.
     pub(crate) sticking: ContactSet,
     /// Those among them whose normal reaction is not determined either.
@@ -28,25 +28,25 @@ pub(crate) struct Grip {
 
 /// How far the contacts of a grip are from slipping.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Margin {
+pub(crate) struct SharedFrictionMargin {
     /// s, N: negative where they have to slip.
     pub(crate) value: f64,
     /// Those that slip at s = 0, with their senses.
-    pub(crate) leaving: Vec<(usize, Sense)>,
+    pub(crate) leaving: Vec<(usize, SlipDirection)>,
     /// Those that bear nothing at s = 0.
     pub(crate) unloaded: ContactSet,
 }
 
 /// An edge of a cone: its column in natural coordinates, and the slip that follows at it.
-struct Edge {
+struct ConeEdge {
     column: DVector<f64>,
     load: f64,
     contact: usize,
     /// `None` without friction.
-    slip: Option<Sense>,
+    slip: Option<SlipDirection>,
 }
 
-impl Grip {
+impl SharedFriction {
     /// Of the closed contacts at a state.
     pub(crate) fn compute(system: &dyn System, state: &[f64], closed: &ContactSet) -> Self {
         let layout = system.layout();
@@ -122,7 +122,12 @@ impl LastMargin {
 
 /// The margin of the contacts that share their load, given reactions of all closed contacts that
 /// hold the motion.
-pub(crate) fn margin(system: &dyn System, state: &[f64], closed: &ContactSet, reactions: &[f64]) -> Margin {
+pub(crate) fn margin(
+    system: &dyn System,
+    state: &[f64],
+    closed: &ContactSet,
+    reactions: &[f64],
+) -> SharedFrictionMargin {
     SharedLoad::compute(system, state, closed).margin(reactions)
 }
 
@@ -152,16 +157,16 @@ impl<'a> SharedLoad<'a> {
         rows.jacobian.iter().copied().chain(loads).collect()
     }
 
-    fn margin(&self, reactions: &[f64]) -> Margin {
+    fn margin(&self, reactions: &[f64]) -> SharedFrictionMargin {
         let Self { layout, closed, rows, slips } = self;
         let undetermined = rows.undetermined();
         let (edges, taken) = edges(layout, closed, (rows, &undetermined), slips, reactions);
         if edges.is_empty() {
             // At this position the motion determines all of them: none can go before its own
             // reaction does.
-            return Margin {
+            return SharedFrictionMargin {
                 value: reactions.iter().fold(0.0, |most, load| load.abs().max(most)),
-                ..Margin::default()
+                ..SharedFrictionMargin::default()
             };
         }
         let others = (0..rows.rows.len()).filter(|place| !taken.contains(place));
@@ -171,14 +176,14 @@ impl<'a> SharedLoad<'a> {
         let Some(Limit { margin: value, velocities, .. }) = find_limit(&row_space(&columns, &others), &loads)
         else {
             // Internal forces hold the contacts under any load.
-            return Margin { value: loads.amax(), ..Margin::default() };
+            return SharedFrictionMargin { value: loads.amax(), ..SharedFrictionMargin::default() };
         };
         let least = MARGIN * velocities.amax();
         let moves = |place: &usize| velocities[*place] > least;
         let rests = |contact| (0..edges.len()).any(|k| edges[k].contact == contact && !moves(&k));
         let moving = || (0..edges.len()).filter(moves).map(|place| &edges[place]);
         let slips = moving().filter(|edge| rests(edge.contact));
-        Margin {
+        SharedFrictionMargin {
             value,
             leaving: slips.filter_map(|edge| edge.slip.map(|sense| (edge.contact, sense))).collect(),
             unloaded: moving().map(|edge| edge.contact).filter(|contact| !rests(*contact)).collect(),
@@ -193,7 +198,7 @@ fn edges(
     (rows, undetermined): (&ClosedRows, &[bool]),
     slips: &[SlipState<f64>],
     reactions: &[f64],
-) -> (Vec<Edge>, Vec<usize>) {
+) -> (Vec<ConeEdge>, Vec<usize>) {
     let (mut edges, mut taken) = (Vec::new(), Vec::new());
     let rounding = ROUNDED * reactions.iter().fold(0.0, |most: f64, load| most.max(load.abs()));
     for contact in closed.iter() {
@@ -207,19 +212,19 @@ fn edges(
         let side = f64::from(closed.side(contact).sign());
         let (pressing, bearing) = (rows.jacobian.row(normal).transpose() * side, side * reactions[contact]);
         let Some((entry, place)) = tangent else {
-            edges.push(Edge { column: pressing, load: bearing, contact, slip: None });
+            edges.push(ConeEdge { column: pressing, load: bearing, contact, slip: None });
             continue;
         };
         taken.push(place);
         let (limit, friction) = (slips[entry].limit, reactions[layout.contacts.len() + entry]);
         // Where R = −μ λ_N the edge J_N + μ J_t bears nothing, and moves as the contact slips
         // forward.
-        for (sign, sense) in [(1.0, Sense::Forward), (-1.0, Sense::Backward)] {
+        for (sign, sense) in [(1.0, SlipDirection::Forward), (-1.0, SlipDirection::Backward)] {
             let column = &pressing + rows.jacobian.row(place).transpose() * (sign * limit);
             let bears = limit > 0.0 && friction.abs() > rounding;
             let across = if bears { sign * friction / limit } else { 0.0 };
             let load = 0.5 * (bearing + across);
-            edges.push(Edge { column, load, contact, slip: Some(sense) });
+            edges.push(ConeEdge { column, load, contact, slip: Some(sense) });
         }
     }
     (edges, taken)

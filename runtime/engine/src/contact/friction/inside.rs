@@ -6,19 +6,19 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::limit::{Limit, find_limit, row_space};
-use super::modes::Choice;
-use super::problem::{Problem, Trial};
+use super::modes::ModeChoice;
+use super::problem::{BalancedProblem, Trial};
 use crate::numerics::decomposition::range;
 use crate::numerics::zero::MARGIN;
 
-impl Problem<'_> {
+impl BalancedProblem<'_> {
     /// The same motion with reactions moved inside. `None` where they are determined, or where
     /// some are at their bounds, or all but, however the load is shared.
     pub(super) fn move_inside(&self, chosen: &[usize], trial: &Trial) -> Option<Trial> {
         if self.units.iter().any(|unit| unit.given.is_some()) {
             return None;
         }
-        let choices: Vec<&Choice> =
+        let choices: Vec<&ModeChoice> =
             self.units.iter().zip(chosen).map(|(unit, &k)| &unit.choices[k]).collect();
         let closed = self.closed(&choices.iter().map(|choice| choice.mode).collect::<Vec<_>>());
         let (edges, signed) = self.edges(&choices, &closed);

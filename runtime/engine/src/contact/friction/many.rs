@@ -6,9 +6,9 @@
 //! rough contact is taken to stick; those that open are released with their tangents. What is found is checked by the
 //! equations with these contacts closed.
 
-use super::modes::{Mode, Sense};
+use super::modes::{ContactMode, SlipDirection};
 use super::planar_lcp::Shape;
-use super::problem::{Candidate, Closed, Problem};
+use super::problem::{ActiveRows, BalancedProblem, Candidate};
 use crate::contact::trials::LcpError;
 
 /// Up to this many contacts are taken in at once.
@@ -19,12 +19,12 @@ struct Assumed {
     /// Those taken in.
     within: Vec<usize>,
     /// Those that slide although their limit is above their kinetic friction.
-    broken: Vec<(usize, Sense)>,
+    broken: Vec<(usize, SlipDirection)>,
     /// Rough ones that open.
     released: Vec<usize>,
 }
 
-impl Problem<'_> {
+impl BalancedProblem<'_> {
     /// A solution, if this finds one.
     pub(super) fn pivot(&self) -> Result<Option<Candidate>, LcpError> {
         let Some(shapes) = self.shapes() else { return Ok(None) };
@@ -80,7 +80,7 @@ impl Problem<'_> {
     fn with(&self, shapes: &[Option<Shape>], assumed: &Assumed) -> Option<Vec<usize>> {
         let broken = |at: usize| assumed.broken.iter().find(|(unit, _)| *unit == at);
         let shape = |at: usize| match broken(at) {
-            Some((_, sense)) => Some(Shape::Normal { closed: Mode::Slide(*sense) }),
+            Some((_, sense)) => Some(Shape::Normal { closed: ContactMode::Slide(*sense) }),
             None => shapes[at],
         };
         let within: Vec<_> =
@@ -98,7 +98,7 @@ impl Problem<'_> {
         let mode = |at: usize| match (found.iter().find(|(unit, _)| *unit == at), shapes[at]) {
             (Some((_, mode)), _) => *mode,
             (None, None) => self.units[at].choices[0].mode,
-            (None, Some(_)) => Mode::Open,
+            (None, Some(_)) => ContactMode::Open,
         };
         let place = |at: usize| self.units[at].choices.iter().position(|choice| choice.mode == mode(at));
         (0..self.units.len()).map(place).collect()
@@ -106,11 +106,11 @@ impl Problem<'_> {
 
     /// The rows that are closed whatever is found: two-sided ones, contacts that are decided or at their brink, and tangents of
     /// rough contacts.
-    fn held(&self, shapes: &[Option<Shape>], rough: &[usize]) -> Closed {
+    fn held(&self, shapes: &[Option<Shape>], rough: &[usize]) -> ActiveRows {
         let mode = |at: usize| match shapes[at] {
             None => self.units[at].choices[0].mode,
-            Some(Shape::Brink(sense)) => Mode::Slide(sense),
-            Some(_) => Mode::Open,
+            Some(Shape::Brink(sense)) => ContactMode::Slide(sense),
+            Some(_) => ContactMode::Open,
         };
         let mut held = self.closed(&(0..shapes.len()).map(mode).collect::<Vec<_>>());
         held.rows.extend(self.question.rows.tied_to(rough));
@@ -124,11 +124,11 @@ impl Problem<'_> {
             let mode = unit.choices[chosen[at]].mode;
             let is_known = assumed.broken.iter().any(|(other, _)| *other == at);
             match mode {
-                Mode::Slide(sense) if unit.limit > unit.mu && unit.choices.len() > 2 && !is_known => {
+                ContactMode::Slide(sense) if unit.limit > unit.mu && unit.choices.len() > 2 && !is_known => {
                     assumed.broken.push((at, sense));
                     revised = true;
                 }
-                Mode::Open
+                ContactMode::Open
                     if self.question.rows.is_rough(unit.normal)
                         && assumed.within.contains(&at)
                         && !assumed.released.contains(&at) =>

@@ -36,7 +36,7 @@ mod stability;
 pub(in crate::contact) mod tests;
 
 pub(crate) use decision::{FrictionError, FrictionSolution, Reason};
-pub(crate) use grip::{Grip, LastMargin, Margin, margin};
-pub(crate) use modes::{Frictional, Mode, Sense, Slip};
-pub(crate) use problem::Question;
+pub(crate) use grip::{LastMargin, SharedFriction, SharedFrictionMargin, margin};
+pub(crate) use modes::{ContactMode, Frictional, SlipDirection, SlipVelocity};
+pub(crate) use problem::FrictionProblem;
 pub(crate) use stability::{holds, least_hold};

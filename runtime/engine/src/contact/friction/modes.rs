@@ -17,14 +17,14 @@ use crate::model::Side;
 
 /// The direction of a slip along the tangent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub(crate) enum Sense {
+pub(crate) enum SlipDirection {
     /// σ = 1.
     Forward,
     /// σ = −1.
     Backward,
 }
 
-impl Sense {
+impl SlipDirection {
     /// σ.
     pub(crate) fn sign(self) -> f64 {
         match self {
@@ -36,27 +36,27 @@ impl Sense {
 
 /// What a contact does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub(crate) enum Mode {
+pub(crate) enum ContactMode {
     /// Without force.
     Open,
     /// Closed without slip; a contact without friction that is closed has this mode too.
     Stick,
     /// Closed with a slip, or about to.
-    Slide(Sense),
+    Slide(SlipDirection),
     /// A guide that presses to a side, without slip or with one.
     Guide {
         /// The side.
         side: Side,
         /// The sense of its slip, if it slips.
-        sense: Option<Sense>,
+        sense: Option<SlipDirection>,
     },
     /// Open with no more than the normal impulse that is given, which rubs: without slip, or with one. In impacts alone.
-    Part(Option<Sense>),
+    Part(Option<SlipDirection>),
 }
 
 /// What is known of a contact's slip velocity v.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Slip {
+pub(crate) enum SlipVelocity {
     /// v > 0.
     Forward,
     /// v < 0.
@@ -65,12 +65,12 @@ pub(crate) enum Slip {
     Rest,
     /// v = 0, and the force of sticking was located at its limit: it slides in this sense or opens, be its slip acceleration zero
     /// but for rounding.
-    Leaves(Sense),
+    Leaves(SlipDirection),
 }
 
 /// An inequality of a mode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Condition {
+pub(crate) enum ModeCondition {
     /// g̈_N ≥ 0.
     Opens,
     /// λ_N ≥ 0.
@@ -87,12 +87,12 @@ pub(crate) enum Condition {
 
 /// A mode with the conditions that the order at hand decides.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Choice {
-    pub(crate) mode: Mode,
-    pub(crate) conditions: SmallVec<[Condition; 3]>,
+pub(crate) struct ModeChoice {
+    pub(crate) mode: ContactMode,
+    pub(crate) conditions: SmallVec<[ModeCondition; 3]>,
 }
 
-impl Mode {
+impl ContactMode {
     /// Whether the normal's row is closed.
     pub(super) fn is_closed(self) -> bool {
         matches!(self, Self::Stick | Self::Slide(_) | Self::Guide { .. })
@@ -108,16 +108,20 @@ impl Mode {
         match self {
             Self::Open => "open",
             Self::Stick => "sticking",
-            Self::Slide(Sense::Forward) => "sliding forward",
-            Self::Slide(Sense::Backward) => "sliding backward",
+            Self::Slide(SlipDirection::Forward) => "sliding forward",
+            Self::Slide(SlipDirection::Backward) => "sliding backward",
             Self::Guide { side: Side::Positive, sense: None } => "sticking with N > 0",
-            Self::Guide { side: Side::Positive, sense: Some(Sense::Forward) } => "sliding forward with N > 0",
-            Self::Guide { side: Side::Positive, sense: Some(Sense::Backward) } => {
+            Self::Guide { side: Side::Positive, sense: Some(SlipDirection::Forward) } => {
+                "sliding forward with N > 0"
+            }
+            Self::Guide { side: Side::Positive, sense: Some(SlipDirection::Backward) } => {
                 "sliding backward with N > 0"
             }
             Self::Guide { side: Side::Negative, sense: None } => "sticking with N < 0",
-            Self::Guide { side: Side::Negative, sense: Some(Sense::Forward) } => "sliding forward with N < 0",
-            Self::Guide { side: Side::Negative, sense: Some(Sense::Backward) } => {
+            Self::Guide { side: Side::Negative, sense: Some(SlipDirection::Forward) } => {
+                "sliding forward with N < 0"
+            }
+            Self::Guide { side: Side::Negative, sense: Some(SlipDirection::Backward) } => {
                 "sliding backward with N < 0"
             }
             Self::Part(_) => "parting",
@@ -129,7 +133,7 @@ impl Mode {
         if self.is_closed() { "closed" } else { "open" }
     }
 
-    pub(super) fn sense(self) -> Option<Sense> {
+    pub(super) fn sense(self) -> Option<SlipDirection> {
         match self {
             Self::Slide(sense) | Self::Part(Some(sense)) => Some(sense),
             Self::Guide { sense, .. } => sense,
@@ -143,14 +147,14 @@ impl Mode {
     }
 }
 
-impl Choice {
+impl ModeChoice {
     /// The same of a guide that presses to a side; none of an open contact.
     fn on(self, side: Side) -> Option<Self> {
         let sense = self.mode.sense();
-        (self.mode != Mode::Open).then_some(Self { mode: Mode::Guide { side, sense }, ..self })
+        (self.mode != ContactMode::Open).then_some(Self { mode: ContactMode::Guide { side, sense }, ..self })
     }
 
-    pub(super) fn asks(&self, condition: Condition) -> bool {
+    pub(super) fn asks(&self, condition: ModeCondition) -> bool {
         self.conditions.contains(&condition)
     }
 }
@@ -165,7 +169,7 @@ pub(crate) struct Bound {
 /// Bounds of friction while an impulse is given: `−forward ≤ R ≤ backward`, the first one reached where the contact slips
 /// forward.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Given {
+pub(crate) struct ImpulseBounds {
     pub(crate) forward: Bound,
     pub(crate) backward: Bound,
 }
@@ -182,42 +186,54 @@ pub(crate) struct Frictional {
     /// μ_s ≥ μ while it sticks.
     pub(crate) limit: f64,
     /// Bounds instead of these, in impacts.
-    pub(crate) given: Option<Given>,
+    pub(crate) given: Option<ImpulseBounds>,
     /// The modes it may have.
-    pub(crate) choices: Vec<Choice>,
+    pub(crate) choices: Vec<ModeChoice>,
 }
 
 impl Frictional {
     /// A contact that touches, with g = ġ = 0 and of its slip what is known.
-    pub(crate) fn touching((normal, tangent): (usize, usize), (mu, limit): (f64, f64), slip: Slip) -> Self {
+    pub(crate) fn touching(
+        (normal, tangent): (usize, usize),
+        (mu, limit): (f64, f64),
+        slip: SlipVelocity,
+    ) -> Self {
         Self { normal, tangent, mu, limit, given: None, choices: slip.choices() }
     }
 
     /// A guide, of its slip what is known.
-    pub(crate) fn guide((normal, tangent): (usize, usize), (mu, limit): (f64, f64), slip: Slip) -> Self {
+    pub(crate) fn guide(
+        (normal, tangent): (usize, usize),
+        (mu, limit): (f64, f64),
+        slip: SlipVelocity,
+    ) -> Self {
         let sides = [Side::Positive, Side::Negative].into_iter();
         let choices = sides.flat_map(|side| slip.choices().into_iter().filter_map(move |it| it.on(side)));
         Self { normal, tangent, mu, limit, given: None, choices: choices.collect() }
     }
 
     /// A contact whose mode is decided.
-    pub(crate) fn decided((normal, tangent): (usize, usize), (mu, limit): (f64, f64), mode: Mode) -> Self {
-        let choices = vec![Choice { mode, conditions: SmallVec::new() }];
+    pub(crate) fn decided(
+        (normal, tangent): (usize, usize),
+        (mu, limit): (f64, f64),
+        mode: ContactMode,
+    ) -> Self {
+        let choices = vec![ModeChoice { mode, conditions: SmallVec::new() }];
         Self { normal, tangent, mu, limit, given: None, choices }
     }
 
     /// A contact with a normal impulse that it is given, which rubs within some bounds.
-    pub(crate) fn given((normal, tangent): (usize, usize), given: Given) -> Self {
-        let part = |sense: Option<Sense>| Choice {
-            mode: Mode::Part(sense),
+    pub(crate) fn given((normal, tangent): (usize, usize), given: ImpulseBounds) -> Self {
+        let part = |sense: Option<SlipDirection>| ModeChoice {
+            mode: ContactMode::Part(sense),
             conditions: match sense {
-                None => smallvec![Condition::Opens, Condition::Below, Condition::Above],
-                Some(_) => smallvec![Condition::Opens, Condition::Slips],
+                None => smallvec![ModeCondition::Opens, ModeCondition::Below, ModeCondition::Above],
+                Some(_) => smallvec![ModeCondition::Opens, ModeCondition::Slips],
             },
         };
-        let mut choices = Slip::Rest.choices();
-        choices.retain(|choice| choice.mode != Mode::Open);
-        choices.extend([None, Some(Sense::Forward), Some(Sense::Backward)].map(part));
+        let mut choices = SlipVelocity::Rest.choices();
+        choices.retain(|choice| choice.mode != ContactMode::Open);
+        choices.extend([None, Some(SlipDirection::Forward), Some(SlipDirection::Backward)].map(part));
         let [mu, limit] = [given.backward.slope; 2];
         Self { normal, tangent, mu, limit, given: Some(given), choices }
     }
@@ -228,36 +244,41 @@ impl Frictional {
     }
 }
 
-impl Slip {
+impl SlipVelocity {
     /// The modes that are possible, larger ones first.
-    fn choices(self) -> Vec<Choice> {
-        let open = Choice { mode: Mode::Open, conditions: smallvec![Condition::Opens] };
-        let moving = |sense| Choice { mode: Mode::Slide(sense), conditions: smallvec![Condition::Presses] };
-        let starting = |sense| Choice {
-            mode: Mode::Slide(sense),
-            conditions: smallvec![Condition::Presses, Condition::Slips],
+    fn choices(self) -> Vec<ModeChoice> {
+        let open = ModeChoice { mode: ContactMode::Open, conditions: smallvec![ModeCondition::Opens] };
+        let moving = |sense| ModeChoice {
+            mode: ContactMode::Slide(sense),
+            conditions: smallvec![ModeCondition::Presses],
         };
-        let leaving = |sense| Choice {
-            mode: Mode::Slide(sense),
-            conditions: smallvec![Condition::Presses, Condition::Follows],
+        let starting = |sense| ModeChoice {
+            mode: ContactMode::Slide(sense),
+            conditions: smallvec![ModeCondition::Presses, ModeCondition::Slips],
         };
-        let stick = Choice {
-            mode: Mode::Stick,
-            conditions: smallvec![Condition::Presses, Condition::Below, Condition::Above],
+        let leaving = |sense| ModeChoice {
+            mode: ContactMode::Slide(sense),
+            conditions: smallvec![ModeCondition::Presses, ModeCondition::Follows],
+        };
+        let stick = ModeChoice {
+            mode: ContactMode::Stick,
+            conditions: smallvec![ModeCondition::Presses, ModeCondition::Below, ModeCondition::Above],
         };
         match self {
-            Self::Forward => vec![moving(Sense::Forward), open],
-            Self::Backward => vec![moving(Sense::Backward), open],
+            Self::Forward => vec![moving(SlipDirection::Forward), open],
+            Self::Backward => vec![moving(SlipDirection::Backward), open],
             Self::Leaves(sense) => vec![leaving(sense), open],
-            Self::Rest => vec![stick, starting(Sense::Forward), starting(Sense::Backward), open],
+            Self::Rest => {
+                vec![stick, starting(SlipDirection::Forward), starting(SlipDirection::Backward), open]
+            }
         }
     }
 }
 
 /// The modes of a contact without friction, or of a rough one.
-pub(super) fn smooth_choices() -> Vec<Choice> {
+pub(super) fn smooth_choices() -> Vec<ModeChoice> {
     vec![
-        Choice { mode: Mode::Stick, conditions: smallvec![Condition::Presses] },
-        Choice { mode: Mode::Open, conditions: smallvec![Condition::Opens] },
+        ModeChoice { mode: ContactMode::Stick, conditions: smallvec![ModeCondition::Presses] },
+        ModeChoice { mode: ContactMode::Open, conditions: smallvec![ModeCondition::Opens] },
     ]
 }

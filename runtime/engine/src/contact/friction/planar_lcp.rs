@@ -13,8 +13,8 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::lemke;
-use super::modes::{Bound, Choice, Condition, Mode, Sense};
-use super::problem::{Closed, Problem, Unit};
+use super::modes::{Bound, ContactMode, ModeChoice, ModeCondition, SlipDirection};
+use super::problem::{ActiveRows, BalancedProblem, Unit};
 
 /// Covering vectors tried, each another path.
 const COVERS: usize = 3;
@@ -25,16 +25,16 @@ const GOLDEN: f64 = 0.618_033_988_749_894_8;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Shape {
     /// Closed in one mode, or open.
-    Normal { closed: Mode },
+    Normal { closed: ContactMode },
     /// Any mode from rest.
     Rest,
     /// Closed: it sticks at its limit, or slides.
-    Brink(Sense),
+    Brink(SlipDirection),
 }
 
 /// The columns of forces and the rows of the complementary accelerations; entries besides `J M̂⁻¹ C`.
 #[derive(Default)]
-struct Rows {
+struct LcpTableau {
     columns: Vec<Option<DVector<f64>>>,
     rows: Vec<Option<(usize, f64)>>,
     extra: Vec<(usize, usize, f64)>,
@@ -43,11 +43,11 @@ struct Rows {
     /// Tangential multipliers that are there without any variable.
     loads: Vec<(usize, f64)>,
     /// The unit and the meaning of each variable.
-    variables: Vec<(usize, Variable)>,
+    variables: Vec<(usize, LcpVariable)>,
 }
 
 #[derive(Clone, Copy, PartialEq)]
-enum Variable {
+enum LcpVariable {
     Normal,
     Right,
     Slip,
@@ -57,22 +57,26 @@ enum Variable {
 impl Unit {
     /// How the contact enters, if its modes are of these kinds.
     pub(super) fn shape(&self) -> Option<Shape> {
-        let whole = |choice: &Choice| choice.asks(Condition::Presses) || choice.mode == Mode::Open;
-        let of = |mode: Mode| self.choices.iter().find(|choice| choice.mode == mode);
+        let whole =
+            |choice: &ModeChoice| choice.asks(ModeCondition::Presses) || choice.mode == ContactMode::Open;
+        let of = |mode: ContactMode| self.choices.iter().find(|choice| choice.mode == mode);
         if self.given.is_some() {
             return (self.choices.len() == 6).then_some(Shape::Rest);
         }
-        let closed: Vec<&Choice> = self.choices.iter().filter(|choice| choice.mode != Mode::Open).collect();
-        match (of(Mode::Open), closed.as_slice()) {
-            (Some(open), [one]) if open.asks(Condition::Opens) && whole(one) => {
+        let closed: Vec<&ModeChoice> =
+            self.choices.iter().filter(|choice| choice.mode != ContactMode::Open).collect();
+        match (of(ContactMode::Open), closed.as_slice()) {
+            (Some(open), [one]) if open.asks(ModeCondition::Opens) && whole(one) => {
                 Some(Shape::Normal { closed: one.mode })
             }
-            (Some(open), [_, _, _]) if open.asks(Condition::Opens) && closed.iter().all(|it| whole(it)) => {
+            (Some(open), [_, _, _])
+                if open.asks(ModeCondition::Opens) && closed.iter().all(|it| whole(it)) =>
+            {
                 Some(Shape::Rest)
             }
-            (None, [stick, slide]) if stick.mode == Mode::Stick && !whole(stick) && !whole(slide) => {
+            (None, [stick, slide]) if stick.mode == ContactMode::Stick && !whole(stick) && !whole(slide) => {
                 match slide.mode {
-                    Mode::Slide(sense) => Some(Shape::Brink(sense)),
+                    ContactMode::Slide(sense) => Some(Shape::Brink(sense)),
                     _ => None,
                 }
             }
@@ -81,20 +85,21 @@ impl Unit {
     }
 }
 
-impl Problem<'_> {
+impl BalancedProblem<'_> {
     /// The modes of some contacts while all others stay open or, where they are decided, as they are.
     pub(super) fn lemke(
         &self,
         shapes: &[(usize, Shape)],
-        held: &Closed,
+        held: &ActiveRows,
         mu: &dyn Fn(usize) -> f64,
-    ) -> Option<Vec<(usize, Mode)>> {
+    ) -> Option<Vec<(usize, ContactMode)>> {
         let kkt = self.kkt;
-        let mut rows = Rows::default();
+        let mut rows = LcpTableau::default();
         for &(unit, shape) in shapes {
             self.enter(&mut rows, unit, shape, mu(unit));
         }
-        let held = &Closed { loads: rows.loads.clone(), rows: held.rows.clone(), bends: held.bends.clone() };
+        let held =
+            &ActiveRows { loads: rows.loads.clone(), rows: held.rows.clone(), bends: held.bends.clone() };
         let equations = kkt.equations(held).ok()?;
         let free = match equations.solve() {
             Some(x) => x,
@@ -127,32 +132,32 @@ impl Problem<'_> {
         Some(shapes.iter().map(mode).collect())
     }
 
-    fn enter(&self, rows: &mut Rows, at: usize, shape: Shape, mu: f64) {
+    fn enter(&self, rows: &mut LcpTableau, at: usize, shape: Shape, mu: f64) {
         let (kkt, unit) = (self.kkt, &self.units[at]);
         let place = rows.variables.len();
         match (shape, unit.tangent) {
-            (Shape::Normal { closed: Mode::Slide(sense) }, Some(tangent)) => {
+            (Shape::Normal { closed: ContactMode::Slide(sense) }, Some(tangent)) => {
                 let column = kkt.bent_column(unit.normal, tangent, -sense.sign() * mu);
-                rows.push((at, Variable::Normal), Some(column), Some((unit.normal, 1.0)));
+                rows.push((at, LcpVariable::Normal), Some(column), Some((unit.normal, 1.0)));
             }
             (Shape::Normal { .. }, _) | (_, None) => {
                 let column = kkt.column_of(unit.normal);
-                rows.push((at, Variable::Normal), Some(column), Some((unit.normal, 1.0)));
+                rows.push((at, LcpVariable::Normal), Some(column), Some((unit.normal, 1.0)));
             }
             (Shape::Rest, Some(tangent)) => {
-                let bound = |sense: Sense| match unit.given {
+                let bound = |sense: SlipDirection| match unit.given {
                     Some(_) => unit.kinetic(sense),
                     None => Bound { slope: mu, offset: 0.0 },
                 };
-                let [forward, backward] = [Sense::Forward, Sense::Backward].map(bound);
+                let [forward, backward] = [SlipDirection::Forward, SlipDirection::Backward].map(bound);
                 let column = kkt.bent_column(unit.normal, tangent, -forward.slope);
                 let constant = (forward.offset + backward.offset) / kkt.scale[kkt.n + tangent];
                 let share = (forward.slope + backward.slope) * kkt.ratio(unit.normal, tangent);
                 rows.loads.push((tangent, -forward.offset));
                 rows.constants.push((place + 2, constant));
-                rows.push((at, Variable::Normal), Some(column), Some((unit.normal, 1.0)));
-                rows.push((at, Variable::Right), Some(kkt.column_of(tangent)), Some((tangent, 1.0)));
-                rows.push((at, Variable::Slip), None, None);
+                rows.push((at, LcpVariable::Normal), Some(column), Some((unit.normal, 1.0)));
+                rows.push((at, LcpVariable::Right), Some(kkt.column_of(tangent)), Some((tangent, 1.0)));
+                rows.push((at, LcpVariable::Slip), None, None);
                 rows.extra.extend([
                     (place + 1, place + 2, 1.0),
                     (place + 2, place, share),
@@ -161,14 +166,19 @@ impl Problem<'_> {
             }
             (Shape::Brink(sense), Some(tangent)) => {
                 let column = kkt.column_of(tangent) * sense.sign();
-                rows.push((at, Variable::Reserve), Some(column), Some((tangent, sense.sign())));
+                rows.push((at, LcpVariable::Reserve), Some(column), Some((tangent, sense.sign())));
             }
         }
     }
 }
 
-impl Rows {
-    fn push(&mut self, variable: (usize, Variable), column: Option<DVector<f64>>, row: Option<(usize, f64)>) {
+impl LcpTableau {
+    fn push(
+        &mut self,
+        variable: (usize, LcpVariable),
+        column: Option<DVector<f64>>,
+        row: Option<(usize, f64)>,
+    ) {
         self.variables.push(variable);
         self.columns.push(column);
         self.rows.push(row);
@@ -176,22 +186,22 @@ impl Rows {
 }
 
 /// What a contact does by the basic variables of a solution.
-fn mode(rows: &Rows, (unit, given): (usize, bool), shape: Shape, basic: &[bool]) -> Mode {
-    let is = |variable: Variable| {
+fn mode(rows: &LcpTableau, (unit, given): (usize, bool), shape: Shape, basic: &[bool]) -> ContactMode {
+    let is = |variable: LcpVariable| {
         let place = rows.variables.iter().position(|it| *it == (unit, variable));
         place.is_some_and(|place| basic[place])
     };
-    let sense = || match (is(Variable::Right), is(Variable::Slip)) {
+    let sense = || match (is(LcpVariable::Right), is(LcpVariable::Slip)) {
         (true, false) => None,
-        (true, true) => Some(Sense::Backward),
-        (false, _) => Some(Sense::Forward),
+        (true, true) => Some(SlipDirection::Backward),
+        (false, _) => Some(SlipDirection::Forward),
     };
     match shape {
-        Shape::Normal { closed } if is(Variable::Normal) => closed,
-        Shape::Brink(_) if is(Variable::Reserve) => Mode::Stick,
-        Shape::Brink(sense) => Mode::Slide(sense),
-        Shape::Rest if is(Variable::Normal) => sense().map_or(Mode::Stick, Mode::Slide),
-        Shape::Rest if given => Mode::Part(sense()),
-        Shape::Normal { .. } | Shape::Rest => Mode::Open,
+        Shape::Normal { closed } if is(LcpVariable::Normal) => closed,
+        Shape::Brink(_) if is(LcpVariable::Reserve) => ContactMode::Stick,
+        Shape::Brink(sense) => ContactMode::Slide(sense),
+        Shape::Rest if is(LcpVariable::Normal) => sense().map_or(ContactMode::Stick, ContactMode::Slide),
+        Shape::Rest if given => ContactMode::Part(sense()),
+        Shape::Normal { .. } | Shape::Rest => ContactMode::Open,
     }
 }

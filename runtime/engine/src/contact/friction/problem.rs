@@ -3,7 +3,10 @@
 
 use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
-use super::modes::{Bound, Choice, Condition, Frictional, Given, Mode, Sense, smooth_choices};
+use super::cone::Edge;
+use super::modes::{
+    Bound, ContactMode, Frictional, ImpulseBounds, ModeChoice, ModeCondition, SlipDirection, smooth_choices,
+};
 use crate::contact::complementarity::LcpRows;
 use crate::contact::equilibrated_kkt::{EquilibratedKkt, largest_in_part};
 use crate::contact::trials::LcpError;
@@ -19,7 +22,7 @@ const LOCATED: f64 = 1e3;
 
 /// Contacts of both kinds.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Question<'a> {
+pub(crate) struct FrictionProblem<'a> {
     /// Two-sided rows, contacts without friction, rough ones.
     pub(crate) rows: LcpRows<'a>,
     /// Contacts with friction.
@@ -34,52 +37,52 @@ pub(super) struct Unit {
     pub(super) tangent: Option<usize>,
     pub(super) mu: f64,
     pub(super) limit: f64,
-    pub(super) given: Option<Given>,
-    pub(super) choices: Vec<Choice>,
+    pub(super) given: Option<ImpulseBounds>,
+    pub(super) choices: Vec<ModeChoice>,
 }
 
 impl Unit {
     /// Whether it is a guide: neither open nor on one side alone.
     pub(super) fn is_guide(&self) -> bool {
-        self.choices.iter().any(|choice| matches!(choice.mode, Mode::Guide { .. }))
+        self.choices.iter().any(|choice| matches!(choice.mode, ContactMode::Guide { .. }))
     }
 
     /// |R| while it slides in a sense.
-    pub(super) fn kinetic(&self, sense: Sense) -> Bound {
+    pub(super) fn kinetic(&self, sense: SlipDirection) -> Bound {
         self.bound(sense, self.mu)
     }
 
     /// The bound of R against a slip in a sense while it sticks.
-    pub(super) fn limit(&self, sense: Sense) -> Bound {
+    pub(super) fn limit(&self, sense: SlipDirection) -> Bound {
         self.bound(sense, self.limit)
     }
 
-    fn bound(&self, sense: Sense, slope: f64) -> Bound {
+    fn bound(&self, sense: SlipDirection, slope: f64) -> Bound {
         match (self.given, sense) {
             (None, _) => Bound { slope, offset: 0.0 },
-            (Some(given), Sense::Forward) => given.forward,
-            (Some(given), Sense::Backward) => given.backward,
+            (Some(given), SlipDirection::Forward) => given.forward,
+            (Some(given), SlipDirection::Backward) => given.backward,
         }
     }
 }
 
 /// All contacts with the balanced equations.
-pub(super) struct Problem<'a> {
+pub(super) struct BalancedProblem<'a> {
     pub(super) kkt: &'a EquilibratedKkt,
-    pub(super) question: &'a Question<'a>,
+    pub(super) question: &'a FrictionProblem<'a>,
     /// Contacts with friction, then those without.
     pub(super) units: Vec<Unit>,
 }
 
 /// Closed rows, the columns that are not the transposed rows, (normal, tangent, −σ μ), and multipliers that are given.
 #[derive(Default)]
-pub(super) struct Closed {
+pub(super) struct ActiveRows {
     pub(super) rows: Vec<usize>,
     pub(super) bends: Vec<(usize, usize, f64)>,
     pub(super) loads: Vec<(usize, f64)>,
 }
 
-impl Closed {
+impl ActiveRows {
     /// The place of a row that is closed.
     pub(super) fn find_place(&self, row: usize) -> Option<usize> {
         self.rows.iter().position(|&other| other == row)
@@ -102,19 +105,19 @@ pub(super) struct Trial {
 pub(super) struct Candidate {
     pub(super) chosen: Vec<usize>,
     /// The modes it was found with, contacts that it does not need open.
-    pub(super) acting: Vec<Mode>,
+    pub(super) acting: Vec<ContactMode>,
     pub(super) trial: Trial,
 }
 
 /// A matrix of the balanced problem with its right-hand side, over some rows.
-pub(super) struct Equations {
+pub(super) struct RowEquations {
     pub(super) index: Vec<usize>,
     pub(super) matrix: DMatrix<f64>,
     pub(super) right: DVector<f64>,
 }
 
-impl<'a> Problem<'a> {
-    pub(super) fn new(kkt: &'a EquilibratedKkt, question: &'a Question<'a>) -> Self {
+impl<'a> BalancedProblem<'a> {
+    pub(super) fn new(kkt: &'a EquilibratedKkt, question: &'a FrictionProblem<'a>) -> Self {
         let with_friction = question.contacts.iter().map(|contact| Unit {
             normal: contact.normal,
             tangent: Some(contact.tangent),
@@ -142,12 +145,12 @@ impl<'a> Problem<'a> {
     }
 
     /// Rows and columns of some modes, one for each contact.
-    pub(super) fn closed(&self, modes: &[Mode]) -> Closed {
+    pub(super) fn closed(&self, modes: &[ContactMode]) -> ActiveRows {
         let units = || self.units.iter().zip(modes);
         let candidates = units().filter(|(unit, mode)| unit.tangent.is_none() && mode.is_closed());
-        let mut closed = Closed {
+        let mut closed = ActiveRows {
             rows: self.question.rows.rows(&candidates.map(|(unit, _)| unit.normal).collect::<Vec<_>>()),
-            ..Closed::default()
+            ..ActiveRows::default()
         };
         for (unit, mode) in units() {
             let Some(tangent) = unit.tangent else { continue };
@@ -166,8 +169,8 @@ impl<'a> Problem<'a> {
     }
 
     /// The motion with contacts in some modes; `None` where the equations contradict each other.
-    pub(super) fn attempt(&self, chosen: &[&Choice]) -> Result<Option<Trial>, LcpError> {
-        let modes: Vec<Mode> = chosen.iter().map(|choice| choice.mode).collect();
+    pub(super) fn attempt(&self, chosen: &[&ModeChoice]) -> Result<Option<Trial>, LcpError> {
+        let modes: Vec<ContactMode> = chosen.iter().map(|choice| choice.mode).collect();
         let closed = self.closed(&modes);
         let equations = self.kkt.equations(&closed)?;
         if let Some(x) = equations.solve() {
@@ -176,7 +179,7 @@ impl<'a> Problem<'a> {
         self.admissible(chosen, &closed, &equations)
     }
 
-    pub(super) fn trial(&self, closed: &Closed, x: &DVector<f64>) -> Trial {
+    pub(super) fn trial(&self, closed: &ActiveRows, x: &DVector<f64>) -> Trial {
         let n = self.kkt.n;
         let mut reactions = DVector::zeros(self.kkt.scale.len() - n);
         for (k, &row) in closed.rows.iter().enumerate() {
@@ -192,7 +195,7 @@ impl<'a> Problem<'a> {
     }
 
     /// Whether a contact's conditions of a mode are met.
-    pub(super) fn holds(&self, unit: &Unit, choice: &Choice, trial: &Trial) -> bool {
+    pub(super) fn holds(&self, unit: &Unit, choice: &ModeChoice, trial: &Trial) -> bool {
         choice.conditions.iter().all(|&condition| {
             let (value, slack) = self.value(unit, choice.mode, condition, trial);
             value >= -slack
@@ -200,7 +203,13 @@ impl<'a> Problem<'a> {
     }
 
     /// What is to be ≥ 0, with its rounding.
-    pub(super) fn value(&self, unit: &Unit, mode: Mode, condition: Condition, trial: &Trial) -> (f64, f64) {
+    pub(super) fn value(
+        &self,
+        unit: &Unit,
+        mode: ContactMode,
+        condition: ModeCondition,
+        trial: &Trial,
+    ) -> (f64, f64) {
         let kkt = self.kkt;
         let slipping = || match (mode.sense(), unit.tangent) {
             (Some(sense), Some(tangent)) => {
@@ -209,12 +218,12 @@ impl<'a> Problem<'a> {
             _ => (0.0, 0.0),
         };
         match condition {
-            Condition::Opens => (kkt.opening(unit.normal, &trial.a), kkt.slack(unit.normal)),
-            Condition::Presses => (mode.side() * trial.reactions[unit.normal], kkt.slack(unit.normal)),
-            Condition::Below => self.reserve(unit, (mode, Sense::Backward), trial),
-            Condition::Above => self.reserve(unit, (mode, Sense::Forward), trial),
-            Condition::Slips => slipping(),
-            Condition::Follows => {
+            ModeCondition::Opens => (kkt.opening(unit.normal, &trial.a), kkt.slack(unit.normal)),
+            ModeCondition::Presses => (mode.side() * trial.reactions[unit.normal], kkt.slack(unit.normal)),
+            ModeCondition::Below => self.reserve(unit, (mode, SlipDirection::Backward), trial),
+            ModeCondition::Above => self.reserve(unit, (mode, SlipDirection::Forward), trial),
+            ModeCondition::Slips => slipping(),
+            ModeCondition::Follows => {
                 let (value, slack) = slipping();
                 (value, LOCATED * slack)
             }
@@ -222,7 +231,7 @@ impl<'a> Problem<'a> {
     }
 
     /// μ_s s λ_N + σ R in the unit of R's balanced row.
-    fn reserve(&self, unit: &Unit, (mode, sense): (Mode, Sense), trial: &Trial) -> (f64, f64) {
+    fn reserve(&self, unit: &Unit, (mode, sense): (ContactMode, SlipDirection), trial: &Trial) -> (f64, f64) {
         let Some(tangent) = unit.tangent else { return (0.0, 0.0) };
         let Bound { slope, offset } = unit.limit(sense);
         let share = slope * self.kkt.ratio(unit.normal, tangent);
@@ -258,7 +267,7 @@ impl EquilibratedKkt {
     }
 
     /// The balanced matrix and right-hand side with some rows closed.
-    pub(super) fn equations(&self, closed: &Closed) -> Result<Equations, LcpError> {
+    pub(super) fn equations(&self, closed: &ActiveRows) -> Result<RowEquations, LcpError> {
         let index: Vec<usize> = (0..self.n).chain(closed.rows.iter().map(|row| self.n + row)).collect();
         let mut matrix = self.matrix.select_rows(&index).select_columns(&index);
         for &(normal, tangent, factor) in &closed.bends {
@@ -275,14 +284,14 @@ impl EquilibratedKkt {
             forces.axpy(-load / self.scale[self.n + tangent], &column.column(0), 1.0);
         }
         match matrix.iter().chain(&right).all(|x| x.is_finite()) {
-            true => Ok(Equations { index, matrix, right }),
+            true => Ok(RowEquations { index, matrix, right }),
             false => Err(LcpError::NotFinite),
         }
     }
 
     /// Whether y meets balanced equations with this matrix, but for roundoff of the sums in the
     /// part of each.
-    pub(super) fn are_met(&self, equations: &Equations, matrix: &DMatrix<f64>, y: &DVector<f64>) -> bool {
+    pub(super) fn are_met(&self, equations: &RowEquations, matrix: &DMatrix<f64>, y: &DVector<f64>) -> bool {
         let parts: Vec<usize> = equations.index.iter().map(|&i| self.parts[i]).collect();
         let terms =
             largest_in_part(&parts, &(matrix.abs() * y.abs() + self.size.select_rows(&equations.index)));
@@ -295,7 +304,7 @@ impl EquilibratedKkt {
     }
 }
 
-impl Equations {
+impl RowEquations {
     /// The solution where the matrix is clearly regular, once refined.
     pub(super) fn solve(&self) -> Option<DVector<f64>> {
         self.solve_for(&self.right)

@@ -3,13 +3,17 @@
 use nalgebra::DVector;
 
 use super::decision::FrictionSolution;
-use super::problem::Question;
+use super::problem::FrictionProblem;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
 use crate::contact::shares::{Factor, share};
 
 impl EquilibratedKkt {
     /// λ of every row, the shortest of those that hold the motion of a solution; in impacts with what is given, those found.
-    pub(crate) fn share_with_friction(&self, question: &Question, found: &FrictionSolution) -> DVector<f64> {
+    pub(crate) fn share_with_friction(
+        &self,
+        question: &FrictionProblem,
+        found: &FrictionSolution,
+    ) -> DVector<f64> {
         let reactions = &found.solution.reactions;
         let given = question.contacts.iter().any(|contact| contact.given.is_some());
         if found.solution.unique || !found.determined || given {
@@ -25,7 +29,7 @@ impl EquilibratedKkt {
 }
 
 /// The rows that bear, with tangents of contacts that slide, and K.
-fn factors(question: &Question, found: &FrictionSolution) -> (Vec<usize>, Vec<Factor>) {
+fn factors(question: &FrictionProblem, found: &FrictionSolution) -> (Vec<usize>, Vec<Factor>) {
     let mut rows: Vec<usize> = Vec::new();
     let mut factors = Vec::new();
     let contacts = question.contacts.iter().zip(&found.modes);

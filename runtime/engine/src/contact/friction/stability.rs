@@ -17,8 +17,8 @@ use std::collections::BTreeSet;
 use nalgebra::{DMatrix, DVector};
 
 use super::decision::Reason;
-use super::modes::Mode;
-use super::problem::{Candidate, Closed, Problem};
+use super::modes::ContactMode;
+use super::problem::{ActiveRows, BalancedProblem, Candidate};
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
 use crate::context::slips;
 use crate::model::ContactSet;
@@ -46,7 +46,7 @@ pub(crate) fn painleve(
 ) -> Option<f64> {
     let (force, bias) = (DVector::zeros(mass.nrows()), DVector::zeros(jacobian.nrows()));
     let kkt = EquilibratedKkt::new(mass, jacobian, (&force, &bias), (&force, &bias));
-    let held = Closed {
+    let held = ActiveRows {
         rows: closed.iter().copied().chain(others.iter().map(|other| other.normal)).collect(),
         bends: others.iter().map(|it| (it.normal, it.tangent, -it.signed_mu)).collect(),
         loads: Vec::new(),
@@ -99,7 +99,7 @@ impl EquilibratedKkt {
     }
 
     /// What a generalised force alone accelerates, with some rows closed.
-    pub(super) fn response(&self, held: &Closed, force: &DVector<f64>) -> Option<DVector<f64>> {
+    pub(super) fn response(&self, held: &ActiveRows, force: &DVector<f64>) -> Option<DVector<f64>> {
         let equations = self.equations(held).ok()?;
         let mut right = DVector::zeros(equations.index.len());
         right.rows_mut(0, self.n).copy_from(force);
@@ -111,10 +111,11 @@ impl EquilibratedKkt {
     }
 }
 
-impl Problem<'_> {
+impl BalancedProblem<'_> {
     /// The solution that is taken.
     pub(super) fn choose(&self, found: &[Candidate]) -> Option<(usize, Reason)> {
-        let modes: Vec<Vec<Mode>> = found.iter().map(|candidate| self.modes(&candidate.chosen)).collect();
+        let modes: Vec<Vec<ContactMode>> =
+            found.iter().map(|candidate| self.modes(&candidate.chosen)).collect();
         let mut left: Vec<usize> = (0..found.len()).collect();
         let stable: Vec<usize> = left.iter().copied().filter(|&k| self.is_stable(&found[k].acting)).collect();
         let mut reason = if stable.is_empty() { Reason::Unstable } else { Reason::Only };
@@ -134,7 +135,7 @@ impl Problem<'_> {
     }
 
     /// Whether stiff springs hold the closed contacts, those of each part of the system for themselves.
-    pub(super) fn is_stable(&self, modes: &[Mode]) -> bool {
+    pub(super) fn is_stable(&self, modes: &[ContactMode]) -> bool {
         if !modes.iter().any(|mode| mode.is_closed() && mode.sense().is_some()) {
             return true;
         }
@@ -155,14 +156,14 @@ impl Problem<'_> {
     /// W of some closed normals in own units on independent compressions, while all closed ones give way.
     fn compliance(
         &self,
-        modes: &[Mode],
+        modes: &[ContactMode],
         closed_normals: &[usize],
         normals: &[usize],
     ) -> Option<DMatrix<f64>> {
         let kkt = self.kkt;
         let closed = self.closed(modes);
         let held = closed.rows.iter().copied().filter(|row| !closed_normals.contains(row));
-        let held = Closed { rows: held.collect(), ..Closed::default() };
+        let held = ActiveRows { rows: held.collect(), ..ActiveRows::default() };
         let bend = |row: usize| closed.bends.iter().find(|(normal, ..)| *normal == row);
         let respond = |column: &dyn Fn(usize) -> DVector<f64>| {
             let columns: Vec<_> = normals
@@ -191,11 +192,11 @@ impl Problem<'_> {
     }
 }
 
-fn closed(modes: &[Mode]) -> usize {
+fn closed(modes: &[ContactMode]) -> usize {
     modes.iter().filter(|mode| mode.is_closed()).count()
 }
 
-fn sticking(modes: &[Mode]) -> usize {
+fn sticking(modes: &[ContactMode]) -> usize {
     modes.iter().filter(|mode| mode.holds_tangent()).count()
 }
 

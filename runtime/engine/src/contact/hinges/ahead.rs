@@ -3,7 +3,7 @@
 //! along the motion, which orders 1 and 2 decide at once: a moment is so short that each is nothing beside the one before, and long
 //! enough for order 2 to be seen beside rounding.
 
-use super::place::{Found, Law, Place, ZERO};
+use super::place::{HingeCandidate, HingeProblem, SignCondition, ZERO};
 use crate::context::Numbers;
 
 /// Part of the natural time.
@@ -11,9 +11,9 @@ const MOMENT: f64 = 1e-5;
 /// A law that is broken by less than this part of its natural size holds up to rounding.
 const ROUNDED: f64 = 1e-13;
 
-impl Place<'_> {
+impl HingeProblem<'_> {
     /// The motions that go on as they begin; all of them if none does.
-    pub(super) fn lasting(&self, found: Vec<Found>) -> Vec<Found> {
+    pub(super) fn lasting(&self, found: Vec<HingeCandidate>) -> Vec<HingeCandidate> {
         let lasts: Vec<bool> = found.iter().map(|it| self.lasts(it)).collect();
         if !lasts.contains(&true) {
             return found;
@@ -22,9 +22,9 @@ impl Place<'_> {
     }
 
     /// Whether a motion goes on as it begins.
-    pub(super) fn lasts(&self, found: &Found) -> bool {
+    pub(super) fn lasts(&self, found: &HingeCandidate) -> bool {
         let laws = self.laws(found);
-        if !laws.iter().any(Law::is_open) {
+        if !laws.iter().any(SignCondition::is_open) {
             return true;
         }
         let Some(later) = self.ahead(found) else { return true };
@@ -34,12 +34,13 @@ impl Place<'_> {
     }
 
     /// The laws in a moment; nothing where the motion is not a number.
-    fn ahead(&self, found: &Found) -> Option<Vec<Law>> {
-        let begun = Place::new(self.context, self.moved(&found.accelerations, &found.accelerations));
+    fn ahead(&self, found: &HingeCandidate) -> Option<Vec<SignCondition>> {
+        let begun = HingeProblem::new(self.context, self.moved(&found.accelerations, &found.accelerations));
         let (then, ..) = begun.solve(found.set)?;
-        let place = Place::new(self.context, self.moved(&found.accelerations, &then));
+        let place = HingeProblem::new(self.context, self.moved(&found.accelerations, &then));
         let (accelerations, reactions, unique) = place.solve(found.set)?;
-        let later = Found { accelerations, reactions, unique, choice: found.choice.clone(), set: found.set };
+        let later =
+            HingeCandidate { accelerations, reactions, unique, choice: found.choice.clone(), set: found.set };
         Some(place.laws(&later))
     }
 

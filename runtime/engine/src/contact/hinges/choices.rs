@@ -1,12 +1,12 @@
 //! What each contact may do.
 
 use crate::contact::ContactProblem;
-use crate::contact::friction::{Sense, Slip as KnownSlip};
+use crate::contact::friction::{SlipDirection, SlipVelocity as KnownSlip};
 use crate::model::{ContactKind, ContactSet, Layout, Side, Slip};
 
 /// What a contact does.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Choice {
+pub(super) struct HingeChoice {
     pub(super) is_open: bool,
     /// Closed whatever its reaction.
     pub(super) is_held: bool,
@@ -19,7 +19,7 @@ pub(super) struct Choice {
     pub(super) side: Side,
 }
 
-const CLOSED: Choice = Choice {
+const CLOSED: HingeChoice = HingeChoice {
     is_open: false,
     is_held: false,
     is_known: false,
@@ -28,7 +28,7 @@ const CLOSED: Choice = Choice {
     side: Side::Positive,
 };
 
-impl Choice {
+impl HingeChoice {
     /// Of a hinge with a sense, 0 where it sticks.
     pub(super) fn of_hinge(sense: f64) -> Self {
         let slip = if sense == 0.0 {
@@ -52,7 +52,7 @@ impl Choice {
 }
 
 /// A contact, and what it may do.
-pub(super) type Options = (usize, Vec<Choice>);
+pub(super) type Options = (usize, Vec<HingeChoice>);
 
 /// Of each touching contact.
 pub(super) fn choices(layout: &Layout, question: &ContactProblem) -> Vec<Options> {
@@ -60,23 +60,23 @@ pub(super) fn choices(layout: &Layout, question: &ContactProblem) -> Vec<Options
     touching.map(|contact| (contact, list_choices(layout, question, contact))).collect()
 }
 
-fn list_choices(layout: &Layout, question: &ContactProblem, contact: usize) -> Vec<Choice> {
+fn list_choices(layout: &Layout, question: &ContactProblem, contact: usize) -> Vec<HingeChoice> {
     let description = &layout.contacts[contact];
     let always = matches!(description.kind, ContactKind::Guide | ContactKind::Hinge { .. });
     let held = question.held.contains(contact);
     let is_unloaded = question.unloaded.contains(contact);
-    let open = Choice { is_open: true, is_known: is_unloaded, ..CLOSED };
+    let open = HingeChoice { is_open: true, is_known: is_unloaded, ..CLOSED };
     if open.is_known && !always {
         return vec![open];
     }
     let known = question.slips.iter().find(|(of, _)| *of == contact).map(|(_, known)| *known);
     let closed = match (description.friction, known) {
-        (None, _) | (_, None) => vec![Choice { is_held: held, ..CLOSED }],
+        (None, _) | (_, None) => vec![HingeChoice { is_held: held, ..CLOSED }],
         (Some(_), Some(known)) => slipping(known),
     };
     let sided = closed.iter().flat_map(|&closed| {
         let sides = [Side::Positive, Side::Negative].into_iter();
-        sides.take(1 + usize::from(description.kind == ContactKind::Guide)).map(move |side| Choice {
+        sides.take(1 + usize::from(description.kind == ContactKind::Guide)).map(move |side| HingeChoice {
             side,
             is_unloaded,
             ..closed
@@ -86,13 +86,13 @@ fn list_choices(layout: &Layout, question: &ContactProblem, contact: usize) -> V
     sided.chain(can_open.then_some(open)).collect()
 }
 
-fn slipping(known: KnownSlip) -> Vec<Choice> {
-    let slides = |slip: Slip| Choice { slip: Some(slip), is_known: true, ..CLOSED };
+fn slipping(known: KnownSlip) -> Vec<HingeChoice> {
+    let slides = |slip: Slip| HingeChoice { slip: Some(slip), is_known: true, ..CLOSED };
     match known {
-        KnownSlip::Forward | KnownSlip::Leaves(Sense::Forward) => vec![slides(Slip::Forward)],
-        KnownSlip::Backward | KnownSlip::Leaves(Sense::Backward) => vec![slides(Slip::Backward)],
+        KnownSlip::Forward | KnownSlip::Leaves(SlipDirection::Forward) => vec![slides(Slip::Forward)],
+        KnownSlip::Backward | KnownSlip::Leaves(SlipDirection::Backward) => vec![slides(Slip::Backward)],
         KnownSlip::Rest => [Slip::Stick, Slip::Forward, Slip::Backward]
-            .map(|slip| Choice { slip: Some(slip), ..CLOSED })
+            .map(|slip| HingeChoice { slip: Some(slip), ..CLOSED })
             .to_vec(),
     }
 }

@@ -33,7 +33,7 @@ struct Hinge {
 }
 
 /// A collision at a state.
-struct Struck<'a> {
+struct HingeCollision<'a> {
     system: &'a dyn System,
     state: &'a [f64],
     collision: &'a Collision,
@@ -54,11 +54,11 @@ pub(crate) fn answer(
         Hinge { friction, force, mu }
     });
     let hinges: Vec<Hinge> = hinges.collect();
-    let struck = Struck { system, state, collision, hinges, left: Cell::new(most_trials) };
+    let struck = HingeCollision { system, state, collision, hinges, left: Cell::new(most_trials) };
     struck.improved().map_or_else(|| struck.searched(), Ok)
 }
 
-impl Struck<'_> {
+impl HingeCollision<'_> {
     /// From hinges that all stick to those that have to slide, and back, until all obey; none where that goes in a circle or at the
     /// expense of restitution.
     fn improved(&self) -> Option<Outcome> {

@@ -29,7 +29,7 @@ use super::{ContactError, ContactProblem, ContactSolution, labels, refuse_negati
 use crate::context::{Numbers, RunContext};
 use crate::model::{ContactSet, Coordinate};
 use choices::{Options, choices};
-use place::{Found, Place, SAME};
+use place::{HingeCandidate, HingeProblem, SAME};
 
 /// Up to so many combinations all are tried.
 const FEW: usize = 100;
@@ -40,7 +40,7 @@ pub(crate) fn decide(
     state: &[f64],
     question: &ContactProblem,
 ) -> Result<ContactSolution, ContactError> {
-    let place = Place::new(context, Numbers::from_slice(state));
+    let place = HingeProblem::new(context, Numbers::from_slice(state));
     refuse_negative_friction(context.layout(), &place.slips, question.touching)?;
     let options = choices(context.layout(), question);
     let most = question.most_trials.unwrap_or(usize::MAX);
@@ -61,11 +61,11 @@ fn trials(options: &[Options]) -> Option<usize> {
     options.iter().try_fold(1_usize, |count, (_, of)| count.checked_mul(of.len()))
 }
 
-impl Place<'_> {
-    fn taken(&self, mut found: Vec<Found>, complete: bool) -> Option<ContactSolution> {
-        let sticks = |it: &Found| it.set.iter().filter(|&i| it.set.slip(i).sign() == 0).count();
+impl HingeProblem<'_> {
+    fn taken(&self, mut found: Vec<HingeCandidate>, complete: bool) -> Option<ContactSolution> {
+        let sticks = |it: &HingeCandidate| it.set.iter().filter(|&i| it.set.slip(i).sign() == 0).count();
         found.sort_by_key(|it| (it.set.len(), core::cmp::Reverse(sticks(it)), !it.unique));
-        let mut distinct: Vec<&Found> = Vec::new();
+        let mut distinct: Vec<&HingeCandidate> = Vec::new();
         for it in &found {
             if !distinct.iter().any(|other| self.are_one(other, it)) {
                 distinct.push(it);
@@ -92,7 +92,7 @@ impl Place<'_> {
         })
     }
 
-    fn are_one(&self, one: &Found, other: &Found) -> bool {
+    fn are_one(&self, one: &HingeCandidate, other: &HingeCandidate) -> bool {
         let scales = &self.context.scales;
         let least = |c: &Coordinate| scales.coordinate(c) / (scales.time * scales.time);
         let coordinates = self.context.layout().coordinates;

@@ -2,7 +2,7 @@
 
 use smallvec::smallvec;
 
-use super::choices::Choice;
+use super::choices::HingeChoice;
 use crate::Scales;
 use crate::context::{Numbers, RunContext, Slips, reactions_of, slips};
 use crate::model::ContactSet;
@@ -14,7 +14,7 @@ pub(super) const ZERO: f64 = 1e-9;
 pub(super) const SAME: f64 = 1e-8;
 
 /// The state that is asked about.
-pub(super) struct Place<'a> {
+pub(super) struct HingeProblem<'a> {
     pub(super) context: &'a RunContext,
     pub(super) state: Numbers,
     /// Those of the motion as fast as it is here.
@@ -24,8 +24,8 @@ pub(super) struct Place<'a> {
 }
 
 /// A motion with a choice of each contact.
-pub(super) struct Found {
-    pub(super) choice: Vec<(usize, Choice)>,
+pub(super) struct HingeCandidate {
+    pub(super) choice: Vec<(usize, HingeChoice)>,
     pub(super) set: ContactSet,
     pub(super) accelerations: Numbers,
     pub(super) reactions: Numbers,
@@ -33,7 +33,7 @@ pub(super) struct Found {
 }
 
 /// A force or acceleration that must not be negative.
-pub(super) struct Law {
+pub(super) struct SignCondition {
     pub(super) margin: f64,
     /// What counts as zero.
     pub(super) zero: f64,
@@ -41,7 +41,7 @@ pub(super) struct Law {
     is_located: bool,
 }
 
-impl Law {
+impl SignCondition {
     fn holds(&self) -> bool {
         self.is_located || self.margin >= -self.zero
     }
@@ -52,7 +52,7 @@ impl Law {
     }
 }
 
-impl<'a> Place<'a> {
+impl<'a> HingeProblem<'a> {
     pub(super) fn new(context: &'a RunContext, state: Numbers) -> Self {
         let equations = context.system().equations(&state);
         let slips = slips(context.system(), &state);
@@ -82,21 +82,21 @@ impl<'a> Place<'a> {
     }
 
     /// The motion of one choice, if it is determined.
-    pub(super) fn answer(&self, choice: Vec<(usize, Choice)>) -> Option<Found> {
+    pub(super) fn answer(&self, choice: Vec<(usize, HingeChoice)>) -> Option<HingeCandidate> {
         let set = choice.iter().fold(ContactSet::EMPTY, |set, (contact, choice)| choice.close(set, *contact));
         let (accelerations, reactions, unique) = self.solve(set)?;
-        Some(Found { choice, set, accelerations, reactions, unique })
+        Some(HingeCandidate { choice, set, accelerations, reactions, unique })
     }
 
     /// Whether a motion satisfies the laws.
-    pub(super) fn is_lawful(&self, found: &Found) -> bool {
-        self.laws(found).iter().all(Law::holds) && self.holds(found.set, &found.accelerations)
+    pub(super) fn is_lawful(&self, found: &HingeCandidate) -> bool {
+        self.laws(found).iter().all(SignCondition::holds) && self.holds(found.set, &found.accelerations)
     }
 
     /// The sense that a hinge has to have instead of the one of its choice; the same if it obeys its law.
-    pub(super) fn obeyed(&self, found: &Found, hinge: usize, sense: f64) -> f64 {
+    pub(super) fn obeyed(&self, found: &HingeCandidate, hinge: usize, sense: f64) -> f64 {
         let layout = self.context.layout();
-        let choice = Choice::of_hinge(sense);
+        let choice = HingeChoice::of_hinge(sense);
         match layout.contacts[hinge].friction {
             Some(entry) if !self.laws_of(hinge, &choice, found).all(|law| law.holds()) => match sense {
                 0.0 => -found.reactions[layout.contacts.len() + entry].signum(),
@@ -107,19 +107,24 @@ impl<'a> Place<'a> {
     }
 
     /// What a motion of a choice has to satisfy, in the order of its contacts.
-    pub(super) fn laws(&self, found: &Found) -> Vec<Law> {
+    pub(super) fn laws(&self, found: &HingeCandidate) -> Vec<SignCondition> {
         found.choice.iter().flat_map(|(contact, choice)| self.laws_of(*contact, choice, found)).collect()
     }
 
-    fn laws_of(&self, contact: usize, choice: &Choice, found: &Found) -> impl Iterator<Item = Law> {
+    fn laws_of(
+        &self,
+        contact: usize,
+        choice: &HingeChoice,
+        found: &HingeCandidate,
+    ) -> impl Iterator<Item = SignCondition> {
         let opening = |row: usize| {
             let margin = self.equations.gap_acceleration(row, &found.accelerations);
-            Law { margin, zero: self.acceleration(row), is_located: false }
+            SignCondition { margin, zero: self.acceleration(row), is_located: false }
         };
         let (opens, asked) = (choice.is_open, !choice.is_known);
         let opened = (opens && asked).then(|| opening(contact));
         let margin = f64::from(choice.side.sign()) * found.reactions[contact];
-        let presses = Law { margin, zero: self.force(), is_located: choice.is_unloaded };
+        let presses = SignCondition { margin, zero: self.force(), is_located: choice.is_unloaded };
         let presses = (!opens && !choice.is_held).then_some(presses);
         let rubs = choice.slip.zip(self.context.layout().contacts[contact].friction);
         let rubs = rubs.and_then(|(slip, entry)| {
@@ -127,10 +132,12 @@ impl<'a> Place<'a> {
             let force = found.reactions[self.context.layout().contacts.len() + entry];
             let most = self.slips[entry].limit * found.reactions[contact].abs();
             match f64::from(slip.sign()) {
-                0.0 => Some(Law { margin: most - force.abs(), zero: self.force(), is_located: false }),
-                sense => {
-                    asked.then(|| opening(friction.row)).map(|it| Law { margin: sense * it.margin, ..it })
+                0.0 => {
+                    Some(SignCondition { margin: most - force.abs(), zero: self.force(), is_located: false })
                 }
+                sense => asked
+                    .then(|| opening(friction.row))
+                    .map(|it| SignCondition { margin: sense * it.margin, ..it }),
             }
         });
         opened.into_iter().chain(presses).chain(rubs)

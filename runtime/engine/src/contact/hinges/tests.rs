@@ -1,10 +1,10 @@
 //! Improved senses against all modes.
 
 use super::choices::choices;
-use super::place::{Found, Place};
+use super::place::{HingeCandidate, HingeProblem};
 use super::{policy, search};
 use crate::contact::ContactProblem;
-use crate::contact::friction::{Reason, Slip};
+use crate::contact::friction::{Reason, SlipVelocity};
 use crate::context::{Numbers, RunContext, scales_of};
 use crate::model::ContactSet;
 use crate::prelude::*;
@@ -60,9 +60,9 @@ fn what_is_improved_is_what_all_modes_have() {
         let mut state = [0.0; 10];
         state[..5].iter_mut().for_each(|angle| *angle = between(-spread, spread));
         let hinges: ContactSet = (0..5).collect();
-        let slips: Vec<(usize, Slip)> = (0..5).map(|hinge| (hinge, Slip::Rest)).collect();
+        let slips: Vec<(usize, SlipVelocity)> = (0..5).map(|hinge| (hinge, SlipVelocity::Rest)).collect();
         let question = ContactProblem { touching: hinges, slips: &slips, ..ContactProblem::default() };
-        let place = Place::new(&context, Numbers::from_slice(&state));
+        let place = HingeProblem::new(&context, Numbers::from_slice(&state));
         let options = choices(context.layout(), &question);
         let all = search::all(&place, &options);
         let [known] = &all[..] else { panic!("{} motions", all.len()) };
@@ -89,21 +89,21 @@ fn a_hinge_that_moves_keeps_its_sense() {
         start[..5].iter_mut().enumerate().for_each(|(i, angle)| *angle = 0.1 * ((i * k) % 5) as f64 - 0.2);
         start[9] = rate;
         let (context, state) = evaluate_chain(start);
-        let place = Place::new(&context, state);
+        let place = HingeProblem::new(&context, state);
         let slides = |hinge: usize| place.slips[context.layout().contacts[hinge].friction.unwrap()].velocity;
         let known = |hinge: usize| match slides(hinge) {
-            v if v > 0.0 => Slip::Forward,
-            v if v < 0.0 => Slip::Backward,
-            _ => Slip::Rest,
+            v if v > 0.0 => SlipVelocity::Forward,
+            v if v < 0.0 => SlipVelocity::Backward,
+            _ => SlipVelocity::Rest,
         };
-        let slips: Vec<(usize, Slip)> = (0..5).map(|hinge| (hinge, known(hinge))).collect();
-        assert_eq!(slips.iter().filter(|(_, slip)| *slip != Slip::Rest).count(), 1);
+        let slips: Vec<(usize, SlipVelocity)> = (0..5).map(|hinge| (hinge, known(hinge))).collect();
+        assert_eq!(slips.iter().filter(|(_, slip)| *slip != SlipVelocity::Rest).count(), 1);
         let question =
             ContactProblem { touching: (0..5).collect(), slips: &slips, ..ContactProblem::default() };
         let options = choices(context.layout(), &question);
         let all = search::all(&place, &options);
         let [found] = &all[..] else { panic!("{} motions", all.len()) };
-        let moving = slips.iter().find(|(_, slip)| *slip != Slip::Rest).unwrap().0;
+        let moving = slips.iter().find(|(_, slip)| *slip != SlipVelocity::Rest).unwrap().0;
         assert_eq!(f64::from(found.set.slip(moving).sign()), slides(moving).signum(), "{k}");
         let Some(improved) = search::improved(&place, &options, usize::MAX) else { continue };
         assert_eq!(improved[0].set, found.set, "{k}");
@@ -131,7 +131,7 @@ fn evaluate_chain(state: [f64; 10]) -> (RunContext, Numbers) {
 #[test]
 fn a_moment_later_the_state_has_moved() {
     let dt = |context: &RunContext, state: &Numbers| {
-        let still = Place::new(context, state.clone());
+        let still = HingeProblem::new(context, state.clone());
         still.moved(&[1.0; 5], &[1.0; 5])[5] - state[5]
     };
     let from = [1.0, -2.0, 0.5, 0.0, 3.0];
@@ -144,7 +144,7 @@ fn a_moment_later_the_state_has_moved() {
     for rate in [0.0, dt, -dt] {
         start[5..].fill(rate);
         let (context, state) = evaluate_chain(start);
-        let moved = Place::new(&context, state).moved(&from, &to);
+        let moved = HingeProblem::new(&context, state).moved(&from, &to);
         for i in 0..5 {
             let gained = 0.5 * (from[i] + to[i]) * dt;
             assert!((moved[5 + i] - rate - gained).abs() <= 1e-9 * dt, "{rate} {i}");
@@ -155,10 +155,10 @@ fn a_moment_later_the_state_has_moved() {
 }
 
 /// What a motion is: its closed contacts with their slips, its accelerations, and whether its reactions are the only ones.
-fn found(set: ContactSet, acceleration: f64, unique: bool) -> Found {
+fn found(set: ContactSet, acceleration: f64, unique: bool) -> HingeCandidate {
     let reactions = Numbers::from_slice(&[if unique { 1.0 } else { 2.0 }; 10]);
     let accelerations = Numbers::from_slice(&[acceleration, 0.0, 0.0, 0.0, 0.0]);
-    Found { choice: Vec::new(), set, accelerations, reactions, unique }
+    HingeCandidate { choice: Vec::new(), set, accelerations, reactions, unique }
 }
 
 /// Fewest closed contacts, then most that stick, then unique reactions; one motion is told once.
@@ -166,7 +166,7 @@ fn found(set: ContactSet, acceleration: f64, unique: bool) -> Found {
 fn of_several_motions_one_is_taken_and_all_are_told() {
     use crate::model::Slip::{Backward, Forward, Stick};
     let (context, state) = evaluate_chain([0.1; 10]);
-    let place = Place::new(&context, state);
+    let place = HingeProblem::new(&context, state);
     let set = |slips: &[crate::model::Slip]| {
         let each = slips.iter().enumerate();
         each.fold(ContactSet::EMPTY, |set, (contact, slip)| set.slipping(contact, *slip))
@@ -220,7 +220,7 @@ fn each_choice_has_its_laws() {
     let model = Model::new(&Resting { m: 2.0, l: 0.5, mu: 0.3, r: 0.02, g: 9.81 });
     let scales = scales_of(&model).unwrap();
     let context = RunContext { model, scales };
-    let place = Place::new(&context, Numbers::from_slice(&[0.0; 2]));
+    let place = HingeProblem::new(&context, Numbers::from_slice(&[0.0; 2]));
     let layout = context.layout();
     let support = (0..2).find(|&contact| !layout.contacts[contact].is_hinge()).unwrap();
     let touching = ContactSet::EMPTY.with(support);
@@ -280,17 +280,21 @@ fn contacts_have_the_choices_of_their_kinds() {
     let all: ContactSet = [guide, hinge, rubs, smooth].into_iter().collect();
     let senses = [Slips::Stick, Slips::Forward, Slips::Backward].map(Some);
     for (known, slips) in [
-        (Slip::Rest, &senses[..]),
-        (Slip::Forward, &senses[1..2]),
-        (Slip::Leaves(crate::contact::friction::Sense::Forward), &senses[1..2]),
-        (Slip::Backward, &senses[2..]),
+        (SlipVelocity::Rest, &senses[..]),
+        (SlipVelocity::Forward, &senses[1..2]),
+        (SlipVelocity::Leaves(crate::contact::friction::SlipDirection::Forward), &senses[1..2]),
+        (SlipVelocity::Backward, &senses[2..]),
     ] {
-        let slipping: Vec<(usize, Slip)> = [guide, hinge, rubs].map(|contact| (contact, known)).to_vec();
+        let slipping: Vec<(usize, SlipVelocity)> =
+            [guide, hinge, rubs].map(|contact| (contact, known)).to_vec();
         let question = ContactProblem { touching: all, slips: &slipping, ..ContactProblem::default() };
         let told = |question: &ContactProblem, contact: usize| {
             let options = choices(layout, question).into_iter().find(|it| it.0 == contact).unwrap().1;
             let known_ones = options.iter().filter(|it| !it.is_open);
-            assert!(contact == smooth || known_ones.clone().all(|it| it.is_known == (known != Slip::Rest)));
+            assert!(
+                contact == smooth
+                    || known_ones.clone().all(|it| it.is_known == (known != SlipVelocity::Rest))
+            );
             let closed = known_ones.map(|it| (it.slip, it.side)).collect::<Vec<_>>();
             (closed, options.iter().filter(|it| it.is_open).count())
         };
@@ -316,7 +320,7 @@ fn contacts_have_the_choices_of_their_kinds() {
 fn accelerations_that_differ_by_rounding_are_one() {
     let (context, state) = evaluate_chain([0.0; 10]);
     let natural = 1.0 / (context.scales.time * context.scales.time);
-    let place = Place::new(&context, state);
+    let place = HingeProblem::new(&context, state);
     let of = |acceleration: f64| found(ContactSet::EMPTY, acceleration, true);
     for size in [0.0, natural, 100.0 * natural, 1e6 * natural] {
         let most = 1e-8 * size.max(natural);

@@ -12,7 +12,7 @@
 //! μ_s or in Painlevé's paradox, [`enumeration`](crate::contact::friction) finds and tells them.
 
 use super::solve;
-use crate::contact::friction::{Sense, Slip as KnownSlip};
+use crate::contact::friction::{SlipDirection, SlipVelocity as KnownSlip};
 use crate::contact::{ContactProblem, ContactSolution};
 use crate::context::{Numbers, RunContext, slips};
 use crate::model::{ContactKind, ContactSet, Slip, SlipState};
@@ -33,7 +33,7 @@ struct Contact<'a> {
 }
 
 /// What follows if it slides or sticks.
-struct Closed {
+struct ClosedSlider {
     set: ContactSet,
     reactions: Numbers,
     normal: f64,
@@ -65,8 +65,8 @@ pub(crate) fn decide(
     let found = match known {
         KnownSlip::Forward => contact.moving(Slip::Forward, falls)?,
         KnownSlip::Backward => contact.moving(Slip::Backward, falls)?,
-        KnownSlip::Leaves(Sense::Forward) => contact.leaving(Slip::Forward, falls)?,
-        KnownSlip::Leaves(Sense::Backward) => contact.leaving(Slip::Backward, falls)?,
+        KnownSlip::Leaves(SlipDirection::Forward) => contact.leaving(Slip::Forward, falls)?,
+        KnownSlip::Leaves(SlipDirection::Backward) => contact.leaving(Slip::Backward, falls)?,
         KnownSlip::Rest => contact.resting(falls)?,
     };
     let (closed, reactions) = found.map_or((ContactSet::EMPTY, open), |it| (it.set, it.reactions));
@@ -82,34 +82,34 @@ impl Contact<'_> {
         (opening.abs() > self.acceleration).then_some((opening < 0.0, reactions))
     }
 
-    fn closed(&self, slip: Slip) -> Option<Closed> {
+    fn closed(&self, slip: Slip) -> Option<ClosedSlider> {
         let set = ContactSet::EMPTY.slipping(self.contact, slip);
         let (accelerations, reactions) = solve(self.context, self.state, set)?;
         let layout = self.context.layout();
         let row = layout.frictions[self.entry].row;
         let (normal, force) = (reactions[self.contact], reactions[layout.contacts.len() + self.entry]);
         let start = self.equations.gap_acceleration(row, &accelerations);
-        Some(Closed { set, reactions, normal, force, start })
+        Some(ClosedSlider { set, reactions, normal, force, start })
     }
 
     /// w > 0: what falls is pressed on while it slides so, what rises would be pulled at.
-    fn is_held(&self, sliding: &Closed, falls: bool) -> bool {
+    fn is_held(&self, sliding: &ClosedSlider, falls: bool) -> bool {
         sliding.normal.abs() > self.force && (sliding.normal > 0.0) == falls
     }
 
-    fn moving(&self, slip: Slip, falls: bool) -> Option<Option<Closed>> {
+    fn moving(&self, slip: Slip, falls: bool) -> Option<Option<ClosedSlider>> {
         let sliding = self.closed(slip)?;
         self.is_held(&sliding, falls).then_some(falls.then_some(sliding))
     }
 
     /// The same of one that its force of sticking lets go, which must begin to slide so.
-    fn leaving(&self, slip: Slip, falls: bool) -> Option<Option<Closed>> {
-        let starts = |it: &Closed| f64::from(slip.sign()) * it.start > self.acceleration;
+    fn leaving(&self, slip: Slip, falls: bool) -> Option<Option<ClosedSlider>> {
+        let starts = |it: &ClosedSlider| f64::from(slip.sign()) * it.start > self.acceleration;
         self.moving(slip, falls).filter(|closed| closed.as_ref().is_none_or(starts))
     }
 
     /// The only one of its modes whose conditions are met, if those of the others clearly are not.
-    fn resting(&self, falls: bool) -> Option<Option<Closed>> {
+    fn resting(&self, falls: bool) -> Option<Option<ClosedSlider>> {
         let mut found = (!falls).then_some(None);
         for slip in [Slip::Stick, Slip::Forward, Slip::Backward] {
             let closed = self.closed(slip)?;
@@ -121,7 +121,7 @@ impl Contact<'_> {
     }
 
     /// Whether the conditions of a mode from rest are met, if that is clear.
-    fn is_met(&self, slip: Slip, closed: &Closed) -> Option<bool> {
+    fn is_met(&self, slip: Slip, closed: &ClosedSlider) -> Option<bool> {
         let second = match slip {
             Slip::Stick => (self.slip.limit * closed.normal - closed.force.abs()) / self.force,
             Slip::Forward | Slip::Backward => f64::from(slip.sign()) * closed.start / self.acceleration,

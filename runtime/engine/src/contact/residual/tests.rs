@@ -10,7 +10,7 @@ struct Case {
     before: [f64; 2],
     /// Rates and impulses (P, P_t) at the end of each stage.
     stages: Vec<([f64; 2], [f64; 2])>,
-    method: Method,
+    method: ImpulseMethod,
     factor: f64,
     /// The largest violation relative to the largest rate.
     expected: f64,
@@ -69,11 +69,11 @@ impl Case {
     fn moved(rows: [Row; 2], before: [f64; 2], impulses: &[[f64; 2]], expected: f64) -> Self {
         let after = |p: &[f64; 2]| ([before[0] + p[1], before[1] + p[0]], *p);
         let stages = impulses.iter().map(after).collect();
-        Self { rows, before, stages, method: Method::AtOnce, factor: 1.0, expected }
+        Self { rows, before, stages, method: ImpulseMethod::AtOnce, factor: 1.0, expected }
     }
 
     fn along_path(self) -> Self {
-        Self { method: Method::Path, ..self }
+        Self { method: ImpulseMethod::Path, ..self }
     }
 
     fn reduced(self, factor: f64) -> Self {

@@ -13,13 +13,13 @@ mod sum;
 #[cfg(test)]
 mod tests;
 
-use super::impulse::{Collision, Method, Outcome, Row, is_open};
+use super::impulse::{Collision, ImpulseMethod, Outcome, Row, is_open};
 use crate::model::Law;
 use response::Response;
 use sum::Sum;
 
 /// A collision whose joints and held supports, if there are any, are in its coordinates; nothing is applied from outside.
-pub(crate) struct Struck<'a, M, J> {
+pub(crate) struct ReducedCollision<'a, M, J> {
     /// What the rows are.
     pub(crate) rows: &'a [Row],
     /// M, entry by entry.
@@ -41,7 +41,7 @@ struct Striking {
     friction: Option<(usize, f64)>,
 }
 
-impl<M: Fn(usize, usize) -> f64, J: Fn(usize, usize) -> f64> Struck<'_, M, J> {
+impl<M: Fn(usize, usize) -> f64, J: Fn(usize, usize) -> f64> ReducedCollision<'_, M, J> {
     /// The outcome, if it is such an impact and clear.
     pub(crate) fn outcome(&self) -> Option<Outcome> {
         let striking = self.striking()?;
@@ -64,7 +64,7 @@ impl<M: Fn(usize, usize) -> f64, J: Fn(usize, usize) -> f64> Struck<'_, M, J> {
             compression: law.has_phases().then(|| response.after(&path.vertices[path.compressed])),
             factor: 1.0,
             unique: true,
-            method: if friction.is_some() { Method::Path } else { Method::AtOnce },
+            method: if friction.is_some() { ImpulseMethod::Path } else { ImpulseMethod::AtOnce },
             solutions: 1,
             groups: Vec::new(),
         })
@@ -114,7 +114,8 @@ impl Collision {
     pub(super) fn of_single(&self) -> Option<Outcome> {
         let Self { mass, jacobian, rates, drift, applied, rows } = self;
         let (mass, jacobian) = (|i, j| mass[(i, j)], |i, j| jacobian[(i, j)]);
-        let struck = Struck { rows, mass, jacobian, drift: drift.as_slice(), rates: rates.as_slice() };
+        let struck =
+            ReducedCollision { rows, mass, jacobian, drift: drift.as_slice(), rates: rates.as_slice() };
         (applied.amax() == 0.0).then(|| struck.outcome())?
     }
 }

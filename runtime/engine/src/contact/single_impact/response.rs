@@ -5,13 +5,13 @@ use smallvec::smallvec;
 
 use super::cholesky::Cholesky;
 use super::sum::{ROUNDING, Sum};
-use super::{Striking, Struck};
-use crate::contact::friction::impact::path::{Path, Striker, Vertex};
+use super::{ReducedCollision, Striking};
+use crate::contact::friction::impact::path::{Path, RouthContact, Vertex};
 use crate::contact::impulse::{Row, is_open};
 use crate::context::Numbers;
 
 pub(super) struct Response<'a, M, J> {
-    struck: &'a Struck<'a, M, J>,
+    struck: &'a ReducedCollision<'a, M, J>,
     striking: &'a Striking,
     by_normal: Numbers,
     by_tangent: Numbers,
@@ -19,7 +19,7 @@ pub(super) struct Response<'a, M, J> {
 
 impl<'a, M: Fn(usize, usize) -> f64, J: Fn(usize, usize) -> f64> Response<'a, M, J> {
     /// None where M is nearly singular.
-    pub(super) fn compute(struck: &'a Struck<'a, M, J>, striking: &'a Striking) -> Option<Self> {
+    pub(super) fn compute(struck: &'a ReducedCollision<'a, M, J>, striking: &'a Striking) -> Option<Self> {
         let n = struck.rates.len();
         let factor = Cholesky::factorise(&struck.mass, n)?;
         let along = |row: usize| factor.solution((0..n).map(|j| (struck.jacobian)(row, j)));
@@ -28,15 +28,15 @@ impl<'a, M: Fn(usize, usize) -> f64, J: Fn(usize, usize) -> f64> Response<'a, M,
     }
 
     /// The contact with its W; none where its tangent is zero but for rounding.
-    pub(super) fn striker(&self) -> Option<Striker<f64>> {
+    pub(super) fn striker(&self) -> Option<RouthContact<f64>> {
         let Striking { row, restitution: e, law, friction } = *self.striking;
         let w_nn = self.struck.along(row, &self.by_normal).value;
         let Some((tangent, mu)) = friction else {
-            return Some(Striker { w_nn, w_nt: 0.0, w_tt: 0.0, mu: 0.0, e, law });
+            return Some(RouthContact { w_nn, w_nt: 0.0, w_tt: 0.0, mu: 0.0, e, law });
         };
         let w_nt = self.struck.along(tangent, &self.by_normal).value;
         let w_tt = self.struck.along(tangent, &self.by_tangent).clear().filter(|w_tt| *w_tt != 0.0)?;
-        Some(Striker { w_nn, w_nt, w_tt, mu, e, law })
+        Some(RouthContact { w_nn, w_nt, w_tt, mu, e, law })
     }
 
     /// Rates and impulses at a point of the path.

@@ -1,8 +1,8 @@
 //! Loads that contacts share with a couple.
 
 use crate::contact::closed_rows::ClosedRows;
-use crate::contact::degenerate::Ladder;
-use crate::contact::equations::Equations;
+use crate::contact::degenerate::OrderLadder;
+use crate::contact::equations::SeriesEquations;
 use crate::contact::{ContactProblem, decide};
 use crate::model::ContactSet;
 use crate::prelude::*;
@@ -44,8 +44,8 @@ fn couples_and_forces_are_compared_at_their_lever() {
         for (reaction, expected) in found.reactions.iter().zip(&expected) {
             assert!((reaction - expected).abs() < 1e-12 * expected, "{l}: {:?}", found.reactions);
         }
-        let equations = Equations::along(&model, &state, &[]);
-        let problem = Ladder::new(model.layout(), &question).problem(&equations, 0);
+        let equations = SeriesEquations::along(&model, &state, &[]);
+        let problem = OrderLadder::new(model.layout(), &question).problem(&equations, 0);
         let attempt = problem.attempt(&[0, 1, 2]).unwrap();
         assert_eq!((attempt.nullity, attempt.consistent), (1, true));
         for (row, expected) in expected.iter().enumerate() {
@@ -82,8 +82,8 @@ fn levers_are_those_of_the_rows_in_their_own_units() {
         let model = Model::new(&Jointed { m: 2.0, p, l, g: 9.81, omega: 0.0 });
         let (state, touching) = ([0.0; 5], ContactSet::from_bits(0b11));
         let question = ContactProblem { touching, ..ContactProblem::default() };
-        let problem =
-            Ladder::new(model.layout(), &question).problem(&Equations::along(&model, &state, &[]), 0);
+        let problem = OrderLadder::new(model.layout(), &question)
+            .problem(&SeriesEquations::along(&model, &state, &[]), 0);
         let balanced = problem.closed_rows(vec![0, 1, 2]).levers;
         let own = ClosedRows::compute(&*model.system, &state, &touching).levers;
         for levers in [balanced, own] {

@@ -1,6 +1,6 @@
 //! Loads that contacts with friction share.
 
-use crate::contact::friction::Slip;
+use crate::contact::friction::SlipVelocity;
 use crate::contact::{ContactProblem, decide};
 use crate::model::ContactSet;
 use crate::prelude::*;
@@ -33,7 +33,9 @@ pub(in crate::contact) struct Pushed {
 fn each_support_rubs_by_its_own_share() {
     let (m, g, mu) = (2.0, 9.81, 0.3);
     let weight = m * g;
-    for (known, sense) in [(Slip::Forward, 1.0), (Slip::Backward, -1.0), (Slip::Rest, 0.0)] {
+    for (known, sense) in
+        [(SlipVelocity::Forward, 1.0), (SlipVelocity::Backward, -1.0), (SlipVelocity::Rest, 0.0)]
+    {
         for part in [0.0, 0.9, -0.9] {
             let p = part * mu * weight;
             let model = Model::new(&Pushed { m, l: 0.7, g, mu, p });

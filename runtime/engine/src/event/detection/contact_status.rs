@@ -1,6 +1,6 @@
 //! Contacts as the run treats them.
 
-use crate::contact::friction::Grip;
+use crate::contact::friction::SharedFriction;
 use crate::model::ContactSet;
 
 /// Contacts as the run treats them.
@@ -17,7 +17,7 @@ pub(crate) struct ContactStatus<'a> {
     /// limit, and that have just been decided to go on as they are.
     pub(crate) kept: ContactSet,
     /// Closed contacts with friction that share their load.
-    pub(crate) grip: Grip,
+    pub(crate) grip: SharedFriction,
     /// Heights that bouncing contacts are to reach.
     pub(crate) heights: &'a [(usize, f64)],
     /// Gaps that are zero at the start, each with the order of its first nonzero derivative.

@@ -10,7 +10,7 @@ use super::sample::Quantities;
 use super::sampled_step::{SampledStep, Scales};
 use super::samples::Samples;
 use super::step::StepView;
-use super::{Bounds, Guard, LOW, StepEvents};
+use super::{Guard, GuardBounds, LOW, StepEvents};
 use crate::context::Numbers;
 use crate::expression::Condition;
 use crate::model::{ContactSet, Layout};
@@ -38,7 +38,7 @@ impl<'a> EventDetector<'a> {
         set: ContactSet,
         status: ContactStatus<'a>,
         conditions: (&'a [Condition], &[(usize, bool)]),
-        bounds: Bounds,
+        bounds: GuardBounds,
     ) -> Self {
         let ContactStatus { forces, slips, .. } = status;
         Self {
@@ -69,7 +69,7 @@ impl<'a> EventDetector<'a> {
     /// The work of friction over a step up to `end`, where the method has the series of all that it
     /// takes.
     pub(crate) fn friction_work(&self, step: &StepView<'_>, end: f64) -> Option<f64> {
-        let Scales { bounds: Bounds { relative, .. }, layout, forces, slips, .. } = self.scales;
+        let Scales { bounds: GuardBounds { relative, .. }, layout, forces, slips, .. } = self.scales;
         step.friction_work(end, self.at_rest.as_deref()?, &|contact, [force, slip], at_rest| {
             let slow = layout.contacts[contact].friction.map_or(0.0, |k| slips[k]);
             let fastest = (slip[0] - at_rest).abs() + slip[1..].iter().map(|term| term.abs()).sum::<f64>();
@@ -147,7 +147,7 @@ impl<'a> EventDetector<'a> {
 
     /// The least bound of a gap, in its own unit.
     fn least_bound(&self) -> f64 {
-        let Bounds { relative, length } = self.scales.bounds;
+        let GuardBounds { relative, length } = self.scales.bounds;
         let lowest = self.list.iter().map(|watch| watch.tracking.height).fold(f64::INFINITY, f64::min);
         relative.min(LOW * lowest / length)
     }

@@ -2,7 +2,7 @@
 //! else its values.
 
 use super::advance::Advance;
-use crate::numerics::root_isolation::{self, Accuracy, Crossing, GuardError, Root, Start};
+use crate::numerics::root_isolation::{self, Accuracy, Crossing, GuardError, Root, RootStart};
 use crate::numerics::zero::roundoff;
 
 /// A series whose tail is at most this part of the error bound counts as exact.
@@ -59,7 +59,7 @@ impl GuardSource<'_> {
     }
 
     /// What happens behind `from`, as θ of the step.
-    pub(super) fn watch(&self, from: f64, start: Start, bound: f64) -> Result<Crossing, GuardError> {
+    pub(super) fn watch(&self, from: f64, start: RootStart, bound: f64) -> Result<Crossing, GuardError> {
         let at = |s: f64| from + (1.0 - from) * s;
         let verdict = match self {
             Self::Series(c) if from == 0.0 => root_isolation::watch_series(c, start, bound)?,
@@ -82,7 +82,7 @@ impl GuardSource<'_> {
     pub(super) fn find_fall(
         &self,
         bound: f64,
-        (mut from, mut start): (f64, Start),
+        (mut from, mut start): (f64, RootStart),
         suppression: Suppression,
         touch: &mut dyn FnMut(f64),
     ) -> Result<Option<f64>, GuardError> {
@@ -99,13 +99,13 @@ impl GuardSource<'_> {
                 Crossing::LeavesAtStart if is_suppressed && from == 0.0 => {
                     let is_above = suppression == Suppression::ToZero && self.first() > 0.0;
                     let sunk = if is_above { (0.0, self.rounding()) } else { (bound, 0.5 * bound) };
-                    return self.first_root(0.0, Start::Free, sunk);
+                    return self.first_root(0.0, RootStart::Free, sunk);
                 }
                 Crossing::LeavesAtStart => return Ok(Some(from)),
                 Crossing::Touch { theta, .. } => {
                     from = advance.behind(theta, from);
                     touch(from);
-                    start = Start::Order(2);
+                    start = RootStart::Order(2);
                     if from >= 1.0 {
                         return Ok(None);
                     }
@@ -118,7 +118,7 @@ impl GuardSource<'_> {
     pub(super) fn first_root(
         &self,
         from: f64,
-        start: Start,
+        start: RootStart,
         shifted: (f64, f64),
     ) -> Result<Option<f64>, GuardError> {
         Ok(self.find_root(from, start, shifted)?.map(|root| root.theta))
@@ -128,7 +128,7 @@ impl GuardSource<'_> {
     pub(super) fn find_root(
         &self,
         from: f64,
-        start: Start,
+        start: RootStart,
         (shift, bound): (f64, f64),
     ) -> Result<Option<Root>, GuardError> {
         let at = |s: f64| from + (1.0 - from) * s;

@@ -42,7 +42,7 @@ pub enum Guard {
     /// The gap of an open contact.
     Gap(usize),
     /// −g of a closed contact that depends on those that bear: below zero it depended on them only where the phase began.
-    Parting(usize),
+    RedundantGap(usize),
     /// A foot of a contact: how far it is from the end of its bar.
     Foot {
         /// The contact.
@@ -51,18 +51,18 @@ pub enum Guard {
         entry: usize,
     },
     /// μₛ |N| + σ R of a contact that sticks: at zero it begins to slide with the sense σ.
-    Limit(Rub),
+    Limit(FrictionGuard),
     /// How far contacts that share their load are from slipping together.
-    Grip,
+    SharedFriction,
     /// σ v of a contact that slides with the sense σ: at zero it stops.
-    Slip(Rub),
+    Slip(FrictionGuard),
     /// A condition that ends the run or starts something planned.
     Condition(usize),
 }
 
 /// A contact with friction, and a sense in which it slides or may slide.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Rub {
+pub struct FrictionGuard {
     /// The contact.
     pub contact: usize,
     /// The entry of the model's frictions.
@@ -85,18 +85,18 @@ impl Guard {
             Self::Reaction(contact)
             | Self::Side(contact, _)
             | Self::Gap(contact)
-            | Self::Parting(contact) => Some(contact),
+            | Self::RedundantGap(contact) => Some(contact),
             Self::Foot { contact, .. }
-            | Self::Limit(Rub { contact, .. })
-            | Self::Slip(Rub { contact, .. }) => Some(contact),
-            Self::Grip | Self::Condition(_) => None,
+            | Self::Limit(FrictionGuard { contact, .. })
+            | Self::Slip(FrictionGuard { contact, .. }) => Some(contact),
+            Self::SharedFriction | Self::Condition(_) => None,
         }
     }
 }
 
 /// Error bounds of the guards, relative to natural scales.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Bounds {
+pub(crate) struct GuardBounds {
     pub(crate) relative: f64,
     pub(crate) length: f64,
 }

@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use super::Bounds;
+use super::GuardBounds;
 use super::sample::{Quantities, Sample, Scratch};
 use super::samples::Samples;
 use super::step::StepView;
@@ -16,7 +16,7 @@ const CERTAIN: f64 = 1.0 / 64.0;
 
 /// Sizes of the guards of a phase.
 pub(crate) struct Scales<'a> {
-    pub(super) bounds: Bounds,
+    pub(super) bounds: GuardBounds,
     pub(super) layout: &'static Layout,
     /// The size of each reaction.
     pub(super) forces: &'a [f64],

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::sample::{Quantities, Sample, Scratch};
 use crate::context::{Numbers, RunContext};
-use crate::expression::{Condition, Enclosure, Interval, Known, Sides, Variable};
+use crate::expression::{Condition, Enclosure, Interval, SeriesQuantity, Sides, Variable};
 use crate::integrate::Guards;
 use crate::integration::phase_point::PhasePoint;
 use crate::model::{ContactSet, Form};
@@ -211,14 +211,14 @@ impl<'a> StepView<'a> {
     /// motion itself is a polynomial.
     pub(super) fn sides(&self, condition: &Condition) -> Option<Sides> {
         condition.sides(&self.context.model.parameters, &|known, terms| match known {
-            Known::Coordinate { index, order } => {
+            SeriesQuantity::Coordinate { index, order } => {
                 self.dense.polynomial(self.find_index(index, order)?, terms)
             }
             // Where more contacts are closed than the phase needs, they share its reactions.
-            Known::Reaction(_) if self.closed != self.phase.info().set => None,
-            Known::Reaction(contact) => copy(self.guards?.reaction(contact), terms),
-            Known::Gap(contact) => copy(self.guards?.gap(contact), terms),
-            Known::Time => {
+            SeriesQuantity::Reaction(_) if self.closed != self.phase.info().set => None,
+            SeriesQuantity::Reaction(contact) => copy(self.guards?.reaction(contact), terms),
+            SeriesQuantity::Gap(contact) => copy(self.guards?.gap(contact), terms),
+            SeriesQuantity::Time => {
                 (terms[0], terms[1]) = (self.dense.t0, self.dense.h);
                 Some(())
             }

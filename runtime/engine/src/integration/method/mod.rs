@@ -44,14 +44,14 @@ pub struct StartedStepper<'a> {
     /// The integration.
     pub stepper: Box<dyn PhaseStepper + 'a>,
     /// What integrates from later times on.
-    pub(crate) switches: Switches,
+    pub(crate) switches: MethodChanges,
 }
 
 /// Changes of the method on the way, as they are made.
 #[derive(Clone, Default)]
-pub(crate) struct Switches(Rc<RefCell<Vec<(f64, Choice)>>>);
+pub(crate) struct MethodChanges(Rc<RefCell<Vec<(f64, Choice)>>>);
 
-impl Switches {
+impl MethodChanges {
     fn note(&self, t: f64, choice: Choice) {
         self.0.borrow_mut().push((t, choice));
     }
@@ -66,7 +66,7 @@ impl<'a> StartedStepper<'a> {
     /// An integration by the method that was asked for.
     pub fn asked(method: &dyn Method, stepper: Box<dyn PhaseStepper + 'a>) -> Self {
         let choice = Choice { method: method.name(), why: "asked for" };
-        Self { choice, stepper, switches: Switches::default() }
+        Self { choice, stepper, switches: MethodChanges::default() }
     }
 
     /// The same with another reason.

@@ -9,7 +9,7 @@
 //! loses its amplitude by damping alone, so that Radau is not tried again before that had time.
 
 use super::pair::StepperPair;
-use super::{Choice, Method, Problem, Radau, StartedStepper, Switches};
+use super::{Choice, Method, MethodChanges, Problem, Radau, StartedStepper};
 use crate::integrate::{Counts, Guards, StepError};
 use crate::system::{DenseOutput, Jacobian, PhaseStepper};
 
@@ -56,7 +56,7 @@ struct Watched<'a> {
     /// The last look.
     looked: f64,
     pause: Pause,
-    switches: Switches,
+    switches: MethodChanges,
 }
 
 /// What keeps explicit steps short.

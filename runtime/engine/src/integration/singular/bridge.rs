@@ -14,7 +14,7 @@
 use crate::context::{RunContext, reduce};
 use crate::integration::chart::nan_max;
 use crate::model::ContactSet;
-use crate::numerics::legendre::{POINTS, Series, X};
+use crate::numerics::legendre::{LegendreSeries, POINTS, X};
 use crate::numerics::zero::{MARGIN, SOLVED};
 use crate::system::{DenseOutput, Phase};
 
@@ -34,7 +34,7 @@ const POSITIONS: f64 = 1e-8;
 const TURNING: f64 = 1e-2;
 
 /// What moves, and how: R and the constraints that are closed.
-pub(super) struct Motion<'a> {
+pub(super) struct BridgeMotion<'a> {
     pub(super) context: &'a RunContext,
     pub(super) set: ContactSet,
     pub(super) time: f64,
@@ -48,7 +48,7 @@ pub(crate) struct Bridge {
     /// The full state at the end.
     pub(crate) state: Vec<f64>,
     /// Coordinates, then rates.
-    series: Vec<Series>,
+    series: Vec<LegendreSeries>,
 }
 
 impl Bridge {
@@ -63,7 +63,7 @@ impl Bridge {
     pub(crate) fn dense(&self, phase: &dyn Phase) -> DenseOutput {
         let [t0, t1] = self.t;
         let time = |k: usize| [t0, t1 - t0].get(k).copied().unwrap_or(0.0);
-        let powers: Vec<_> = self.series.iter().map(Series::powers).collect();
+        let powers: Vec<_> = self.series.iter().map(LegendreSeries::powers).collect();
         let entries = phase.kept();
         let switches = phase.system().layout().switch(0);
         let switch = |k: usize, entry: usize| if k == 0 { self.state[entry] } else { 0.0 };
@@ -79,7 +79,7 @@ impl Bridge {
     }
 }
 
-impl Motion<'_> {
+impl BridgeMotion<'_> {
     /// The motion from a state over the time `h`; none where no branch goes on smoothly.
     pub(super) fn over(&self, t: f64, state: &[f64], h: f64) -> Option<Bridge> {
         let mut at = self.guess(t, state, h);
@@ -141,16 +141,16 @@ impl Motion<'_> {
     }
 
     /// The motion with these accelerations at Gauss's points.
-    fn integrated(&self, state: &[f64], h: f64, a: &[Vec<f64>]) -> Vec<Series> {
+    fn integrated(&self, state: &[f64], h: f64, a: &[Vec<f64>]) -> Vec<LegendreSeries> {
         let n = self.coordinates();
-        let rate = |i: usize| Series::through(|k| a[k][i]).integral(state[n + i], h);
-        let rates: Vec<Series> = (0..n).map(rate).collect();
-        let coordinate = |(i, rate): (usize, &Series)| rate.integral(state[i], h);
-        let coordinates: Vec<Series> = rates.iter().enumerate().map(coordinate).collect();
+        let rate = |i: usize| LegendreSeries::through(|k| a[k][i]).integral(state[n + i], h);
+        let rates: Vec<LegendreSeries> = (0..n).map(rate).collect();
+        let coordinate = |(i, rate): (usize, &LegendreSeries)| rate.integral(state[i], h);
+        let coordinates: Vec<LegendreSeries> = rates.iter().enumerate().map(coordinate).collect();
         [coordinates, rates].concat()
     }
 
-    fn state(&self, series: &[Series], (t, h): (f64, f64), x: f64) -> Vec<f64> {
+    fn state(&self, series: &[LegendreSeries], (t, h): (f64, f64), x: f64) -> Vec<f64> {
         let values: Vec<f64> = series.iter().map(|series| series.evaluate(x)).collect();
         let state = self.context.layout().state_at(&values, t + 0.5 * h * (x + 1.0));
         self.context.switched_as(&state, self.from).into_vec()
@@ -172,7 +172,7 @@ impl Motion<'_> {
     }
 
     /// The motion, if it stays on the constraints and keeps its energy.
-    fn checked(&self, series: Vec<Series>, (t, h): (f64, f64), from: &[f64]) -> Option<Bridge> {
+    fn checked(&self, series: Vec<LegendreSeries>, (t, h): (f64, f64), from: &[f64]) -> Option<Bridge> {
         let (context, layout) = (self.context, self.context.layout());
         let ahead = self.state(&series, (t, h), 1.0);
         let mut state = ahead.clone();

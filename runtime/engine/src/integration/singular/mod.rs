@@ -19,7 +19,7 @@ use crate::numerics::decomposition::{least_ratio_bound, singular_values, svd};
 use crate::numerics::zero::{MARGIN, roundoff};
 use crate::system::Equations;
 pub(crate) use bridge::Bridge;
-use bridge::Motion;
+use bridge::BridgeMotion;
 
 /// The loosest tolerance near a singular position: errors must still be small enough to tell the branches apart.
 const LOOSEST: f64 = 1e-10;
@@ -75,7 +75,7 @@ pub(crate) enum Forecast {
 }
 
 /// Where a motion is: σ, and R.
-struct Place {
+struct SingularPoint {
     sigma: f64,
     time: f64,
 }
@@ -138,9 +138,9 @@ impl SingularityMonitor {
         let (jacobian, time) = (self.scaled_jacobian(&equations), self.time(&equations, state));
         let bound = least_bound(&jacobian);
         if self.trials == 0 && self.is_far(context, state, (bound, time, next)) {
-            return self.forecast((t, next), &Place { sigma: bound, time }, f64::INFINITY);
+            return self.forecast((t, next), &SingularPoint { sigma: bound, time }, f64::INFINITY);
         }
-        let place = Place { sigma: self.least(jacobian), time };
+        let place = SingularPoint { sigma: self.least(jacobian), time };
         if place.sigma > FAR {
             self.trials = 0;
         }
@@ -158,7 +158,7 @@ impl SingularityMonitor {
         context: &RunContext,
         (t, next): (f64, f64),
         state: &[f64],
-        place: &Place,
+        place: &SingularPoint,
     ) -> Forecast {
         self.tolerance = self.tolerance.min(LOOSEST);
         if next <= FALL * place.sigma * place.time {
@@ -185,7 +185,7 @@ impl SingularityMonitor {
     }
 
     /// What comes `left` after, or before if it is negative, a singular position.
-    fn forecast(&self, (t, next): (f64, f64), place: &Place, left: f64) -> Forecast {
+    fn forecast(&self, (t, next): (f64, f64), place: &SingularPoint, left: f64) -> Forecast {
         let window = TRIALS.get(self.trials).unwrap_or(&0.0) * NEAR * place.time;
         if left.abs() <= 1.5 * window {
             return Forecast::Here([t + left, t + left.max(0.0) + window]);
@@ -200,7 +200,7 @@ impl SingularityMonitor {
     }
 
     /// The time to a singular position as σ and its rate tell it; negative where σ rises.
-    fn left(&mut self, context: &RunContext, state: &[f64], place: &Place) -> f64 {
+    fn left(&mut self, context: &RunContext, state: &[f64], place: &SingularPoint) -> f64 {
         let ahead = |loops: &mut Self, ahead: &[f64]| loops.measure(context, ahead).sigma;
         self.left_by((place.sigma, place.time), state, ahead)
     }
@@ -221,10 +221,10 @@ impl SingularityMonitor {
     }
 
     /// σ and R at a state.
-    fn measure(&mut self, context: &RunContext, state: &[f64]) -> Place {
+    fn measure(&mut self, context: &RunContext, state: &[f64]) -> SingularPoint {
         let equations = context.system().equations(state);
         let jacobian = self.scaled_jacobian(&equations);
-        Place { sigma: self.least(jacobian), time: self.time(&equations, state) }
+        SingularPoint { sigma: self.least(jacobian), time: self.time(&equations, state) }
     }
 
     /// R = 1/max(|u|, √|f/m|) in natural units.
@@ -300,7 +300,7 @@ impl SingularityMonitor {
         state: &[f64],
     ) -> Option<Bridge> {
         let place = self.measure(context, state);
-        let motion = Motion { context, set: self.set, time: place.time, from: state };
+        let motion = BridgeMotion { context, set: self.set, time: place.time, from: state };
         let shortest = bridge::length([at - t, end - t]);
         let lengths = core::iter::successors(Some(shortest), |h| Some(LONGER * h)).take(MOST_LONGER);
         let bridge = lengths
@@ -311,7 +311,7 @@ impl SingularityMonitor {
     }
 
     /// Whether a step ends on the other side, or as far away as it began.
-    fn is_beyond(&mut self, context: &RunContext, from: &Place, bridge: &Bridge) -> bool {
+    fn is_beyond(&mut self, context: &RunContext, from: &SingularPoint, bridge: &Bridge) -> bool {
         let sigma = self.measure(context, &bridge.state).sigma;
         sigma >= BEYOND * from.sigma && (from.sigma >= UNDECIDED || self.opens(context, bridge))
     }

@@ -2,9 +2,9 @@
 //! last change from + to − before; an interior minimum within ±δ is a touch; above δ, nothing.
 
 use super::partition::{Accuracy, Division};
-use super::series::Series;
+use super::series::PowerSeries;
 use super::sign_history::{Crossing, History};
-use super::{GuardError, Start};
+use super::{GuardError, RootStart};
 
 /// Follows the guard `g` from θ = 0 to the first event. It counts as clear only where a fit that has been compared with it
 /// between its nodes stays above the error bound by more than it may differ.
@@ -13,7 +13,7 @@ use super::{GuardError, Start};
 /// If `g` is infinite or not a number somewhere, or turns too often to be followed.
 pub fn watch(
     mut g: impl FnMut(f64) -> f64,
-    start: Start,
+    start: RootStart,
     accuracy: impl Into<Accuracy>,
 ) -> Result<Crossing, GuardError> {
     let accuracy = accuracy.into();
@@ -28,8 +28,8 @@ pub fn watch(
 ///
 /// # Errors
 /// If a coefficient is infinite or not a number.
-pub fn watch_series(c: &[f64], start: Start, delta: f64) -> Result<Crossing, GuardError> {
-    let series = Series::new(c, start);
+pub fn watch_series(c: &[f64], start: RootStart, delta: f64) -> Result<Crossing, GuardError> {
+    let series = PowerSeries::new(c, start);
     let level = series.level(delta);
     if series.is_within(|[low, _]| low > level) {
         return Ok(Crossing::Clear);

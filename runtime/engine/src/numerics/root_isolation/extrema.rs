@@ -4,7 +4,7 @@ use super::bracket::Point;
 
 /// A located maximum or minimum.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Extremum {
+pub struct LocatedExtremum {
     /// Where in the step, 0 < θ ≤ 1.
     pub theta: f64,
     /// The value there.
@@ -13,7 +13,7 @@ pub struct Extremum {
     pub kind: ExtremumKind,
 }
 
-/// Kinds of [`Extremum`].
+/// Kinds of [`LocatedExtremum`].
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ExtremumKind {
     /// Greater than its neighbourhood.
@@ -32,7 +32,7 @@ pub(super) struct Zigzag {
 
 impl Zigzag {
     /// Takes the next point; the extremum that it confirms by being more than `noise` away.
-    pub(super) fn push(&mut self, point: Point, noise: f64) -> Option<Extremum> {
+    pub(super) fn push(&mut self, point: Point, noise: f64) -> Option<LocatedExtremum> {
         let high = self.high.filter(|high| high.value >= point.value).unwrap_or(point);
         let low = self.low.filter(|low| low.value <= point.value).unwrap_or(point);
         (self.high, self.low) = (Some(high), Some(low));
@@ -48,19 +48,19 @@ impl Zigzag {
     }
 
     /// The extremum at the last point, where the function is flat there.
-    pub(super) fn finish(&self) -> Option<Extremum> {
+    pub(super) fn finish(&self) -> Option<LocatedExtremum> {
         let kind = self.heading?;
         let last = match kind {
             ExtremumKind::Maximum => self.high?,
             ExtremumKind::Minimum => self.low?,
         };
-        Some(Extremum { theta: last.theta, value: last.value, kind })
+        Some(LocatedExtremum { theta: last.theta, value: last.value, kind })
     }
 
     /// Heads for the opposite of `kind`. The first turn of all is within the noise of the start.
-    fn turn(&mut self, at: Point, kind: ExtremumKind, next: ExtremumKind) -> Option<Extremum> {
+    fn turn(&mut self, at: Point, kind: ExtremumKind, next: ExtremumKind) -> Option<LocatedExtremum> {
         let Point { theta, value } = at;
-        let extremum = Extremum { theta, value, kind };
+        let extremum = LocatedExtremum { theta, value, kind };
         self.heading.replace(next).map(|_| extremum)
     }
 }

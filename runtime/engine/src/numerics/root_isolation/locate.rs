@@ -1,11 +1,11 @@
 //! Roots of either direction, for stop conditions, and extrema, for reports.
 
 use super::bracket::{Point, root};
-use super::extrema::{Extremum, Zigzag};
+use super::extrema::{LocatedExtremum, Zigzag};
 use super::partition::{Accuracy, Division, Node};
-use super::search::{Found, Search};
-use super::series::Series;
-use super::{GuardError, Start};
+use super::search::{RootSearch, SearchResult};
+use super::series::PowerSeries;
+use super::{GuardError, RootStart};
 use crate::numerics::zero::roundoff;
 
 /// After a pole the search continues at least this far behind it, twice as far each time.
@@ -42,7 +42,7 @@ impl Root {
 /// If `g` is infinite or not a number somewhere, or turns too often to be followed.
 pub fn find_root(
     g: &mut dyn FnMut(f64) -> f64,
-    start: Start,
+    start: RootStart,
     accuracy: Accuracy,
 ) -> Result<Option<Root>, GuardError> {
     let delta = accuracy.delta;
@@ -50,21 +50,23 @@ pub fn find_root(
     while from < 1.0 {
         let at = |s: f64| from + (1.0 - from) * s;
         let mut rest = |s: f64| g(at(s));
-        let mut search = Search::new(start, delta);
+        let mut search = RootSearch::new(start, delta);
         let dull = |[low, high]: [f64; 2], delta| low > delta || high < -delta;
         Division { accuracy, dull }.visit(&mut rest, &mut |node| search.follow(node))?;
         match search.found() {
             None => return Ok(None),
-            Some(Found::At(s)) => return Ok(Some(Root::crossing(at(s)))),
-            Some(Found::Tangent { theta, value }) => return Ok(Some(Root { theta: at(theta), value })),
-            Some(Found::Between { ends: [a, b], smooth }) => {
+            Some(SearchResult::At(s)) => return Ok(Some(Root::crossing(at(s)))),
+            Some(SearchResult::Tangent { theta, value }) => {
+                return Ok(Some(Root { theta: at(theta), value }));
+            }
+            Some(SearchResult::Between { ends: [a, b], smooth }) => {
                 let across = root(&mut rest, a, b);
                 let s = across[0].theta;
                 let rounding = roundoff(64.0) * a.value.abs().max(b.value.abs());
                 if smooth || is_continuous(&mut rest, across, delta.max(rounding)) {
                     return Ok(Some(Root::crossing(at(s))));
                 }
-                (from, start) = (at(s) + least, Start::Free);
+                (from, start) = (at(s) + least, RootStart::Free);
                 least *= 2.0;
             }
         }
@@ -89,22 +91,22 @@ fn is_continuous(g: &mut dyn FnMut(f64) -> f64, ends: [Point; 2], rounding: f64)
 ///
 /// # Errors
 /// If a coefficient is infinite or not a number.
-pub fn find_root_series(c: &[f64], start: Start, delta: f64) -> Result<Option<Root>, GuardError> {
-    let series = Series::new(c, start);
+pub fn find_root_series(c: &[f64], start: RootStart, delta: f64) -> Result<Option<Root>, GuardError> {
+    let series = PowerSeries::new(c, start);
     let level = series.level(delta);
     let stays = |[low, high]: [f64; 2]| match start {
-        Start::Continues { positive } => (if positive { low } else { -high }) > level,
+        RootStart::Continues { positive } => (if positive { low } else { -high }) > level,
         _ => low > level || high < -level,
     };
     if series.is_within(stays) {
         return Ok(None);
     }
-    let mut search = Search::of_series(start, delta);
+    let mut search = RootSearch::of_series(start, delta);
     series.visit(&mut |node| search.follow(node))?;
     Ok(search.found().map(|found| match found {
-        Found::At(theta) => Root::crossing(theta),
-        Found::Tangent { theta, value } => Root { theta, value },
-        Found::Between { ends: [a, b], .. } => {
+        SearchResult::At(theta) => Root::crossing(theta),
+        SearchResult::Tangent { theta, value } => Root { theta, value },
+        SearchResult::Between { ends: [a, b], .. } => {
             Root::crossing(root(&mut |theta| series.evaluate(theta), a, b)[0].theta)
         }
     }))
@@ -119,7 +121,7 @@ pub fn find_root_series(c: &[f64], start: Start, delta: f64) -> Result<Option<Ro
 pub fn extrema(
     mut g: impl FnMut(f64) -> f64,
     delta: f64,
-    mut visit: impl FnMut(Extremum),
+    mut visit: impl FnMut(LocatedExtremum),
 ) -> Result<(), GuardError> {
     let mut zigzag = Zigzag::default();
     let accuracy = Accuracy { delta, is_noisy: true };
@@ -127,7 +129,7 @@ pub fn extrema(
     division.visit(&mut g, &mut |node| turn(&mut zigzag, node, delta, &mut visit))
 }
 
-fn turn(zigzag: &mut Zigzag, node: Node, delta: f64, visit: &mut dyn FnMut(Extremum)) {
+fn turn(zigzag: &mut Zigzag, node: Node, delta: f64, visit: &mut dyn FnMut(LocatedExtremum)) {
     let noise = node.noise.max(delta);
     let passed = zigzag.push(node.point, noise);
     let last = zigzag.finish().filter(|_| node.beyond <= noise);

@@ -42,14 +42,14 @@ impl GuardError {
 
 /// What is known of the function at θ = 0.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Start {
+pub enum RootStart {
     /// Nothing: its value there is taken as it is.
     Free,
     /// It is zero there, within the error bound, and that is no event.
     Root,
     /// It is zero there, its first nonzero derivative is of this order, and that is no event. A series is divided by this power
     /// of θ, so that every sign after the root counts; values of a function are too inaccurate for that and are treated as for
-    /// [`Start::Root`].
+    /// [`RootStart::Root`].
     Order(usize),
     /// The step continues one at whose end it had this sign, whatever rounding makes of it here.
     Continues {

@@ -6,7 +6,7 @@ use super::bracket::Point;
 use super::polynomial::{FINE, node};
 
 /// The function at a point of a piece, 0 to 1.
-pub(super) type Sample<'a> = dyn FnMut(f64) -> Result<Point, GuardError> + 'a;
+pub(super) type PieceFunction<'a> = dyn FnMut(f64) -> Result<Point, GuardError> + 'a;
 
 /// 0.618ⁿ of an interval between nodes is below the spacing of doubles.
 const DIVISIONS: usize = 72;
@@ -15,7 +15,7 @@ const DIVISIONS: usize = 72;
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// Visits the samples, both ends among them, and the nearest approaches to zero, in ascending order.
-pub(super) fn approaches(sample: &mut Sample, visit: &mut dyn FnMut(Point)) -> Result<(), GuardError> {
+pub(super) fn approaches(sample: &mut PieceFunction, visit: &mut dyn FnMut(Point)) -> Result<(), GuardError> {
     let mut sizes = [f64::INFINITY; FINE + 3];
     let mut points = [Point { theta: 0.0, value: 0.0 }; FINE + 1];
     for (j, point) in points.iter_mut().enumerate() {
@@ -35,7 +35,11 @@ pub(super) fn approaches(sample: &mut Sample, visit: &mut dyn FnMut(Point)) -> R
 }
 
 /// The least value between `a` and `b`, or the greatest of a function below zero.
-fn approach(sample: &mut Sample, [mut a, mut b]: [f64; 2], positive: bool) -> Result<Point, GuardError> {
+fn approach(
+    sample: &mut PieceFunction,
+    [mut a, mut b]: [f64; 2],
+    positive: bool,
+) -> Result<Point, GuardError> {
     let inner = |a: f64, b: f64| [b - GOLDEN * (b - a), a + GOLDEN * (b - a)];
     let [x, y] = inner(a, b);
     let [mut left, mut right] = [sample(x)?, sample(y)?];

@@ -4,7 +4,7 @@ use super::GuardError;
 use super::bernstein::Bernstein;
 use super::bracket::{Point, sample};
 use super::isolate::turning_points;
-use super::nonsmooth::{Sample, approaches};
+use super::nonsmooth::{PieceFunction, approaches};
 use super::polynomial::{CHECK, COARSE, Polynomial, node};
 use crate::numerics::zero::roundoff;
 
@@ -119,7 +119,11 @@ impl Division {
     }
 }
 
-fn turns(fit: &Polynomial, sample: &mut Sample, visit: &mut dyn FnMut(Point)) -> Result<(), GuardError> {
+fn turns(
+    fit: &Polynomial,
+    sample: &mut PieceFunction,
+    visit: &mut dyn FnMut(Point),
+) -> Result<(), GuardError> {
     let slope = fit.derivative();
     let [low, high] = slope.range();
     if low > 0.0 || high < 0.0 {

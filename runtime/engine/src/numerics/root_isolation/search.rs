@@ -1,12 +1,12 @@
 //! A function followed to its first root through points between which it is monotone.
 
-use super::Start;
+use super::RootStart;
 use super::bracket::Point;
-use super::extrema::{Extremum, ExtremumKind, Zigzag};
+use super::extrema::{ExtremumKind, LocatedExtremum, Zigzag};
 use super::partition::Node;
 
 #[derive(Clone, Copy)]
-pub(super) enum Found {
+pub(super) enum SearchResult {
     At(f64),
     /// An extremum within δ of zero, with its value.
     Tangent {
@@ -22,7 +22,7 @@ pub(super) enum Found {
 }
 
 /// The function's history since θ = 0.
-pub(super) struct Search {
+pub(super) struct RootSearch {
     delta: f64,
     /// Values no larger than this belong to the start's root until the first that is.
     known: f64,
@@ -30,24 +30,24 @@ pub(super) struct Search {
     side: Option<bool>,
     zigzag: Zigzag,
     last: Option<Point>,
-    found: Option<Found>,
+    found: Option<SearchResult>,
 }
 
-impl Search {
-    pub(super) fn new(start: Start, delta: f64) -> Self {
-        let known = if matches!(start, Start::Root | Start::Order(_)) { delta } else { 0.0 };
-        let side = if let Start::Continues { positive } = start { Some(positive) } else { None };
+impl RootSearch {
+    pub(super) fn new(start: RootStart, delta: f64) -> Self {
+        let known = if matches!(start, RootStart::Root | RootStart::Order(_)) { delta } else { 0.0 };
+        let side = if let RootStart::Continues { positive } = start { Some(positive) } else { None };
         Self { delta, known, side, zigzag: Zigzag::default(), last: None, found: None }
     }
 
     /// With the root of known order divided out, every sign behind it counts.
-    pub(super) fn of_series(start: Start, delta: f64) -> Self {
+    pub(super) fn of_series(start: RootStart, delta: f64) -> Self {
         let search = Self::new(start, delta);
-        let known = if matches!(start, Start::Order(_)) { 0.0 } else { search.known };
+        let known = if matches!(start, RootStart::Order(_)) { 0.0 } else { search.known };
         Self { known, ..search }
     }
 
-    pub(super) fn found(&self) -> Option<Found> {
+    pub(super) fn found(&self) -> Option<SearchResult> {
         self.found
     }
 
@@ -62,10 +62,10 @@ impl Search {
         }
         let extremum = self.zigzag.push(point, node.noise.min(0.5 * self.delta));
         self.found = match (self.side, self.last) {
-            (Some(_), Some(_)) if point.value == 0.0 => Some(Found::At(point.theta)),
+            (Some(_), Some(_)) if point.value == 0.0 => Some(SearchResult::At(point.theta)),
             (Some(side), _) if point.value != 0.0 && side != point.value.is_sign_positive() => {
-                let between = |last| Found::Between { ends: [last, point], smooth: node.smooth };
-                Some(self.last.map_or(Found::At(point.theta), between))
+                let between = |last| SearchResult::Between { ends: [last, point], smooth: node.smooth };
+                Some(self.last.map_or(SearchResult::At(point.theta), between))
             }
             _ => self.tangent(extremum),
         };
@@ -80,16 +80,16 @@ impl Search {
 
     /// A root at the end or nearer to it than the function is known. Half of δ is the most that the step after this one
     /// takes for noise.
-    fn end(&self, Node { point, noise, beyond, .. }: Node) -> Option<Found> {
+    fn end(&self, Node { point, noise, beyond, .. }: Node) -> Option<SearchResult> {
         let zero = self.side.is_some() && point.value.abs() <= noise.min(self.delta);
         let last = || self.zigzag.finish().filter(|_| beyond <= noise.max(0.5 * self.delta));
-        if zero { Some(Found::At(point.theta)) } else { self.tangent(last()) }
+        if zero { Some(SearchResult::At(point.theta)) } else { self.tangent(last()) }
     }
 
     /// An extremum that comes within δ of zero from its side.
-    fn tangent(&self, extremum: Option<Extremum>) -> Option<Found> {
-        let Extremum { theta, value, kind } = extremum?;
+    fn tangent(&self, extremum: Option<LocatedExtremum>) -> Option<SearchResult> {
+        let LocatedExtremum { theta, value, kind } = extremum?;
         let towards_zero = self.side? == (kind == ExtremumKind::Minimum);
-        (towards_zero && value.abs() <= self.delta).then_some(Found::Tangent { theta, value })
+        (towards_zero && value.abs() <= self.delta).then_some(SearchResult::Tangent { theta, value })
     }
 }

@@ -7,7 +7,7 @@ use super::bracket::Point;
 use super::isolate::turning_points;
 use super::partition::{Node, beyond};
 use super::polynomial::FINE;
-use super::{GuardError, Start};
+use super::{GuardError, RootStart};
 use crate::numerics::zero::roundoff;
 
 /// The most coefficients of a series that count; those after them belong to its error.
@@ -21,15 +21,15 @@ const ROUNDED: f64 = roundoff(8.0);
 
 /// θᵐ Σ aₖ θᵏ.
 #[derive(Clone, Copy)]
-pub(super) struct Series<'a> {
+pub(super) struct PowerSeries<'a> {
     order: usize,
     terms: &'a [f64],
 }
 
-impl<'a> Series<'a> {
-    pub(super) fn new(c: &'a [f64], start: Start) -> Self {
+impl<'a> PowerSeries<'a> {
+    pub(super) fn new(c: &'a [f64], start: RootStart) -> Self {
         let c = &c[..c.len().min(TERMS)];
-        let order = if let Start::Order(m) = start { m.min(c.len()) } else { 0 };
+        let order = if let RootStart::Order(m) = start { m.min(c.len()) } else { 0 };
         let terms = &c[order..];
         let length = without_zeros(terms).len().max(1);
         Self { order, terms: &terms[..length.min(terms.len())] }
@@ -123,7 +123,7 @@ struct Slope {
 }
 
 impl Slope {
-    fn from_series(series: &Series) -> Self {
+    fn from_series(series: &PowerSeries) -> Self {
         let skip = usize::from(series.order == 0);
         let terms = without_zeros(&series.terms[skip.min(series.terms.len())..]);
         let mut coefficients = [0.0; TERMS];
@@ -155,7 +155,7 @@ impl Slope {
         roundoff(self.length as f64) * self.size()
     }
 
-    fn check(&self, series: &Series) -> Result<(), GuardError> {
+    fn check(&self, series: &PowerSeries) -> Result<(), GuardError> {
         match series.terms.first() {
             Some(first) if !first.is_finite() => Err(GuardError::NotFinite { theta: 0.0 }),
             _ if !self.size().is_finite() => Err(GuardError::NotFinite { theta: 1.0 }),
@@ -174,7 +174,7 @@ pub fn stays_above(c: &[f64], delta: f64) -> bool {
 
 /// Whether it stays above `delta` by any bound of the series, the expensive ones only where the cheap ones do not prove it.
 pub fn is_above(c: &[f64], delta: f64) -> bool {
-    Series::new(c, Start::Free).is_within(|[low, _]| low > delta)
+    PowerSeries::new(c, RootStart::Free).is_within(|[low, _]| low > delta)
 }
 
 /// Σ |cₖ|.

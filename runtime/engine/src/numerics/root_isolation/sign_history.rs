@@ -1,8 +1,8 @@
 //! A guard g ≥ 0 followed through points between which it is monotone.
 
-use super::Start;
+use super::RootStart;
 use super::bracket::{Point, root};
-use super::extrema::{Extremum, ExtremumKind, Zigzag};
+use super::extrema::{ExtremumKind, LocatedExtremum, Zigzag};
 use super::partition::Node;
 
 /// The first thing that happens to a guard in (0, 1].
@@ -28,12 +28,12 @@ pub enum Crossing {
 }
 
 #[derive(Clone, Copy, Default)]
-enum Finding {
+enum SignFinding {
     #[default]
     Nothing,
     /// Below −δ, with the last change from + to −.
     Below(Option<[Point; 2]>),
-    Minimum(Extremum),
+    Minimum(LocatedExtremum),
 }
 
 /// The guard's history since θ = 0.
@@ -48,21 +48,21 @@ pub(super) struct History {
     descent: Option<[Point; 2]>,
     zigzag: Zigzag,
     /// The lowest minimum within ±δ, until the guard is out of that band.
-    touch: Option<Extremum>,
-    found: Finding,
+    touch: Option<LocatedExtremum>,
+    found: SignFinding,
 }
 
 impl History {
-    pub(super) fn new(start: Start, delta: f64) -> Self {
-        Self { delta, at_root: matches!(start, Start::Root | Start::Order(_)), ..Self::default() }
+    pub(super) fn new(start: RootStart, delta: f64) -> Self {
+        Self { delta, at_root: matches!(start, RootStart::Root | RootStart::Order(_)), ..Self::default() }
     }
 
-    pub(super) fn of_series(start: Start, delta: f64) -> Self {
-        Self { divided: matches!(start, Start::Order(_)), ..Self::new(start, delta) }
+    pub(super) fn of_series(start: RootStart, delta: f64) -> Self {
+        Self { divided: matches!(start, RootStart::Order(_)), ..Self::new(start, delta) }
     }
 
     pub(super) fn follow(&mut self, node: Node) {
-        if !matches!(self.found, Finding::Nothing) {
+        if !matches!(self.found, SignFinding::Nothing) {
             return;
         }
         let value = node.point.value;
@@ -72,10 +72,10 @@ impl History {
             self.descent = Some([last.point, node.point]);
         }
         if value < -self.delta {
-            self.found = Finding::Below(self.descent.filter(|_| self.divided || !self.at_root));
+            self.found = SignFinding::Below(self.descent.filter(|_| self.divided || !self.at_root));
         } else if value > self.delta {
             self.at_root = false;
-            self.found = self.touch.map_or(Finding::Nothing, Finding::Minimum);
+            self.found = self.touch.map_or(SignFinding::Nothing, SignFinding::Minimum);
         }
         self.last = Some(node);
     }
@@ -84,7 +84,7 @@ impl History {
         node.noise.min(0.5 * self.delta)
     }
 
-    fn consider(&mut self, extremum: Option<Extremum>) {
+    fn consider(&mut self, extremum: Option<LocatedExtremum>) {
         let touch = extremum
             .filter(|e| e.kind == ExtremumKind::Minimum && e.value.abs() <= self.delta && !self.at_root);
         if let Some(new) = touch {
@@ -93,23 +93,23 @@ impl History {
         }
     }
 
-    fn finding(&mut self) -> Finding {
-        if !matches!(self.found, Finding::Nothing) {
+    fn finding(&mut self) -> SignFinding {
+        if !matches!(self.found, SignFinding::Nothing) {
             return self.found;
         }
         // Half of δ is the most that the step after this one takes for noise.
         if self.last.is_some_and(|last| last.beyond <= last.noise.max(0.5 * self.delta)) {
             self.consider(self.zigzag.finish());
         }
-        self.touch.map_or(Finding::Nothing, Finding::Minimum)
+        self.touch.map_or(SignFinding::Nothing, SignFinding::Minimum)
     }
 
     pub(super) fn verdict(mut self, g: &mut dyn FnMut(f64) -> f64) -> Crossing {
         match self.finding() {
-            Finding::Nothing => Crossing::Clear,
-            Finding::Below(None) => Crossing::LeavesAtStart,
-            Finding::Below(Some([a, b])) => Crossing::At { theta: root(g, a, b)[0].theta },
-            Finding::Minimum(Extremum { theta, value, .. }) => Crossing::Touch { theta, value },
+            SignFinding::Nothing => Crossing::Clear,
+            SignFinding::Below(None) => Crossing::LeavesAtStart,
+            SignFinding::Below(Some([a, b])) => Crossing::At { theta: root(g, a, b)[0].theta },
+            SignFinding::Minimum(LocatedExtremum { theta, value, .. }) => Crossing::Touch { theta, value },
         }
     }
 }

@@ -25,11 +25,11 @@ use slips::reason_name;
 
 /// What is known before a decision.
 #[derive(Debug, Clone)]
-pub(crate) struct Question {
+pub(crate) struct DecisionInput {
     /// Contacts that may be closed.
     pub(super) touching: ContactSet,
     /// Of these, those with friction whose slips are those of the phase before.
-    pub(super) sensed: ContactSet,
+    pub(super) slip_known: ContactSet,
     /// Contacts whose reaction is zero.
     pub(super) unloaded: ContactSet,
     pub(super) located: LocatedSlips,
@@ -38,12 +38,12 @@ pub(crate) struct Question {
     pub(super) is_given: bool,
 }
 
-impl Question {
+impl DecisionInput {
     /// About contacts of whose slips only the velocities are known.
     pub(super) fn about(touching: ContactSet) -> Self {
         Self {
             touching,
-            sensed: ContactSet::EMPTY,
+            slip_known: ContactSet::EMPTY,
             unloaded: ContactSet::EMPTY,
             located: LocatedSlips::default(),
             is_given: false,
@@ -89,15 +89,15 @@ impl From<RunCause> for Refusal {
 
 impl Snapshot<'_> {
     /// What to ask where nothing has changed but what is said.
-    pub(super) fn question(&self) -> Question {
-        Question { sensed: self.closed(), ..Question::about(self.closed()) }
+    pub(super) fn question(&self) -> DecisionInput {
+        DecisionInput { slip_known: self.closed(), ..DecisionInput::about(self.closed()) }
     }
 
     /// The closed contacts from now on and how those with friction slip.
-    pub(super) fn decide(&self, question: &Question) -> Result<Decision, Refusal> {
+    pub(super) fn decide(&self, question: &DecisionInput) -> Result<Decision, Refusal> {
         let touching = question.touching.difference(self.find_parted()).union(self.contacts.guides());
         let stationary = self.find_stationary_gaps(touching);
-        let question = &Question { touching: touching.difference(stationary.least), ..question.clone() };
+        let question = &DecisionInput { touching: touching.difference(stationary.least), ..question.clone() };
         let (touching, greatest) = (question.touching, stationary.greatest());
         let mut decided = self.solve(question, touching.difference(greatest));
         if let (Ok(free), false) = (&decided, greatest.is_empty()) {
@@ -107,14 +107,14 @@ impl Snapshot<'_> {
         match decided {
             Ok(decided) => self.enter_decided(decided, stationary.flat, question.is_given),
             Err(source) => match self.located_otherwise(question, &source) {
-                Some(located) => self.decide(&Question { located, ..question.clone() }),
+                Some(located) => self.decide(&DecisionInput { located, ..question.clone() }),
                 None => Err(Refusal::Contacts(Box::new(Unsolved { touching, source }))),
             },
         }
     }
 
     /// The contact problem with some of the contacts in question.
-    fn solve(&self, question: &Question, touching: ContactSet) -> Result<ContactSolution, ContactError> {
+    fn solve(&self, question: &DecisionInput, touching: ContactSet) -> Result<ContactSolution, ContactError> {
         let (context, held) = (&self.setup.context, self.contacts.held());
         let problem = ContactProblem {
             touching,
@@ -130,7 +130,7 @@ impl Snapshot<'_> {
 
     /// What else may be taken for located where the contacts jam: what was at its limit need not be
     /// what slips, and at a start nothing has been located.
-    fn located_otherwise(&self, question: &Question, source: &ContactError) -> Option<LocatedSlips> {
+    fn located_otherwise(&self, question: &DecisionInput, source: &ContactError) -> Option<LocatedSlips> {
         let jams = matches!(source, ContactError::Jammed { .. });
         let located = &question.located;
         if located.is_leaving() && (jams || matches!(source, ContactError::Hinges { .. })) {

@@ -1,7 +1,7 @@
 //! Contacts with friction: what is known of their slips before a decision.
 
-use super::Question;
-use crate::contact::friction::{Margin, Reason, Sense, Slip as KnownSlip};
+use super::DecisionInput;
+use crate::contact::friction::{Reason, SharedFrictionMargin, SlipDirection, SlipVelocity as KnownSlip};
 use crate::model::{ContactSet, Slip};
 use crate::simulation::snapshot::Snapshot;
 
@@ -9,14 +9,14 @@ use crate::simulation::snapshot::Snapshot;
 #[derive(Debug, Clone, Default)]
 pub(crate) struct LocatedSlips {
     /// Contacts that stuck and have reached their limits.
-    leaving: Vec<(usize, Sense)>,
+    leaving: Vec<(usize, SlipDirection)>,
     /// Contacts that slid and have stopped.
     stopped: Vec<usize>,
 }
 
 impl LocatedSlips {
     /// A contact that stuck has reached its limit, unless it has stopped just now.
-    pub(in crate::simulation) fn leave(&mut self, contact: usize, sense: Sense) {
+    pub(in crate::simulation) fn leave(&mut self, contact: usize, sense: SlipDirection) {
         if !self.stopped.contains(&contact) {
             self.leaving.push((contact, sense));
         }
@@ -63,7 +63,7 @@ impl Snapshot<'_> {
             let force = reactions[layout.contacts.len() + entry];
             let limit = slips[entry].limit * reactions[friction.contact].abs();
             if (force.abs() - limit).abs() <= bound {
-                let sense = if force < 0.0 { Sense::Forward } else { Sense::Backward };
+                let sense = if force < 0.0 { SlipDirection::Forward } else { SlipDirection::Backward };
                 located.leaving.push((friction.contact, sense));
             }
         }
@@ -85,8 +85,8 @@ impl Snapshot<'_> {
     }
 
     /// How far the contacts that share their load are from slipping, however they share it.
-    pub(in crate::simulation) fn shared_margin(&self) -> Margin {
-        let Some(rough) = self.setup.parts.laws.rough else { return Margin::default() };
+    pub(in crate::simulation) fn shared_margin(&self) -> SharedFrictionMargin {
+        let Some(rough) = self.setup.parts.laws.rough else { return SharedFrictionMargin::default() };
         let (mut reactions, bound) = self.reactions_at(&self.state, self.bearing());
         reactions.iter_mut().filter(|load| load.abs() <= bound).for_each(|load| *load = 0.0);
         (rough.margin)(self.setup.context.system(), &self.state, &self.closed(), &reactions)
@@ -94,13 +94,13 @@ impl Snapshot<'_> {
 
     /// What is known of the slip of each touching contact with friction: what was located, how it
     /// slipped in the phase before, else what its velocity says.
-    pub(in crate::simulation) fn known_slips(&self, question: &Question) -> Vec<(usize, KnownSlip)> {
+    pub(in crate::simulation) fn known_slips(&self, question: &DecisionInput) -> Vec<(usize, KnownSlip)> {
         let layout = self.layout();
         if layout.frictions.is_empty() {
             return Vec::new();
         }
         let (slips, bounds) = (self.slip_states(), self.natural_slips());
-        let Question { touching: set, sensed, located, .. } = question;
+        let DecisionInput { touching: set, slip_known: sensed, located, .. } = question;
         let touching = layout.frictions.iter().enumerate();
         let touching = touching.filter(|(_, friction)| set.contains(friction.contact));
         let known = touching.map(|(k, friction)| {

@@ -4,10 +4,10 @@ use core::f64::consts::FRAC_PI_2;
 
 use liftoff_fixtures::{RodOnSupports, Zigzag};
 
-use crate::contact::friction::Slip as KnownSlip;
+use crate::contact::friction::SlipVelocity as KnownSlip;
 use crate::model::ContactSet;
 use crate::prelude::*;
-use crate::simulation::decide::Question;
+use crate::simulation::decide::DecisionInput;
 use crate::simulation::tests::given::*;
 
 /// Bars folded upright, where the gaps of all feet have one Jacobian.
@@ -81,7 +81,7 @@ fn a_slip_is_at_rest_within_a_part_of_the_natural_speed() {
         // Its natural speed is 100 m/s.
         with_start(&start(&BALL, [1e3, 0.0, 0.0, 0.0]), |mut ball| {
             ball.state[2] = velocity;
-            assert_eq!(ball.known_slips(&Question::about(set(FLOOR))), [(FLOOR, known)], "{velocity}");
+            assert_eq!(ball.known_slips(&DecisionInput::about(set(FLOOR))), [(FLOOR, known)], "{velocity}");
         });
     }
 }

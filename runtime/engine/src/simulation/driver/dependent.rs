@@ -3,7 +3,7 @@
 
 use super::Driver;
 use crate::simulation::RunCause;
-use crate::simulation::phase_run::{Outcome, Termination};
+use crate::simulation::phase_run::{PhaseOutcome, Termination};
 
 impl Driver<'_> {
     /// Takes contacts to bear with which none of the others sinks, if there are such.
@@ -11,7 +11,7 @@ impl Driver<'_> {
         let mut tried = Vec::new();
         while !tried.contains(&self.now.bearing()) && self.now.is_singular() {
             tried.push(self.now.bearing());
-            let Outcome { end, counts, state, .. } = self.integrate(true);
+            let PhaseOutcome { end, counts, state, .. } = self.integrate(true);
             self.trajectory.statistics.add(counts);
             self.spend(counts, 0)?;
             let Termination::Event(_) = end else { return Ok(()) };

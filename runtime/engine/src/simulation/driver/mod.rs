@@ -6,15 +6,15 @@ mod phase;
 
 use super::awaited::Awaited;
 use super::respond::Next;
-use super::snapshot::{PhaseStart, Snapshot, Transition};
+use super::snapshot::{PhaseStart, Snapshot, TransitionRecord};
 use super::{Allowance, Exhausted, RunCause, RunError, Simulation};
-use crate::assembly::{Start, StartError};
+use crate::assembly::{ConsistentStart, StartError};
 use crate::contact::{ContactError, labels};
 use crate::event::detection::{Broken, Guard, KnownAffineGuards};
 use crate::event::{EventKind, PreImpact};
 use crate::integrate::{Counts, StepError};
 use crate::model::{ContactSet, Form};
-use crate::simulation::phase_run::{LastStep, Outcome, Termination};
+use crate::simulation::phase_run::{LastStep, PhaseOutcome, Termination};
 use crate::trajectory::observe::Observer;
 use crate::trajectory::{LogEntry, LoggedDecision, RecordedPhase, Trajectory};
 
@@ -39,7 +39,7 @@ impl<'a> Driver<'a> {
     pub(crate) fn new(
         setup: &'a Simulation,
         awaited: &'a Awaited,
-        start: Start,
+        start: ConsistentStart,
         observer: &'a mut dyn Observer,
     ) -> Self {
         let last = setup.layout().public_state(&start.state).to_vec();
@@ -113,7 +113,7 @@ impl<'a> Driver<'a> {
     }
 
     fn take_transition(&mut self) {
-        let Transition { events, log, impulses } = core::mem::take(&mut self.now.transition);
+        let TransitionRecord { events, log, impulses } = core::mem::take(&mut self.now.transition);
         for event in events {
             self.observer.event(event.t);
             if let Some(found) = &event.before {
@@ -146,7 +146,7 @@ impl<'a> Driver<'a> {
     }
 
     /// Follows a phase with what its end asks for.
-    fn follow(&mut self, outcome: Outcome, start: &PhaseStart) -> Result<Next, RunCause> {
+    fn follow(&mut self, outcome: PhaseOutcome, start: &PhaseStart) -> Result<Next, RunCause> {
         let logged = self.trajectory.log.len();
         let (counts, work, memory) = (outcome.counts, outcome.work, outcome.memory);
         let end = self.take(outcome)?;
@@ -188,13 +188,14 @@ impl<'a> Driver<'a> {
     }
 
     /// Takes over what a phase has brought, and says how it ended.
-    fn take(&mut self, outcome: Outcome) -> Result<Termination, RunCause> {
-        let Outcome { mut recorded, touches, log, end, t, state, ended, reactions, counts, below, .. } =
-            outcome;
+    fn take(&mut self, outcome: PhaseOutcome) -> Result<Termination, RunCause> {
+        let PhaseOutcome {
+            mut recorded, touches, log, end, t, state, ended, reactions, counts, below, ..
+        } = outcome;
         if let (Some(recorded), Termination::Event(guards)) = (&mut recorded, &end) {
             let parted: ContactSet = guards
                 .iter()
-                .filter_map(|guard| if let Guard::Parting(i) = guard { Some(*i) } else { None })
+                .filter_map(|guard| if let Guard::RedundantGap(i) = guard { Some(*i) } else { None })
                 .collect();
             if !parted.is_empty() {
                 self.respond(|now| {
@@ -293,7 +294,7 @@ impl<'a> Driver<'a> {
     fn stalled_by(&self, end: &Termination) -> RunCause {
         let guards = if let Termination::Event(guards) = end { &guards[..] } else { &[] };
         let (now, layout) = (&self.now, self.setup.layout());
-        let at_zero: ContactSet = match guards.contains(&Guard::Grip) {
+        let at_zero: ContactSet = match guards.contains(&Guard::SharedFriction) {
             true => now.closed(),
             false => guards.iter().filter_map(Guard::contact).collect(),
         };

@@ -1,11 +1,11 @@
 //! The integration of the phase that follows.
 
 use super::Driver;
-use crate::contact::friction::Grip;
-use crate::event::detection::{Bounds, ContactStatus, EventDetector, Signals};
+use crate::contact::friction::SharedFriction;
+use crate::event::detection::{ContactStatus, EventDetector, GuardBounds, Signals};
 use crate::simulation::Simulation;
 use crate::simulation::awaited::Role;
-use crate::simulation::phase_run::{Limits, Outcome, PhaseRun, Progress};
+use crate::simulation::phase_run::{Limits, PhaseOutcome, PhaseRun, Progress};
 
 /// Order of the first derivative of a gap that does not vanish where its contact opens with its
 /// reaction at zero: g = ġ = g̈ = 0 < g⃛.
@@ -13,11 +13,11 @@ const LIFTOFF_ORDER: usize = 3;
 
 impl Driver<'_> {
     /// Integrates it, on trial before no observer.
-    pub(super) fn integrate(&mut self, is_trial: bool) -> Outcome {
+    pub(super) fn integrate(&mut self, is_trial: bool) -> PhaseOutcome {
         let Simulation { context, tolerance, method, rules, parts, cancel, .. } = self.setup;
         let horizon = if self.has_seen_enough() { self.now.t } else { self.now.next_time() };
         let (now, mut nobody) = (&self.now, ());
-        let bounds = Bounds { relative: now.relative_bound(), length: context.scales.length };
+        let bounds = GuardBounds { relative: now.relative_bound(), length: context.scales.length };
         let orders: Vec<_> = now.onset.lifted.iter().map(|i| (i, LIFTOFF_ORDER)).collect();
         let contacts = ContactStatus {
             closed: now.closed(),
@@ -25,7 +25,7 @@ impl Driver<'_> {
             removed: now.contacts.absent(),
             below: now.contacts.below().union(now.find_beyond_end()),
             kept: now.onset.kept,
-            grip: parts.laws.rough.map_or_else(Grip::default, |rough| {
+            grip: parts.laws.rough.map_or_else(SharedFriction::default, |rough| {
                 (rough.grip)(context.system(), &now.state, &now.closed())
             }),
             heights: &now.find_low_flights(),

@@ -15,7 +15,7 @@ use crate::contact::ContactError;
 use crate::context::{Numbers, RunContext, Scales, reduce};
 use crate::event::detection::{Broken, EventDetector, Guard, KnownAffineGuards, Signals, StepView};
 use crate::integrate::{Counts, StepError};
-use crate::integration::method::{Method, Problem, StartedStepper, Switches};
+use crate::integration::method::{Method, MethodChanges, Problem, StartedStepper};
 use crate::integration::phase_point::PhasePoint;
 use crate::integration::singular::{ROUNDED, SingularityMonitor};
 use crate::model::{ContactSet, Energy, Form};
@@ -77,7 +77,7 @@ pub(crate) struct Touch {
 }
 
 /// A phase as it went.
-pub(crate) struct Outcome {
+pub(crate) struct PhaseOutcome {
     /// What was recorded of it, if it took time: all of it, or its last step.
     pub(crate) recorded: Option<RecordedPhase>,
     pub(crate) touches: Vec<Touch>,
@@ -145,7 +145,7 @@ pub(crate) struct Progress {
 
 impl PhaseRun<'_> {
     /// Integrates up to the first event.
-    pub(crate) fn run(mut self, method: &dyn Method) -> Outcome {
+    pub(crate) fn run(mut self, method: &dyn Method) -> PhaseOutcome {
         let phase = Arc::clone(&self.phase);
         let mut start = reduce(&*phase, &self.state);
         self.detector.begin(&StepView::new(&phase, self.context, &DenseOutput::still(self.t, &start)));
@@ -223,7 +223,7 @@ impl PhaseRun<'_> {
     }
 
     /// Logs the changes of the method up to the end of the phase.
-    fn log_switches(&mut self, switches: &Switches, end: f64) {
+    fn log_switches(&mut self, switches: &MethodChanges, end: f64) {
         let made = switches.take().into_iter().filter(|(t, _)| *t <= end);
         self.progress
             .log
@@ -237,7 +237,7 @@ impl PhaseRun<'_> {
         recording: Recording,
         mut loops: Option<SingularityMonitor>,
         touches: Vec<Touch>,
-    ) -> Outcome {
+    ) -> PhaseOutcome {
         let (phase, t) = (Arc::clone(&self.phase), recording.phase.t1);
         let mut reduced: Numbers = smallvec![0.0; phase.info().entries];
         recording.phase.reduced(t, &mut reduced);
@@ -260,7 +260,7 @@ impl PhaseRun<'_> {
         let kept = t > recording.phase.t0 || matches!(end, Termination::Horizon);
         let memory = if kept { recording.whole_memory() } else { 0 };
         let recorded = kept.then_some(recording.phase);
-        Outcome {
+        PhaseOutcome {
             recorded,
             touches,
             log: core::mem::take(&mut self.progress.log),

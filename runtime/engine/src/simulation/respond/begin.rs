@@ -10,7 +10,7 @@ use crate::integration::equilibrium::is_equilibrium;
 use crate::model::ContactSet;
 use crate::simulation::RunCause;
 use crate::simulation::awaited::Role;
-use crate::simulation::decide::Question;
+use crate::simulation::decide::DecisionInput;
 use crate::simulation::snapshot::Snapshot;
 use crate::trajectory::{LogEntry, LoggedDecision};
 
@@ -75,7 +75,7 @@ impl Snapshot<'_> {
     /// would follow, the contact stays closed as long as it is.
     fn decide_at_start(&mut self) -> Result<(), RunCause> {
         let touching = self.closed();
-        let question = Question { is_given: true, ..Question::about(touching) };
+        let question = DecisionInput { is_given: true, ..DecisionInput::about(touching) };
         let Err(error) = self.go_on(question.clone()) else { return Ok(()) };
         let (reactions, bound) = self.reactions_at(&self.state, touching);
         let free = touching.difference(self.contacts.held());
@@ -84,7 +84,7 @@ impl Snapshot<'_> {
         if unloaded.is_empty() || self.onset.is_struck {
             return Err(error);
         }
-        if let Ok(decision) = self.decide(&Question { unloaded, ..question }) {
+        if let Ok(decision) = self.decide(&DecisionInput { unloaded, ..question }) {
             self.adopt(decision);
             return Ok(());
         }

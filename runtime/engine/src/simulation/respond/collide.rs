@@ -3,14 +3,14 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::contact::impulse::{Collision, CollisionError, Outcome, Row};
-use crate::contact::{ContactError, Struck, labels, singular};
+use crate::contact::{ContactError, ReducedCollision, labels, singular};
 use crate::context::{Numbers, without_rounding};
 use crate::event::detection::LOW;
 use crate::event::{EventKind, ImpactOrder, Note};
 use crate::model::{ContactSet, Layout, SlipState};
 use crate::numerics::zero::SOLVED;
 use crate::simulation::RunCause;
-use crate::simulation::decide::Question;
+use crate::simulation::decide::DecisionInput;
 use crate::simulation::snapshot::{Snapshot, split};
 use crate::system::Equations;
 use crate::trajectory::LoggedDecision;
@@ -68,7 +68,7 @@ impl Snapshot<'_> {
 
     fn single(&self, rows: &[Row], equations: &Equations<f64>, rates: &[f64]) -> Option<Outcome> {
         let (mass, jacobian) = (|i, j| equations.mass(i)[j], |i, j| equations.jacobian(i)[j]);
-        let struck = Struck { rows, mass, jacobian, drift: equations.drift(), rates };
+        let struck = ReducedCollision { rows, mass, jacobian, drift: equations.drift(), rates };
         if self.layout().has_hinges() { None } else { struck.outcome() }
     }
 
@@ -249,7 +249,7 @@ impl Snapshot<'_> {
         self.state[n..2 * n].copy_from_slice(rates.as_slice());
         self.onset.is_struck = true;
         (self.state, _) = self.project(touching, rounding, false)?;
-        self.go_on(Question::about(touching))
+        self.go_on(DecisionInput::about(touching))
     }
 
     pub(super) fn collision_error(&self, error: CollisionError, present: ContactSet) -> RunCause {

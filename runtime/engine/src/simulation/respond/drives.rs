@@ -7,7 +7,7 @@ use crate::event::EventKind;
 use crate::model::ContactSet;
 use crate::numerics::zero::MARGIN;
 use crate::simulation::RunCause;
-use crate::simulation::decide::Question;
+use crate::simulation::decide::DecisionInput;
 use crate::simulation::snapshot::Snapshot;
 
 impl Snapshot<'_> {
@@ -30,7 +30,7 @@ impl Snapshot<'_> {
     pub(super) fn join(&mut self, set: ContactSet) -> Result<ContactSet, RunCause> {
         let before = self.closed();
         self.contacts.take_hold(set);
-        self.go_on(Question { touching: before.union(set), ..self.question() })?;
+        self.go_on(DecisionInput { touching: before.union(set), ..self.question() })?;
         Ok(before)
     }
 

@@ -1,6 +1,6 @@
 //! What the guards at zero say of contacts and conditions.
 
-use crate::contact::friction::{Margin, Sense};
+use crate::contact::friction::{SharedFrictionMargin, SlipDirection};
 use crate::event::detection::Guard;
 use crate::model::{ContactSet, Slip};
 use crate::simulation::awaited::Role;
@@ -43,13 +43,13 @@ impl Snapshot<'_> {
                 Guard::Gap(contact) => located.closing = located.closing.with(contact),
                 Guard::Foot { contact, .. } => located.sliding = located.sliding.with(contact),
                 Guard::Limit(rub) if rub.slip == Slip::Backward => {
-                    located.slips.leave(rub.contact, Sense::Backward);
+                    located.slips.leave(rub.contact, SlipDirection::Backward);
                 }
-                Guard::Limit(rub) => located.slips.leave(rub.contact, Sense::Forward),
+                Guard::Limit(rub) => located.slips.leave(rub.contact, SlipDirection::Forward),
                 Guard::Slip(rub) => located.slips.stop(rub.contact),
-                Guard::Grip => {
+                Guard::SharedFriction => {
                     located.shares = true;
-                    let Margin { leaving, unloaded, .. } = self.shared_margin();
+                    let SharedFrictionMargin { leaving, unloaded, .. } = self.shared_margin();
                     leaving.into_iter().for_each(|(contact, sense)| located.slips.leave(contact, sense));
                     located.unloaded = located.unloaded.union(unloaded);
                 }
@@ -61,7 +61,7 @@ impl Snapshot<'_> {
                     Role::Domain(_) => {}
                 },
                 // It opened where the phase began.
-                Guard::Parting(_) => {}
+                Guard::RedundantGap(_) => {}
             }
         }
         located.closing = located.closing.difference(self.find_beyond_end());

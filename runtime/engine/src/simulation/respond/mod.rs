@@ -20,7 +20,7 @@ use crate::expression::Condition;
 use crate::integrate::StepError;
 use crate::model::{ContactSet, Form, Slip};
 use crate::simulation::RunCause;
-use crate::simulation::decide::{LocatedSlips, Question, Refusal, Unsolved};
+use crate::simulation::decide::{DecisionInput, LocatedSlips, Refusal, Unsolved};
 use crate::simulation::phase_run::Touch;
 use crate::simulation::snapshot::{PhaseStart, Snapshot};
 use crate::trajectory::LoggedDecision;
@@ -36,7 +36,7 @@ pub(in crate::simulation) enum Next {
 impl Snapshot<'_> {
     /// Goes on as is decided; a slip that no reaction obeys the law of friction in is ended by an
     /// impact without collision.
-    pub(in crate::simulation) fn go_on(&mut self, question: Question) -> Result<(), RunCause> {
+    pub(in crate::simulation) fn go_on(&mut self, question: DecisionInput) -> Result<(), RunCause> {
         match self.decide(&question) {
             Ok(decision) => {
                 self.adopt(decision);
@@ -44,7 +44,7 @@ impl Snapshot<'_> {
             }
             Err(Refusal::Contacts(unsolved)) => {
                 let Unsolved { touching, source } = *unsolved;
-                self.unjam(&Question { touching, ..question }, source)
+                self.unjam(&DecisionInput { touching, ..question }, source)
             }
             Err(Refusal::Run(cause)) => Err(cause),
         }
@@ -113,7 +113,7 @@ impl Snapshot<'_> {
     fn slide_off(&mut self, sliding: ContactSet, unloaded: ContactSet) -> Result<(), RunCause> {
         let before = self.closed();
         self.contacts.slide_off(sliding);
-        self.go_on(Question { unloaded: unloaded.difference(sliding), ..self.question() })?;
+        self.go_on(DecisionInput { unloaded: unloaded.difference(sliding), ..self.question() })?;
         self.record(EventKind::SlideOff, sliding, None);
         self.record_opened(before.difference(self.closed().union(sliding)));
         self.record_slips(before);
@@ -129,7 +129,7 @@ impl Snapshot<'_> {
         self.refuse_lost_inertia(start)?;
         let (before, blurred, recorded) = (self.closed(), self.is_blurred(), self.transition.events.len());
         let (slipping, slips) = (!located.is_empty(), located.contacts());
-        self.go_on(Question { unloaded, located, ..self.question() })?;
+        self.go_on(DecisionInput { unloaded, located, ..self.question() })?;
         let opened = before.difference(self.closed());
         if before != self.closed() {
             self.record_changes(before);
@@ -220,7 +220,9 @@ impl Snapshot<'_> {
             Guard::Gap(i) => (i, Some(if undecided { Note::GapUndecided } else { Note::GapTouches })),
             Guard::Limit(rub) => (rub.contact, Some(Note::LimitTouches)),
             Guard::Slip(rub) => (rub.contact, Some(Note::SlipTouches)),
-            Guard::Parting(_) | Guard::Foot { .. } | Guard::Grip | Guard::Condition(_) => return None,
+            Guard::RedundantGap(_) | Guard::Foot { .. } | Guard::SharedFriction | Guard::Condition(_) => {
+                return None;
+            }
         };
         let event = self.event(EventKind::Touch, ContactSet::EMPTY.with(contact), note);
         Some(Event { t, state, energy, reactions: reactions(self.layout(), &bearing), ..event })

@@ -3,14 +3,14 @@
 //! jams.
 
 use super::collide::allowed_gain;
-use crate::contact::friction::{Sense, Slip as KnownSlip};
+use crate::contact::friction::{SlipDirection, SlipVelocity as KnownSlip};
 use crate::contact::impulse::Row;
 use crate::contact::{ContactError, labels};
 use crate::event::{EventKind, Note};
 use crate::model::{ContactSet, Slip};
 use crate::numerics::zero::{MARGIN, SOLVED};
 use crate::simulation::RunCause;
-use crate::simulation::decide::{LocatedSlips, Question};
+use crate::simulation::decide::{DecisionInput, LocatedSlips};
 use crate::simulation::snapshot::Snapshot;
 
 impl Snapshot<'_> {
@@ -28,11 +28,13 @@ impl Snapshot<'_> {
     }
 
     /// Ends a slip that no reaction obeys the law of friction in.
-    pub(super) fn unjam(&mut self, question: &Question, source: ContactError) -> Result<(), RunCause> {
+    pub(super) fn unjam(&mut self, question: &DecisionInput, source: ContactError) -> Result<(), RunCause> {
         let touching = question.touching;
-        let known = self.known_slips(&Question { located: LocatedSlips::default(), ..question.clone() });
+        let known = self.known_slips(&DecisionInput { located: LocatedSlips::default(), ..question.clone() });
         let set = known.iter().fold(touching, |set, &(contact, slip)| match slip {
-            KnownSlip::Forward | KnownSlip::Leaves(Sense::Forward) => set.slipping(contact, Slip::Forward),
+            KnownSlip::Forward | KnownSlip::Leaves(SlipDirection::Forward) => {
+                set.slipping(contact, Slip::Forward)
+            }
             KnownSlip::Backward | KnownSlip::Leaves(_) => set.slipping(contact, Slip::Backward),
             KnownSlip::Rest => set.slipping(contact, Slip::Stick),
         });

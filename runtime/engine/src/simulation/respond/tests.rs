@@ -5,11 +5,11 @@ use core::f64::consts::FRAC_PI_2;
 use liftoff_fixtures::RodOnSupports;
 
 use crate::contact::ContactError;
-use crate::contact::friction::Sense;
+use crate::contact::friction::SlipDirection;
 use crate::event::{EventKind, Guard, Note};
 use crate::model::Slip;
 use crate::prelude::*;
-use crate::simulation::decide::{LocatedSlips, Question};
+use crate::simulation::decide::{DecisionInput, LocatedSlips};
 use crate::simulation::respond::Next;
 use crate::simulation::snapshot::{PhaseStart, Snapshot, ZenoClosure};
 use crate::simulation::tests::given::*;
@@ -39,7 +39,7 @@ fn a_decision_changes_nothing_until_it_is_adopted() {
         |it| it,
         [0.0, 0.0, 3.0, 0.0],
         |mut ball| {
-            let question = Question::about(set(FLOOR));
+            let question = DecisionInput::about(set(FLOOR));
             let decision = ball.decide(&question).ok().unwrap();
             assert!(ball.bearing().is_empty() && ball.reactions == [0.0, 0.0, 0.0]);
             ball.adopt(decision);
@@ -74,7 +74,7 @@ fn a_slip_at_zero_sticks() {
         |it| it,
         [0.0, 0.0, 3.0, 0.0],
         |mut ball, start| {
-            let guard = Guard::Slip(crate::event::Rub {
+            let guard = Guard::Slip(crate::event::FrictionGuard {
                 contact: FLOOR,
                 friction: 0,
                 slip: ball.closed().slip(FLOOR),
@@ -219,10 +219,10 @@ fn what_a_condition_may_move_begins_at_rest() {
 #[test]
 fn what_has_stopped_does_not_leave() {
     let mut located = LocatedSlips::default();
-    located.leave(FLOOR, Sense::Forward);
+    located.leave(FLOOR, SlipDirection::Forward);
     assert!(located.is_leaving());
     located.stop(FLOOR);
-    located.leave(FLOOR, Sense::Backward);
+    located.leave(FLOOR, SlipDirection::Backward);
     assert!(!located.is_leaving() && !located.is_empty() && located.contacts() == set(FLOOR));
 }
 
@@ -370,7 +370,7 @@ fn what_is_absent_is_not_struck_at_a_start() {
 fn no_slip_ends_where_nothing_rubs() {
     with_begun(&start(&BALL, [3.0, 1.0, 1.0, 0.0]), |mut ball, _| {
         let source = ContactError::Jammed { contacts: vec!["w".into()] };
-        assert!(ball.unjam(&Question::about(set(WALL)), source).is_err());
+        assert!(ball.unjam(&DecisionInput::about(set(WALL)), source).is_err());
         assert!(kinds(&ball) == [EventKind::Start] && ball.state[2] == 1.0);
     });
 }

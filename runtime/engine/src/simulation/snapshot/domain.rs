@@ -4,17 +4,19 @@ use super::Snapshot;
 use crate::event::Guard;
 use crate::numerics::zero::MARGIN;
 use crate::simulation::awaited::Role;
-use crate::simulation::domain::{Bounded, driven};
+use crate::simulation::domain::{BoundedQuantity, driven};
 use crate::simulation::{Domain, RunCause};
 
 impl Snapshot<'_> {
     /// Whether a bound matters now: of a drive that is there, of a contact that slides.
     pub(in crate::simulation) fn is_bound(&self, domain: usize) -> bool {
         match self.setup.rules.domains[domain].of {
-            Bounded::Distance(_, contact) => {
+            BoundedQuantity::Distance(_, contact) => {
                 contact.is_none_or(|contact| !self.contacts.absent().contains(contact))
             }
-            Bounded::Friction(entry) => self.closed().sense(self.layout().frictions[entry].contact) != 0,
+            BoundedQuantity::Friction(entry) => {
+                self.closed().sense(self.layout().frictions[entry].contact) != 0
+            }
         }
     }
 
@@ -22,10 +24,10 @@ impl Snapshot<'_> {
     pub(in crate::simulation) fn left(&self, domain: usize) -> RunCause {
         let (t, layout) = (self.t, self.layout());
         match self.setup.rules.domains[domain].of {
-            Bounded::Distance(entry, _) => {
+            BoundedQuantity::Distance(entry, _) => {
                 RunCause::DrivenDistance { t, drive: driven(layout.quantities[entry].name).to_owned() }
             }
-            Bounded::Friction(entry) => {
+            BoundedQuantity::Friction(entry) => {
                 let contact = layout.contacts[layout.frictions[entry].contact].label.to_owned();
                 RunCause::NegativeFriction { t, contact, velocity: self.slip_states()[entry].velocity }
             }
@@ -50,7 +52,7 @@ impl Snapshot<'_> {
         }
         let (zero, point) = (MARGIN * context.scales.length, self.point());
         let is_below = |(k, domain): &(usize, &Domain)| {
-            matches!(domain.of, Bounded::Distance(..))
+            matches!(domain.of, BoundedQuantity::Distance(..))
                 && self.is_bound(*k)
                 && domain.left.difference(context, &point).0 <= zero
         };

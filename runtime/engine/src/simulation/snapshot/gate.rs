@@ -2,7 +2,7 @@
 //! step.
 
 use super::{PhaseStart, Snapshot};
-use crate::audit::{Bounds, Finding, Place, Quantity, Seam, energy_finding, gain};
+use crate::audit::{AuditBounds, AuditPoint, Finding, Quantity, Seam, energy_finding, gain};
 use crate::integrate::Counts;
 use crate::model::Energy;
 use crate::simulation::{RunCause, Simulation};
@@ -21,8 +21,8 @@ impl Snapshot<'_> {
         let context = &self.setup.context;
         // Contacts that do not exist, drives that do not hold, and what has not come back.
         let absent = self.contacts.absent().union(self.contacts.waiting()).union(self.contacts.below());
-        let place = Place { context, set: self.closed(), absent, t: self.t };
-        let bounds = Bounds::new(self.setup.tolerance, counts.accepted + counts.rejected).past(log);
+        let place = AuditPoint { context, set: self.closed(), absent, t: self.t };
+        let bounds = AuditBounds::new(self.setup.tolerance, counts.accepted + counts.rejected).past(log);
         let kept = energy_finding(context, self.t, [&start.energy, &self.energy()], (work, &bounds));
         refuse(place.gaps(&self.state, &bounds).chain([kept]))
     }
@@ -45,7 +45,7 @@ impl Snapshot<'_> {
             return Ok(());
         }
         let now = self.energy();
-        let bound = Bounds::new(self.setup.tolerance, 1).impact();
+        let bound = AuditBounds::new(self.setup.tolerance, 1).impact();
         refuse([Finding {
             t: self.t,
             quantity: Quantity::Impact,

@@ -13,15 +13,15 @@ mod transition;
 mod tests;
 
 pub(crate) use contacts::Contacts;
-pub(crate) use flights::{Bounces, Rise, Sequence, ZenoClosure};
-pub(crate) use transition::{Transition, split};
+pub(crate) use flights::{Bounces, PendingFlight, Sequence, ZenoClosure};
+pub(crate) use transition::{TransitionRecord, split};
 
 use std::cell::RefCell;
 use std::sync::Arc;
 
 use smallvec::smallvec;
 
-use crate::assembly::{Start, StartError};
+use crate::assembly::{ConsistentStart, StartError};
 use crate::contact::ContactError;
 use crate::context::{Numbers, reactions_of};
 use crate::expression::Switched;
@@ -32,7 +32,7 @@ use crate::simulation::schedule::Trigger;
 use crate::simulation::{Exhausted, RunCause, Simulation};
 use crate::system::Phase;
 use crate::trajectory::RecordedPhase;
-use tiny::Tiny;
+use tiny::ZeroBounds;
 
 /// A run at one moment.
 pub(crate) struct Snapshot<'a> {
@@ -51,7 +51,7 @@ pub(crate) struct Snapshot<'a> {
     pub(super) done: Vec<bool>,
     pub(super) bounces: Bounces,
     /// What has happened since the driver last took note.
-    pub(super) transition: Transition,
+    pub(super) transition: TransitionRecord,
     memory: RefCell<Memory>,
 }
 
@@ -64,7 +64,7 @@ pub(crate) struct Onset {
     /// at its limit, and that the decision has kept as they were.
     pub(super) kept: ContactSet,
     /// Contacts that rise where these bear.
-    pub(super) risen: Option<(ContactSet, Vec<Rise>)>,
+    pub(super) risen: Option<(ContactSet, Vec<PendingFlight>)>,
     /// Whether an impulse has acted since the phase before.
     pub(super) is_struck: bool,
 }
@@ -78,13 +78,13 @@ pub(crate) struct PhaseStart {
 /// What has been computed for a state, which is often asked for again.
 #[derive(Default)]
 struct Memory {
-    tiny: Tiny,
+    tiny: ZeroBounds,
     accelerations: Option<(Numbers, ContactSet, Numbers)>,
 }
 
 impl<'a> Snapshot<'a> {
     /// The start of a run, before anything is decided.
-    pub(crate) fn new(setup: &'a Simulation, awaited: &'a Awaited, start: Start) -> Self {
+    pub(crate) fn new(setup: &'a Simulation, awaited: &'a Awaited, start: ConsistentStart) -> Self {
         let layout = setup.layout();
         let absent = setup.rules.switches.disarmed(&setup.context, &start.state, setup.begin);
         let mut snapshot = Self {
@@ -98,7 +98,7 @@ impl<'a> Snapshot<'a> {
             onset: Onset::default(),
             done: vec![false; setup.plan.len()],
             bounces: Bounces::new(layout.contacts.len()),
-            transition: Transition::default(),
+            transition: TransitionRecord::default(),
             memory: RefCell::default(),
         };
         let below = snapshot.find_below(layout.edges());

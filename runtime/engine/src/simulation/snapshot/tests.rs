@@ -1,7 +1,7 @@
 //! What is known of a run at one moment.
 
-use super::Rise;
-use crate::event::{Guard, Note, Rub};
+use super::PendingFlight;
+use crate::event::{FrictionGuard, Guard, Note};
 use crate::model::{ContactSet, Slip};
 use crate::prelude::*;
 use crate::simulation::tests::given::*;
@@ -51,7 +51,9 @@ fn a_foot_within_its_bound_is_beyond_the_end() {
 fn a_flight_rises_by_the_square_of_its_speed() {
     for (y, v) in [(0.0, 1e-8), (1e-12, 1e-7)] {
         with_begun(&start(&BALL, [1.0, y, 0.0, v]), |ball, _| {
-            let [Rise { contact, rate, fall, height, .. }] = ball.find_rising()[..] else { panic!() };
+            let [PendingFlight { contact, rate, fall, height, .. }] = ball.find_rising()[..] else {
+                panic!()
+            };
             assert_eq!((contact, rate, fall), (FLOOR, v, 10.0));
             let expected = y + v * v / 20.0;
             assert!((height / expected - 1.0).abs() < 1e-14, "{height} {expected}");
@@ -73,9 +75,9 @@ fn low_flights_at_a_start_have_one_height_each() {
     // What has begun to bounce keeps its height, and what rose beside other contacts is forgotten.
     with_begun(&start(&BALL, [0.0, 0.0, 0.0, 3e-6]), |mut ball, _| {
         let [rise] = ball.find_rising()[..] else { panic!() };
-        ball.onset.risen = Some((set(FLOOR), vec![Rise { height: 0.75, ..rise }]));
+        ball.onset.risen = Some((set(FLOOR), vec![PendingFlight { height: 0.75, ..rise }]));
         assert_eq!(ball.find_low_flights(), [(FLOOR, rise.height)]);
-        ball.onset.risen = Some((ContactSet::EMPTY, vec![Rise { height: 0.75, ..rise }]));
+        ball.onset.risen = Some((ContactSet::EMPTY, vec![PendingFlight { height: 0.75, ..rise }]));
         assert_eq!(ball.find_low_flights(), [(FLOOR, 0.75)]);
         ball.bounces.heights = vec![(FLOOR, 0.5)];
         assert_eq!(ball.find_low_flights(), [(FLOOR, 0.5)]);
@@ -108,7 +110,7 @@ fn feet_that_stop_have_their_own_forces() {
     let pose = Pose::new("x'", 1.0).with("y", 0.0).with("theta", 0.0);
     with_begun(&Simulation::new(&sled).unwrap().start(pose).unwrap(), |mut now, start| {
         assert!(now.closed().contains(0) && now.closed().contains(1));
-        let rub = |contact: usize| Rub {
+        let rub = |contact: usize| FrictionGuard {
             contact,
             friction: contact,
             slip: Slip::Forward,

@@ -11,7 +11,7 @@ use crate::simulation::Simulation;
 
 /// What is too small to be told from zero at a time and a state.
 #[derive(Default)]
-pub(super) struct Tiny {
+pub(super) struct ZeroBounds {
     t: f64,
     state: Numbers,
     /// Local errors of ten steps, or some roundings, or what the motion goes in the rounding of a
@@ -21,7 +21,7 @@ pub(super) struct Tiny {
     roundings: Numbers,
 }
 
-impl Tiny {
+impl ZeroBounds {
     fn compute(setup: &Simulation, t: f64, state: &[f64]) -> Self {
         let context = &setup.context;
         let fastest = context.scales.fastest(context.layout(), &state[context.rates()]);
@@ -39,7 +39,7 @@ impl Snapshot<'_> {
 
     /// The same with more contacts closed.
     pub(in crate::simulation) fn bound_with(&self, more: ContactSet) -> f64 {
-        let Tiny { usual, roundings, .. } = &*self.tiny();
+        let ZeroBounds { usual, roundings, .. } = &*self.tiny();
         if roundings.is_empty() {
             return *usual;
         }
@@ -55,10 +55,10 @@ impl Snapshot<'_> {
         move |contact| usual.max(roundings.get(contact).copied().unwrap_or(0.0)) * length
     }
 
-    fn tiny(&self) -> Ref<'_, Tiny> {
-        let is_known = |known: &Tiny| known.t == self.t && known.state[..] == self.state[..];
+    fn tiny(&self) -> Ref<'_, ZeroBounds> {
+        let is_known = |known: &ZeroBounds| known.t == self.t && known.state[..] == self.state[..];
         if !is_known(&self.memory.borrow().tiny) {
-            self.memory.borrow_mut().tiny = Tiny::compute(self.setup, self.t, &self.state);
+            self.memory.borrow_mut().tiny = ZeroBounds::compute(self.setup, self.t, &self.state);
         }
         Ref::map(self.memory.borrow(), |memory| &memory.tiny)
     }

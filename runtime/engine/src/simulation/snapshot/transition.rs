@@ -10,7 +10,7 @@ use crate::trajectory::{AppliedImpulse, LogEntry, LoggedDecision};
 
 /// What has happened, in its order.
 #[derive(Debug, Default)]
-pub(crate) struct Transition {
+pub(crate) struct TransitionRecord {
     pub(in crate::simulation) events: Vec<Event>,
     pub(in crate::simulation) log: Vec<LogEntry>,
     pub(in crate::simulation) impulses: Vec<AppliedImpulse>,

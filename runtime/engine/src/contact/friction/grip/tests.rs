@@ -4,7 +4,7 @@ use nalgebra::DMatrix;
 
 use super::edges;
 use crate::contact::closed_rows::ClosedRows;
-use crate::contact::friction::Sense;
+use crate::contact::friction::SlipDirection;
 use crate::model::{ContactSet, Friction, Layout, Slip as ModelSlip, SlipState};
 use crate::system::Model;
 use liftoff_fixtures::RodOnSupports;
@@ -33,8 +33,8 @@ fn edges_of_cones_bear_the_reactions() {
     let row = |k: usize| rows.jacobian.row(k).transpose();
     let (all, taken) = edges(&layout, &closed, (&rows, &[true; 4]), &slips, &reactions);
     let expected = [
-        (row(0) + row(3) * 0.25, 0.5 * (6.0 + 0.75 / 0.25), (0, Some(Sense::Forward))),
-        (row(0) - row(3) * 0.25, 0.5 * (6.0 - 0.75 / 0.25), (0, Some(Sense::Backward))),
+        (row(0) + row(3) * 0.25, 0.5 * (6.0 + 0.75 / 0.25), (0, Some(SlipDirection::Forward))),
+        (row(0) - row(3) * 0.25, 0.5 * (6.0 - 0.75 / 0.25), (0, Some(SlipDirection::Backward))),
         (row(1), 5.0, (1, None)),
         (row(2), 7.0, (2, None)),
     ];

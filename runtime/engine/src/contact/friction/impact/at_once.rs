@@ -18,11 +18,11 @@
 use nalgebra::DVector;
 
 use super::super::super::impact::Stages;
-use super::super::super::impulse::{CollisionError, Method, Outcome};
-use super::super::Question;
+use super::super::super::impulse::{CollisionError, ImpulseMethod, Outcome};
+use super::super::FrictionProblem;
 use super::super::decision::{FrictionError, FrictionSolution};
-use super::super::modes::{Bound, Frictional, Given};
-use super::Rubbing;
+use super::super::modes::{Bound, Frictional, ImpulseBounds};
+use super::ImpactFriction;
 use crate::contact::complementarity::LcpRows;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
 use crate::model::Law;
@@ -39,14 +39,14 @@ impl From<FrictionError> for CollisionError {
 
 /// Which solutions of a stage count.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Wanted {
+pub(super) enum SolutionFilter {
     Any,
     /// Those that change the velocities.
     Moved,
 }
 
 /// Rates and impulses so far, and how they were found.
-pub(super) struct Stage {
+pub(super) struct ImpactStage {
     pub(super) rates: DVector<f64>,
     pub(super) impulses: DVector<f64>,
     opening: DVector<f64>,
@@ -54,7 +54,7 @@ pub(super) struct Stage {
     solutions: usize,
 }
 
-impl Stage {
+impl ImpactStage {
     pub(super) fn acting(&self, candidates: &[usize]) -> Vec<usize> {
         candidates.iter().copied().filter(|&row| self.impulses[row] > 0.0).collect()
     }
@@ -64,24 +64,24 @@ impl Stages<'_> {
     /// The outcome with every restitution multiplied by a factor.
     pub(super) fn all_at_once(&self, law: Law, factor: f64) -> Result<Outcome, CollisionError> {
         let (stage, compression) = if law.has_phases() {
-            let first = self.stage(&self.approach, &self.at_rest(), Wanted::Any)?;
+            let first = self.stage(&self.approach, &self.at_rest(), SolutionFilter::Any)?;
             let second = self.expansion(&first, factor)?;
             (second, Some((first.rates, first.impulses)))
         } else {
-            (self.stage(&self.newton_bias(factor), &self.at_rest(), Wanted::Any)?, None)
+            (self.stage(&self.newton_bias(factor), &self.at_rest(), SolutionFilter::Any)?, None)
         };
         Ok(Outcome { factor, ..self.outcome_of(stage, law, compression) })
     }
 
     pub(super) fn outcome_of(
         &self,
-        stage: Stage,
+        stage: ImpactStage,
         law: Law,
         compression: Option<(DVector<f64>, DVector<f64>)>,
     ) -> Outcome {
         let acting = stage.acting(&self.candidates);
-        let Stage { rates, impulses, opening, unique, solutions } = stage;
-        let (factor, method, gained) = (1.0, Method::AtOnce, 0.0);
+        let ImpactStage { rates, impulses, opening, unique, solutions } = stage;
+        let (factor, method, gained) = (1.0, ImpulseMethod::AtOnce, 0.0);
         let outcome = Outcome {
             rates,
             impulses,
@@ -101,7 +101,7 @@ impl Stages<'_> {
 
     /// The contacts with friction of a stage without anything given.
     pub(super) fn at_rest(&self) -> Vec<Frictional> {
-        self.collision.rubbing().iter().map(Rubbing::at_rest).collect()
+        self.collision.rubbing().iter().map(ImpactFriction::at_rest).collect()
     }
 
     /// The first stage.
@@ -109,8 +109,8 @@ impl Stages<'_> {
         &self,
         bias: &DVector<f64>,
         contacts: &[Frictional],
-        wanted: Wanted,
-    ) -> Result<Stage, CollisionError> {
+        wanted: SolutionFilter,
+    ) -> Result<ImpactStage, CollisionError> {
         let mut kkt = self.problem(&self.collision.applied, bias);
         let found = solve(&mut kkt, &self.choice(), (&self.candidates, contacts), wanted)?;
         let nothing = DVector::zeros(self.approach.len());
@@ -118,7 +118,7 @@ impl Stages<'_> {
     }
 
     /// The second stage of Poisson's law: contacts are given e Pᶜ.
-    pub(super) fn expansion(&self, first: &Stage, factor: f64) -> Result<Stage, CollisionError> {
+    pub(super) fn expansion(&self, first: &ImpactStage, factor: f64) -> Result<ImpactStage, CollisionError> {
         let rebound = DVector::from_fn(first.impulses.len(), |row, _| {
             factor * self.restitution(row) * first.impulses[row].max(0.0)
         });
@@ -132,7 +132,7 @@ impl Stages<'_> {
             let least = Bound { slope: 0.0, offset: -returned.abs() };
             Frictional::given(
                 (it.normal, it.tangent),
-                Given {
+                ImpulseBounds {
                     forward: if returned > 0.0 { least } else { friction },
                     backward: if returned < 0.0 { least } else { friction },
                 },
@@ -145,9 +145,9 @@ impl Stages<'_> {
         let tied: Vec<_> = self.tied.iter().filter(|tie| !rebounds(tie)).copied().collect();
         let rows = LcpRows { fixed: &fixed, tied: &tied, ..self.choice() };
         let mut kkt = self.problem(&self.collision.jacobian.tr_mul(&rebound), &first.opening);
-        let found = solve(&mut kkt, &rows, (&self.candidates, &contacts), Wanted::Any)?;
+        let found = solve(&mut kkt, &rows, (&self.candidates, &contacts), SolutionFilter::Any)?;
         let stage = self.add(&kkt, &first.rates, &(&first.impulses + rebound), found);
-        Ok(Stage {
+        Ok(ImpactStage {
             unique: stage.unique && first.unique,
             solutions: stage.solutions.max(first.solutions),
             ..stage
@@ -160,9 +160,9 @@ impl Stages<'_> {
         rates: &DVector<f64>,
         impulses: &DVector<f64>,
         found: FrictionSolution,
-    ) -> Stage {
+    ) -> ImpactStage {
         let rates = rates + found.solution.accelerations;
-        Stage {
+        ImpactStage {
             opening: self.opening(kkt, &rates),
             rates,
             impulses: impulses + found.solution.reactions,
@@ -176,14 +176,14 @@ fn solve(
     kkt: &mut EquilibratedKkt,
     rows: &LcpRows,
     (candidates, contacts): (&[usize], &[Frictional]),
-    wanted: Wanted,
+    wanted: SolutionFilter,
 ) -> Result<FrictionSolution, CollisionError> {
     let smooth = |row: &usize| contacts.iter().all(|contact| contact.normal != *row);
     let candidates: Vec<usize> = candidates.iter().copied().filter(smooth).collect();
-    let question = Question { rows: LcpRows { candidates: &candidates, ..*rows }, contacts };
+    let question = FrictionProblem { rows: LcpRows { candidates: &candidates, ..*rows }, contacts };
     let mut found = match wanted {
-        Wanted::Any => kkt.solve_with_friction(&question)?,
-        Wanted::Moved => kkt.moved_with_friction(&question)?,
+        SolutionFilter::Any => kkt.solve_with_friction(&question)?,
+        SolutionFilter::Moved => kkt.moved_with_friction(&question)?,
     };
     found.solution.reactions = kkt.share_with_friction(&question, &found);
     Ok(found)

@@ -18,12 +18,12 @@ use nalgebra::DVector;
 
 use super::super::impact::Stages;
 use super::super::impulse::{Collision, CollisionError, Outcome, Row};
-use super::modes::{Frictional, Slip};
+use super::modes::{Frictional, SlipVelocity};
 use crate::model::Law;
 
 /// A contact with friction that takes part: its rows, μ, e_t.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Rubbing {
+pub(super) struct ImpactFriction {
     pub(super) is_guide: bool,
     pub(super) normal: usize,
     pub(super) tangent: usize,
@@ -33,13 +33,19 @@ pub(super) struct Rubbing {
 
 impl Collision {
     /// Contacts with friction that take part.
-    pub(super) fn rubbing(&self) -> Vec<Rubbing> {
+    pub(super) fn rubbing(&self) -> Vec<ImpactFriction> {
         let rows = self.rows.iter().enumerate();
         let with_friction = rows.filter_map(|(tangent, row)| match *row {
             Row::Friction { of, mu, restitution }
                 if matches!(self.rows[of], Row::Contact { .. } | Row::Guide) =>
             {
-                Some(Rubbing { is_guide: self.rows[of] == Row::Guide, normal: of, tangent, mu, restitution })
+                Some(ImpactFriction {
+                    is_guide: self.rows[of] == Row::Guide,
+                    normal: of,
+                    tangent,
+                    mu,
+                    restitution,
+                })
             }
             _ => None,
         });
@@ -52,13 +58,13 @@ impl Collision {
     }
 }
 
-impl Rubbing {
+impl ImpactFriction {
     /// The contact at rest, without anything given.
     fn at_rest(&self) -> Frictional {
         let (rows, mu) = ((self.normal, self.tangent), (self.mu, self.mu));
         match self.is_guide {
-            true => Frictional::guide(rows, mu, Slip::Rest),
-            false => Frictional::touching(rows, mu, Slip::Rest),
+            true => Frictional::guide(rows, mu, SlipVelocity::Rest),
+            false => Frictional::touching(rows, mu, SlipVelocity::Rest),
         }
     }
 }

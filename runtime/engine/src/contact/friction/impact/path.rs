@@ -24,9 +24,9 @@
 use nalgebra::DVector;
 
 use super::super::super::impact::Stages;
-use super::super::super::impulse::{CollisionError, Method, Outcome, Row};
-use super::super::problem::Closed;
-use super::Rubbing;
+use super::super::super::impulse::{CollisionError, ImpulseMethod, Outcome, Row};
+use super::super::problem::ActiveRows;
+use super::ImpactFriction;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
 use crate::model::Law;
 use crate::numerics::zero::SOLVED;
@@ -37,7 +37,7 @@ const PIECES: usize = 8;
 
 /// A contact that strikes, on numbers `S`.
 #[derive(Debug, Clone, Copy)]
-pub struct Striker<S> {
+pub struct RouthContact<S> {
     /// W_NN, its normal velocity by its normal impulse, 1/kg.
     pub w_nn: S,
     /// W_Nt.
@@ -76,7 +76,7 @@ pub struct Path<S> {
     pub compressed: usize,
 }
 
-impl<S: Scalar> Striker<S> {
+impl<S: Scalar> RouthContact<S> {
     /// The path from approach and slip velocities; `None` where it has no end.
     pub fn path(&self, normal: S, slip: S) -> Option<Path<S>> {
         let zero = S::ZERO;
@@ -211,7 +211,7 @@ impl Stages<'_> {
     pub(super) fn path_of(
         &self,
         normal: usize,
-        rubbing: Option<Rubbing>,
+        rubbing: Option<ImpactFriction>,
     ) -> Result<Option<Outcome>, CollisionError> {
         let Row::Contact { restitution, law } = self.collision.rows[normal] else { return Ok(None) };
         if rubbing.is_some_and(|it| it.restitution > 0.0 || law == Law::Moreau) {
@@ -219,7 +219,7 @@ impl Stages<'_> {
         }
         let still = DVector::zeros(self.approach.len());
         let kkt = self.problem(&self.collision.applied, &still);
-        let held = Closed { rows: self.held(), ..Closed::default() };
+        let held = ActiveRows { rows: self.held(), ..ActiveRows::default() };
         let singular = CollisionError::Singular;
         let along = |row: usize| {
             let unit = kkt.scale[kkt.n + row];
@@ -235,7 +235,7 @@ impl Stages<'_> {
         let tangential = |a: &DVector<f64>| rubbing.map_or(0.0, |it| speed(it.tangent, a));
         let (w_nt, w_tt) = (tangential(&by_normal), tangential(&by_tangent));
         let mu = rubbing.map_or(0.0, |it| it.mu);
-        let striker = Striker { w_nn, w_nt, w_tt, mu, e: restitution, law };
+        let striker = RouthContact { w_nn, w_nt, w_tt, mu, e: restitution, law };
         let slip = rubbing.map_or(0.0, |it| self.approach[it.tangent]);
         let Some(path) = striker.path(self.approach[normal].min(0.0), slip) else { return Ok(None) };
         let pressed = |point: &Vertex<f64>, row: usize| {
@@ -258,7 +258,7 @@ impl Stages<'_> {
     fn end_of_path(
         &self,
         kkt: &EquilibratedKkt,
-        (normal, rubbing): (usize, Option<Rubbing>),
+        (normal, rubbing): (usize, Option<ImpactFriction>),
         law: Law,
         path: &Path<f64>,
     ) -> Result<Outcome, CollisionError> {
@@ -291,7 +291,7 @@ impl Stages<'_> {
             compression,
             factor: 1.0,
             unique: true,
-            method: Method::Path,
+            method: ImpulseMethod::Path,
             gained: 0.0,
             solutions: 1,
             groups: Vec::new(),
@@ -306,7 +306,7 @@ impl Stages<'_> {
         mut impulses: DVector<f64>,
     ) -> Result<(DVector<f64>, DVector<f64>), CollisionError> {
         let n = kkt.n;
-        let held = Closed { rows: self.held(), ..Closed::default() };
+        let held = ActiveRows { rows: self.held(), ..ActiveRows::default() };
         let equations = kkt.equations(&held)?;
         let force = self.collision.jacobian.tr_mul(&impulses).component_mul(&kkt.scale.rows(0, n));
         let mut right = DVector::zeros(equations.index.len());

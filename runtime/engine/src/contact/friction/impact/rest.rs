@@ -10,9 +10,9 @@
 use super::super::super::impact::Stages;
 use super::super::super::impulse::{Collision, CollisionError, Outcome};
 use super::super::super::trials::Trials;
-use super::super::modes::{Frictional, Mode, Sense};
-use super::Rubbing;
-use super::at_once::Wanted;
+use super::super::modes::{ContactMode, Frictional, SlipDirection};
+use super::ImpactFriction;
+use super::at_once::SolutionFilter;
 use crate::model::{self, ContactSet, Law};
 
 impl Collision {
@@ -30,20 +30,20 @@ impl Collision {
         }
         plastic.check()?;
         let stages = Stages::new(&plastic, Trials::up_to(most_trials));
-        let stage = stages.stage(&stages.approach, &contacts, Wanted::Any)?;
+        let stage = stages.stage(&stages.approach, &contacts, SolutionFilter::Any)?;
         Ok(stages.outcome_of(stage, Law::Newton, None))
     }
 }
 
-fn resting(contact: &Rubbing, set: &ContactSet) -> Frictional {
+fn resting(contact: &ImpactFriction, set: &ContactSet) -> Frictional {
     let (rows, mu) = ((contact.normal, contact.tangent), (contact.mu, contact.mu));
     if contact.is_guide || !set.contains(contact.normal) {
         return contact.at_rest();
     }
     let mode = match set.slip(contact.normal) {
-        model::Slip::Stick => Mode::Stick,
-        model::Slip::Forward => Mode::Slide(Sense::Forward),
-        model::Slip::Backward => Mode::Slide(Sense::Backward),
+        model::Slip::Stick => ContactMode::Stick,
+        model::Slip::Forward => ContactMode::Slide(SlipDirection::Forward),
+        model::Slip::Backward => ContactMode::Slide(SlipDirection::Backward),
     };
     Frictional::decided(rows, mu, mode)
 }

@@ -8,8 +8,8 @@ use super::super::super::impact::Stages;
 use super::super::super::impulse::{Collision, CollisionError, Outcome};
 use super::super::super::trials::Trials;
 use super::super::stability::{Sliding, painleve};
-use super::Rubbing;
-use super::at_once::Wanted;
+use super::ImpactFriction;
+use super::at_once::SolutionFilter;
 
 impl Collision {
     /// The impulse that ends a slip which no reaction holds. All contacts have ġ = 0: approaches are none. Of several contacts
@@ -35,16 +35,16 @@ impl Collision {
 
 impl Stages<'_> {
     /// Contacts that slide, those deepest in the paradox first.
-    fn sliding(&self) -> Vec<Rubbing> {
+    fn sliding(&self) -> Vec<ImpactFriction> {
         let held = self.choice().rows(&[]);
-        let depth = |it: &Rubbing| {
+        let depth = |it: &ImpactFriction| {
             let signed_mu = it.mu * self.approach[it.tangent].signum();
             let sliding = Sliding { normal: it.normal, tangent: it.tangent, signed_mu };
             let (mass, jacobian) = (&self.collision.mass, &self.collision.jacobian);
             let with = |sliding: Sliding| painleve(mass, jacobian, sliding, &held, &[]);
             Some(with(sliding)? / with(Sliding { signed_mu: 0.0, ..sliding })?)
         };
-        let slides = |it: &Rubbing| self.approach[it.tangent] != 0.0;
+        let slides = |it: &ImpactFriction| self.approach[it.tangent] != 0.0;
         let contacts = self.collision.rubbing().into_iter().filter(slides);
         let mut contacts: Vec<_> = contacts.filter_map(|it| Some((depth(&it)?, it))).collect();
         contacts.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -53,7 +53,7 @@ impl Stages<'_> {
 
     /// All contacts at once, with impulses that change the motion.
     fn moved(&self) -> Result<Outcome, CollisionError> {
-        let first = self.stage(&self.approach, &self.at_rest(), Wanted::Moved)?;
+        let first = self.stage(&self.approach, &self.at_rest(), SolutionFilter::Moved)?;
         let departs = self.candidates.iter().any(|&row| self.approach[row] > 0.0);
         let law = self.law_of(&first.acting(&self.candidates), departs)?;
         if !law.has_phases() {

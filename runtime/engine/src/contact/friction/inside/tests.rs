@@ -6,7 +6,7 @@ use super::move_loads;
 use crate::contact::complementarity::LcpRows;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
 use crate::contact::friction::tests::random::{Random, cases};
-use crate::contact::friction::{FrictionSolution, Frictional, Mode, Question, Slip};
+use crate::contact::friction::{ContactMode, FrictionProblem, FrictionSolution, Frictional, SlipVelocity};
 use crate::numerics::decomposition::range;
 
 /// A plank of unit mass and weight on feet at 0, 1, 2 … with μ = 0.3, its centre at `centre`,
@@ -20,9 +20,10 @@ fn plank(feet: usize, centre: f64, pull: f64) -> FrictionSolution {
     });
     let (force, bias) = (DVector::from_row_slice(&[pull, -1.0, 0.0]), DVector::zeros(2 * feet));
     let mut kkt = EquilibratedKkt::new(&mass, &jacobian, (&force, &bias), (&force.abs(), &bias));
-    let contact = |foot: usize| Frictional::touching((2 * foot, 2 * foot + 1), (0.3, 0.3), Slip::Rest);
+    let contact =
+        |foot: usize| Frictional::touching((2 * foot, 2 * foot + 1), (0.3, 0.3), SlipVelocity::Rest);
     let contacts: Vec<Frictional> = (0..feet).map(contact).collect();
-    kkt.solve_with_friction(&Question { rows: LcpRows::default(), contacts: &contacts }).unwrap()
+    kkt.solve_with_friction(&FrictionProblem { rows: LcpRows::default(), contacts: &contacts }).unwrap()
 }
 
 /// Short of the limit nothing is left to the next order, however many feet there are; at the
@@ -40,7 +41,7 @@ fn a_plank_at_rest_is_decided() {
         ] {
             let found = plank(feet, centre, pull);
             assert!(found.solution.accelerations.amax() < 1e-12, "{feet} {centre} {pull}");
-            assert!(found.modes.iter().all(|mode| *mode == Mode::Stick), "{feet} {centre} {pull}");
+            assert!(found.modes.iter().all(|mode| *mode == ContactMode::Stick), "{feet} {centre} {pull}");
             assert_eq!(found.next.iter().all(Frictional::is_decided), decided, "{feet} {centre} {pull}");
         }
     }

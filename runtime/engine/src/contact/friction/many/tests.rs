@@ -3,13 +3,15 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::super::decision::FrictionSolution;
-use super::super::modes::{Bound, Choice, Condition, Frictional, Given, Mode, Sense, Slip};
-use super::super::problem::{Problem, Question};
+use super::super::modes::{
+    Bound, ContactMode, Frictional, ImpulseBounds, ModeChoice, ModeCondition, SlipDirection, SlipVelocity,
+};
+use super::super::problem::{BalancedProblem, FrictionProblem};
 use crate::contact::complementarity::LcpRows;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
 
-const FORWARD: Mode = Mode::Slide(Sense::Forward);
-const BACKWARD: Mode = Mode::Slide(Sense::Backward);
+const FORWARD: ContactMode = ContactMode::Slide(SlipDirection::Forward);
+const BACKWARD: ContactMode = ContactMode::Slide(SlipDirection::Backward);
 
 /// Blocks on the floor, of which the first slides and the second, which moves as fast without friction, is behind it or before it; the
 /// others are pushed from rest.
@@ -31,7 +33,7 @@ fn train(behind: bool, (mu, masses): (f64, [f64; 2]), pushes: &[f64]) -> Frictio
         _ => 0.0,
     });
     let contact = |body: usize| {
-        let slip = if body == 0 { Slip::Forward } else { Slip::Rest };
+        let slip = if body == 0 { SlipVelocity::Forward } else { SlipVelocity::Rest };
         Frictional::touching((2 * body, 2 * body + 1), (mu, mu), slip)
     };
     let contacts: Vec<Frictional> = (0..bodies).filter(|body| *body != 1).map(contact).collect();
@@ -40,8 +42,8 @@ fn train(behind: bool, (mu, masses): (f64, [f64; 2]), pushes: &[f64]) -> Frictio
     let mut kkt = EquilibratedKkt::new(&mass, &jacobian, (&force, &bias), (&force.abs(), &bias));
     // Blocks that touch none of the others would be decided apart.
     kkt.couple(&contacts);
-    let question = Question { rows, contacts: &contacts };
-    let problem = Problem::new(&kkt, &question);
+    let question = FrictionProblem { rows, contacts: &contacts };
+    let problem = BalancedProblem::new(&kkt, &question);
     problem.conclude(problem.decide_alone().unwrap())
 }
 
@@ -66,7 +68,7 @@ fn what_only_friction_presses_is_taken_in() {
                 let expected = push - push.clamp(-mu, mu);
                 assert!((a[4 + 2 * k] - expected).abs() < 1e-12 * masses[0], "{behind} {push}");
                 let mode = match expected {
-                    0.0 => Mode::Stick,
+                    0.0 => ContactMode::Stick,
                     a if a > 0.0 => FORWARD,
                     _ => BACKWARD,
                 };
@@ -83,16 +85,16 @@ fn first_within(feet: usize, last: Option<Frictional>) -> Vec<usize> {
     });
     let (force, bias) = (DVector::from_row_slice(&[0.0, -1.0, 0.0]), DVector::zeros(2 * feet));
     let mut contacts: Vec<Frictional> = (0..feet)
-        .map(|foot| Frictional::touching((2 * foot, 2 * foot + 1), (0.5, 0.5), Slip::Rest))
+        .map(|foot| Frictional::touching((2 * foot, 2 * foot + 1), (0.5, 0.5), SlipVelocity::Rest))
         .collect();
     if let Some(last) = last {
         contacts[feet - 1] = last;
     }
     let mut kkt =
         EquilibratedKkt::new(&DMatrix::identity(3, 3), &jacobian, (&force, &bias), (&force.abs(), &bias));
-    let question = Question { rows: LcpRows::default(), contacts: &contacts };
+    let question = FrictionProblem { rows: LcpRows::default(), contacts: &contacts };
     kkt.couple(question.contacts);
-    let problem = Problem::new(&kkt, &question);
+    let problem = BalancedProblem::new(&kkt, &question);
     problem.first_within(&problem.shapes().unwrap())
 }
 
@@ -106,18 +108,23 @@ fn few_contacts_are_taken_in_at_once() {
     assert!(some.len() <= 2 && !some.is_empty(), "{some:?}");
     let rows = (24, 25);
     let bound = Bound { slope: 0.5, offset: 0.1 };
-    let given = Frictional::given(rows, Given { forward: bound, backward: bound });
-    let choice =
-        |mode: Mode, condition: Condition| Choice { mode, conditions: [condition].into_iter().collect() };
+    let given = Frictional::given(rows, ImpulseBounds { forward: bound, backward: bound });
+    let choice = |mode: ContactMode, condition: ModeCondition| ModeChoice {
+        mode,
+        conditions: [condition].into_iter().collect(),
+    };
     let brink = Frictional {
-        choices: vec![choice(Mode::Stick, Condition::Above), choice(FORWARD, Condition::Slips)],
-        ..Frictional::touching(rows, (0.5, 0.5), Slip::Rest)
+        choices: vec![
+            choice(ContactMode::Stick, ModeCondition::Above),
+            choice(FORWARD, ModeCondition::Slips),
+        ],
+        ..Frictional::touching(rows, (0.5, 0.5), SlipVelocity::Rest)
     };
     for last in [given, brink] {
         assert!(!some.contains(&12) && first_within(13, Some(last)).contains(&12));
     }
     // One that is decided is no open one.
-    let decided = || Frictional::decided(rows, (0.5, 0.5), Mode::Stick);
+    let decided = || Frictional::decided(rows, (0.5, 0.5), ContactMode::Stick);
     assert_eq!(first_within(13, Some(decided())), all(12));
 }
 
@@ -126,7 +133,7 @@ fn few_contacts_are_taken_in_at_once() {
 #[test]
 fn contacts_at_their_brink_stick_or_slide() {
     let mu = 0.5;
-    let cases: Vec<(f64, f64, Sense)> = [Sense::Forward, Sense::Backward]
+    let cases: Vec<(f64, f64, SlipDirection)> = [SlipDirection::Forward, SlipDirection::Backward]
         .into_iter()
         .flat_map(|sense| {
             [(0.4, 1.0), (0.6, 1.0), (-0.3, 1.0), (-0.6, -1.0), (-0.4, -1.0)].map(|(p, w)| (p, w, sense))
@@ -138,14 +145,20 @@ fn contacts_at_their_brink_stick_or_slide() {
         let column = if row < count { 2 * row + 1 } else { 2 * (row - count) };
         f64::from(u8::from(j == column))
     });
-    let choice =
-        |mode: Mode, condition: Condition| Choice { mode, conditions: [condition].into_iter().collect() };
+    let choice = |mode: ContactMode, condition: ModeCondition| ModeChoice {
+        mode,
+        conditions: [condition].into_iter().collect(),
+    };
     let contact = |k: usize| {
         let sense = cases[k].2;
-        let reserve = if sense == Sense::Forward { Condition::Above } else { Condition::Below };
+        let reserve =
+            if sense == SlipDirection::Forward { ModeCondition::Above } else { ModeCondition::Below };
         Frictional {
-            choices: vec![choice(Mode::Stick, reserve), choice(Mode::Slide(sense), Condition::Slips)],
-            ..Frictional::touching((k, count + k), (mu, mu), Slip::Rest)
+            choices: vec![
+                choice(ContactMode::Stick, reserve),
+                choice(ContactMode::Slide(sense), ModeCondition::Slips),
+            ],
+            ..Frictional::touching((k, count + k), (mu, mu), SlipVelocity::Rest)
         }
     };
     let contacts: Vec<Frictional> = (0..count).map(contact).collect();
@@ -155,13 +168,13 @@ fn contacts_at_their_brink_stick_or_slide() {
     });
     let (mass, bias) = (DMatrix::identity(2 * count, 2 * count), DVector::zeros(2 * count));
     let mut kkt = EquilibratedKkt::new(&mass, &jacobian, (&force, &bias), (&force.abs(), &bias));
-    let question = Question { rows: LcpRows::default(), contacts: &contacts };
+    let question = FrictionProblem { rows: LcpRows::default(), contacts: &contacts };
     kkt.couple(question.contacts);
-    let problem = Problem::new(&kkt, &question);
+    let problem = BalancedProblem::new(&kkt, &question);
     let found = problem.pivot().unwrap().unwrap();
     for (k, &(p, w, sense)) in cases.iter().enumerate() {
         let slides = p > mu * w;
-        let mode = if slides { Mode::Slide(sense) } else { Mode::Stick };
+        let mode = if slides { ContactMode::Slide(sense) } else { ContactMode::Stick };
         assert_eq!(problem.modes(&found.chosen)[k], mode, "{p} {w} {sense:?}");
         let a = if slides { sense.sign() * (p - mu * w) } else { 0.0 };
         assert!((found.trial.a[2 * k] - a).abs() < 1e-14, "{p} {w} {sense:?}");

@@ -2,8 +2,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::super::modes::{Frictional, Mode, Sense, Slip};
-use super::super::problem::{Problem, Question};
+use super::super::modes::{ContactMode, Frictional, SlipDirection, SlipVelocity};
+use super::super::problem::{BalancedProblem, FrictionProblem};
 use super::{closed, least, sticking};
 use crate::contact::complementarity::LcpRows;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
@@ -21,17 +21,18 @@ fn compliances_are_those_of_natural_units() {
         let mass = &root * root.transpose() + DMatrix::identity(n, n);
         // Two normals, their tangents, a joint.
         let jacobian = DMatrix::from_fn(5, n, |row, _| lengths[row] * random.between(-1.0, 1.0));
-        let mut senses = || [Sense::Forward, Sense::Backward][random.below(2)];
+        let mut senses = || [SlipDirection::Forward, SlipDirection::Backward][random.below(2)];
         let senses = [senses(), senses()];
         let mu = [0.3, 0.8];
         let pair = |mu: f64| (mu, mu);
-        let contacts = [0, 1]
-            .map(|k| Frictional::touching((k, 2 + k), pair(mu[k] * lengths[k] / lengths[2 + k]), Slip::Rest));
+        let contacts = [0, 1].map(|k| {
+            Frictional::touching((k, 2 + k), pair(mu[k] * lengths[k] / lengths[2 + k]), SlipVelocity::Rest)
+        });
         let (none, bias) = (DVector::zeros(n), DVector::zeros(5));
         let kkt = EquilibratedKkt::new(&mass, &jacobian, (&none, &bias), (&none, &bias));
         let rows = LcpRows { fixed: &[4][..held], ..LcpRows::default() };
-        let question = Question { rows, contacts: &contacts };
-        let problem = Problem::new(&kkt, &question);
+        let question = FrictionProblem { rows, contacts: &contacts };
+        let problem = BalancedProblem::new(&kkt, &question);
         let mut inverse = mass.try_inverse().unwrap();
         if held > 0 {
             let by = &inverse * jacobian.row(4).transpose();
@@ -42,7 +43,7 @@ fn compliances_are_those_of_natural_units() {
             jacobian.row(k).transpose() - jacobian.row(2 + k).transpose() * slope
         };
         let expected = DMatrix::from_fn(2, 2, |i, j| (jacobian.row(i) * &inverse * push(j))[0]);
-        let modes = senses.map(Mode::Slide);
+        let modes = senses.map(ContactMode::Slide);
         let found = problem.compliance(&modes, &[0, 1], &[0, 1]).unwrap();
         let size = expected.amax();
         assert!((found.trace() - expected.trace()).abs() < 1e-9 * size, "{k} {found} {expected}");
@@ -57,8 +58,15 @@ fn compliances_are_those_of_natural_units() {
 
 #[test]
 fn closed_and_sticking_contacts_are_counted() {
-    let slide = Mode::Slide(Sense::Forward);
-    let modes = [Mode::Open, Mode::Stick, slide, Mode::Part(None), Mode::Part(Some(Sense::Forward)), slide];
+    let slide = ContactMode::Slide(SlipDirection::Forward);
+    let modes = [
+        ContactMode::Open,
+        ContactMode::Stick,
+        slide,
+        ContactMode::Part(None),
+        ContactMode::Part(Some(SlipDirection::Forward)),
+        slide,
+    ];
     assert_eq!((closed(&modes), sticking(&modes)), (3, 2));
     let numbers = [4, 2, 7, 2, 9];
     assert_eq!(least(&[0, 1, 2, 3], |k| numbers[k]), [1, 3]);

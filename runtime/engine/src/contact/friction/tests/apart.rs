@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::super::decision::FrictionSolution;
-use super::super::modes::Mode;
+use super::super::modes::ContactMode;
 use super::borders::beside;
 use super::oracle::Linkage;
 use super::random::{Random, cases, in_order, linkage, solve};
@@ -18,7 +18,7 @@ fn mixed(it: &Linkage, transformation: &DMatrix<f64>) -> Linkage {
     }
 }
 
-fn modes(linkage: &Linkage, found: &FrictionSolution) -> Vec<Mode> {
+fn modes(linkage: &Linkage, found: &FrictionSolution) -> Vec<ContactMode> {
     in_order(linkage, &found.solutions[found.taken])
 }
 
@@ -49,7 +49,7 @@ fn uncoupled_linkages_do_what_each_does_alone() {
                     continue;
                 }
             };
-            let expected: Vec<Mode> =
+            let expected: Vec<ContactMode> =
                 pair.iter().zip(alone).flat_map(|(linkage, found)| modes(linkage, found)).collect();
             assert_eq!(modes(&both, &together), expected, "{k}");
             assert_eq!(together.complete, alone.iter().all(|it| it.complete), "{k}");

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::super::modes::Mode;
+use super::super::modes::ContactMode;
 use super::drawn::{
     LITTLE, all_left, contacts_of_all_kinds, examine, is_the_drawn_one, is_well_conditioned, list_modes, load,
 };
@@ -29,7 +29,7 @@ fn what_vanishes_is_left_to_the_next_order() {
         let units = [(1.0, 1.0, 1.0), (1e7, 1e-4, 3e-3), (2e-9, 7e3, 1e5)];
         for found in units.map(|units| solve(&in_units(&linkage, units))) {
             assert_eq!(list_modes(&found.next), expected, "{k} {:?}", found.modes);
-            let first: Vec<Mode> = expected.iter().map(|left| left[0].0).collect();
+            let first: Vec<ContactMode> = expected.iter().map(|left| left[0].0).collect();
             assert_eq!(found.modes, first, "{k}");
             examine(&linkage, &motion, &found.solution, k);
         }
@@ -93,7 +93,7 @@ fn what_stands_beside_does_not_matter() {
         let found = kkt(&both).solve_with_friction(&Sorted::new(&both).question(&both)).unwrap();
         let expected: Vec<_> = own.iter().flat_map(|it| list_modes(&it.next)).collect();
         assert_eq!(list_modes(&found.next), expected, "{k}");
-        let modes: Vec<Mode> = own.iter().flat_map(|it| it.modes.clone()).collect();
+        let modes: Vec<ContactMode> = own.iter().flat_map(|it| it.modes.clone()).collect();
         assert_eq!(found.modes, modes, "{k}");
         assert_eq!(found.solutions.len(), own[0].solutions.len() * own[1].solutions.len(), "{k}");
         let [first, second] = own.each_ref().map(|it| &it.solution.reactions);

@@ -5,14 +5,14 @@ use std::f64::consts::PI;
 use nalgebra::{DMatrix, DVector};
 
 use super::super::decision::{FrictionError, FrictionSolution, Reason};
-use super::super::modes::{Condition, Frictional, Mode, Sense, Slip};
-use super::super::problem::Question;
+use super::super::modes::{ContactMode, Frictional, ModeCondition, SlipDirection, SlipVelocity};
+use super::super::problem::FrictionProblem;
 use super::super::stability::{Sliding, painleve};
 use crate::contact::complementarity::LcpRows;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
 
-const FORWARD: Mode = Mode::Slide(Sense::Forward);
-const BACKWARD: Mode = Mode::Slide(Sense::Backward);
+const FORWARD: ContactMode = ContactMode::Slide(SlipDirection::Forward);
+const BACKWARD: ContactMode = ContactMode::Slide(SlipDirection::Backward);
 
 pub(super) fn solve(
     mass: &[f64],
@@ -23,11 +23,11 @@ pub(super) fn solve(
     let mass = DMatrix::from_diagonal(&DVector::from_row_slice(mass));
     let (force, bias) = (DVector::from_row_slice(force), DVector::from_row_slice(bias));
     let mut kkt = EquilibratedKkt::new(&mass, jacobian, (&force, &bias), (&force.abs(), &bias.abs()));
-    kkt.solve_with_friction(&Question { rows: LcpRows::default(), contacts })
+    kkt.solve_with_friction(&FrictionProblem { rows: LcpRows::default(), contacts })
 }
 
 /// A block of unit weight pushed along the floor.
-fn block(push: f64, (mu, limit): (f64, f64), slip: Slip) -> FrictionSolution {
+fn block(push: f64, (mu, limit): (f64, f64), slip: SlipVelocity) -> FrictionSolution {
     let jacobian = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, 1.0, 0.0]);
     let contact = Frictional::touching((0, 1), (mu, limit), slip);
     solve(&[1.0, 1.0], &jacobian, (&[push, -1.0], &[0.0, 0.0]), &[contact]).unwrap()
@@ -35,16 +35,16 @@ fn block(push: f64, (mu, limit): (f64, f64), slip: Slip) -> FrictionSolution {
 
 #[test]
 fn a_block_sticks_up_to_its_limit() {
-    for (push, mode, a) in [(0.3, Mode::Stick, 0.0), (0.7, FORWARD, 0.2), (-0.7, BACKWARD, -0.2)] {
-        let found = block(push, (0.5, 0.5), Slip::Rest);
+    for (push, mode, a) in [(0.3, ContactMode::Stick, 0.0), (0.7, FORWARD, 0.2), (-0.7, BACKWARD, -0.2)] {
+        let found = block(push, (0.5, 0.5), SlipVelocity::Rest);
         assert_eq!((found.modes[0], found.solutions.len(), found.reason), (mode, 1, Reason::Only));
         assert!((found.solution.accelerations[0] - a).abs() < 1e-15);
         assert!(found.next[0].is_decided() && found.solution.unique);
     }
     // What bears is not open, though nothing is borne across.
-    let still = block(0.0, (0.5, 0.5), Slip::Rest);
-    assert!(still.modes == [Mode::Stick] && still.next[0].is_decided());
-    let slowed = block(0.0, (0.5, 0.5), Slip::Forward);
+    let still = block(0.0, (0.5, 0.5), SlipVelocity::Rest);
+    assert!(still.modes == [ContactMode::Stick] && still.next[0].is_decided());
+    let slowed = block(0.0, (0.5, 0.5), SlipVelocity::Forward);
     assert!((slowed.solution.accelerations[0] + 0.5).abs() < 1e-15);
     assert!((slowed.solution.reactions[1] + 0.5).abs() < 1e-15);
 }
@@ -52,10 +52,10 @@ fn a_block_sticks_up_to_its_limit() {
 /// Between kinetic friction and the limit of sticking both satisfy the law; what rests stays.
 #[test]
 fn what_rests_below_its_limit_sticks() {
-    let found = block(0.6, (0.5, 0.7), Slip::Rest);
-    assert_eq!((found.modes[0], found.reason), (Mode::Stick, Reason::Sticks));
-    assert_eq!(found.solutions, [[Mode::Stick], [FORWARD]]);
-    let left = block(0.7, (0.5, 0.7), Slip::Leaves(Sense::Forward));
+    let found = block(0.6, (0.5, 0.7), SlipVelocity::Rest);
+    assert_eq!((found.modes[0], found.reason), (ContactMode::Stick, Reason::Sticks));
+    assert_eq!(found.solutions, [[ContactMode::Stick], [FORWARD]]);
+    let left = block(0.7, (0.5, 0.7), SlipVelocity::Leaves(SlipDirection::Forward));
     assert_eq!(left.modes, [FORWARD]);
     assert!((left.solution.accelerations[0] - 0.2).abs() < 1e-15);
 }
@@ -63,12 +63,15 @@ fn what_rests_below_its_limit_sticks() {
 /// At its limit exactly order 0 leaves two modes, of which the rate of the push decides.
 #[test]
 fn the_next_order_decides_at_the_limit() {
-    let found = block(0.5, (0.5, 0.5), Slip::Rest);
+    let found = block(0.5, (0.5, 0.5), SlipVelocity::Rest);
     let left = &found.next[0];
     let told: Vec<_> = left.choices.iter().map(|it| (it.mode, it.conditions.to_vec())).collect();
-    assert_eq!(told, [(Mode::Stick, vec![Condition::Above]), (FORWARD, vec![Condition::Slips])]);
+    assert_eq!(
+        told,
+        [(ContactMode::Stick, vec![ModeCondition::Above]), (FORWARD, vec![ModeCondition::Slips])]
+    );
     let jacobian = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, 1.0, 0.0]);
-    for (rate, mode) in [(0.1, FORWARD), (-0.1, Mode::Stick)] {
+    for (rate, mode) in [(0.1, FORWARD), (-0.1, ContactMode::Stick)] {
         let next = solve(&[1.0, 1.0], &jacobian, (&[rate, 0.0], &[0.0, 0.0]), &found.next).unwrap();
         assert_eq!((next.modes[0], next.solutions.len()), (mode, 1));
         assert!(next.next[0].is_decided());
@@ -79,12 +82,12 @@ fn the_next_order_decides_at_the_limit() {
 #[test]
 fn a_contact_without_force_is_left_open() {
     let jacobian = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, 1.0, 0.0]);
-    let contact = Frictional::touching((0, 1), (0.5, 0.5), Slip::Rest);
+    let contact = Frictional::touching((0, 1), (0.5, 0.5), SlipVelocity::Rest);
     let found = solve(&[1.0, 1.0], &jacobian, (&[0.0, 0.0], &[0.0, 0.0]), &[contact]).unwrap();
     assert_eq!((found.solutions.len(), found.next[0].choices.len()), (1, 4));
     for (rates, mode) in [
-        ([0.1, 1.0], Mode::Open),
-        ([0.1, -1.0], Mode::Stick),
+        ([0.1, 1.0], ContactMode::Open),
+        ([0.1, -1.0], ContactMode::Stick),
         ([0.6, -1.0], FORWARD),
         ([-0.6, -1.0], BACKWARD),
     ] {
@@ -124,7 +127,7 @@ fn the_border_of_painleve_s_paradox() {
     }
 }
 
-fn sliding_rod(rate: f64, mu: f64, slip: Slip) -> Result<FrictionSolution, FrictionError> {
+fn sliding_rod(rate: f64, mu: f64, slip: SlipVelocity) -> Result<FrictionSolution, FrictionError> {
     let angle = PI / 3.0;
     let (sine, cosine) = angle.sin_cos();
     let bias = [0.5 * sine * rate * rate, 0.5 * cosine * rate * rate];
@@ -135,13 +138,13 @@ fn sliding_rod(rate: f64, mu: f64, slip: Slip) -> Result<FrictionSolution, Frict
 /// In the interval: no solution while the floor is pressed on, two while it is not, of which the rod leaves.
 #[test]
 fn the_rod_has_no_or_two_motions() {
-    assert_eq!(sliding_rod(0.1, 2.0, Slip::Backward).unwrap_err(), FrictionError::Inconsistent);
-    let found = sliding_rod(2.0, 2.0, Slip::Backward).unwrap();
-    assert_eq!((found.modes[0], found.reason, found.solutions.len()), (Mode::Open, Reason::Stable, 2));
-    assert!(sliding_rod(0.1, 2.0, Slip::Forward).is_ok());
-    assert!(sliding_rod(0.1, 1.2, Slip::Backward).is_ok());
-    let at_rest = sliding_rod(0.1, 2.0, Slip::Rest).unwrap();
-    assert_eq!((at_rest.modes[0], at_rest.solutions.len()), (Mode::Stick, 1));
+    assert_eq!(sliding_rod(0.1, 2.0, SlipVelocity::Backward).unwrap_err(), FrictionError::Inconsistent);
+    let found = sliding_rod(2.0, 2.0, SlipVelocity::Backward).unwrap();
+    assert_eq!((found.modes[0], found.reason, found.solutions.len()), (ContactMode::Open, Reason::Stable, 2));
+    assert!(sliding_rod(0.1, 2.0, SlipVelocity::Forward).is_ok());
+    assert!(sliding_rod(0.1, 1.2, SlipVelocity::Backward).is_ok());
+    let at_rest = sliding_rod(0.1, 2.0, SlipVelocity::Rest).unwrap();
+    assert_eq!((at_rest.modes[0], at_rest.solutions.len()), (ContactMode::Stick, 1));
 }
 
 /// A plank of unit weight on many feet: it slides like a block on one, and bears its weight.
@@ -152,14 +155,14 @@ fn a_plank_with_two_hundred_feet() {
         let arm = (row / 2) as f64 - 70.3;
         if row % 2 == 0 { [0.0, 1.0, arm][j] } else { [1.0, 0.0, 0.0][j] }
     });
-    let contacts = |slip: Slip, (mu, limit): (f64, f64)| -> Vec<Frictional> {
+    let contacts = |slip: SlipVelocity, (mu, limit): (f64, f64)| -> Vec<Frictional> {
         (0..feet).map(|foot| Frictional::touching((2 * foot, 2 * foot + 1), (mu, limit), slip)).collect()
     };
     let bias = vec![0.0; 2 * feet];
     for (push, (mu, limit), slip, mode, a) in [
-        (0.3, (0.5, 0.5), Slip::Rest, Mode::Stick, 0.0),
-        (0.7, (0.5, 0.6), Slip::Rest, FORWARD, 0.2),
-        (0.0, (0.5, 0.5), Slip::Backward, BACKWARD, 0.5),
+        (0.3, (0.5, 0.5), SlipVelocity::Rest, ContactMode::Stick, 0.0),
+        (0.7, (0.5, 0.6), SlipVelocity::Rest, FORWARD, 0.2),
+        (0.0, (0.5, 0.5), SlipVelocity::Backward, BACKWARD, 0.5),
     ] {
         let force = [push, -1.0, 0.0];
         let start = std::time::Instant::now();
@@ -182,15 +185,15 @@ fn redundant_feet_stick_with_admissible_reactions() {
         if row % 2 == 0 { [0.0, 1.0, arm][j] } else { [1.0, 0.0, 0.0][j] }
     });
     let foot = |k: usize, slip| Frictional::touching((2 * k, 2 * k + 1), (0.5, 0.5), slip);
-    for (push, mode) in [(0.49, Mode::Stick), (0.6, FORWARD)] {
-        let feet: Vec<_> = (0..3).map(|k| foot(k, Slip::Rest)).collect();
+    for (push, mode) in [(0.49, ContactMode::Stick), (0.6, FORWARD)] {
+        let feet: Vec<_> = (0..3).map(|k| foot(k, SlipVelocity::Rest)).collect();
         let (mass, force) = (DMatrix::identity(3, 3), DVector::from_row_slice(&[push, -1.0, 0.0]));
         let bias = DVector::zeros(6);
         let mut kkt = EquilibratedKkt::new(&mass, &jacobian, (&force, &bias), (&force.abs(), &bias));
-        let question = Question { rows: LcpRows::default(), contacts: &feet };
+        let question = FrictionProblem { rows: LcpRows::default(), contacts: &feet };
         let found = kkt.solve_with_friction(&question).unwrap();
         let shared = kkt.share_with_friction(&question, &found);
-        let across = if mode == Mode::Stick { -push / 3.0 } else { -0.5 / 3.0 };
+        let across = if mode == ContactMode::Stick { -push / 3.0 } else { -0.5 / 3.0 };
         let thirds = DVector::from_fn(6, |row, _| if row % 2 == 0 { 1.0 / 3.0 } else { across });
         assert!((&shared - thirds).amax() < 1e-13, "{shared}");
         assert_eq!((found.modes.as_slice(), found.solutions.len()), ([mode; 3].as_slice(), 1));
@@ -211,13 +214,13 @@ fn redundant_feet_hold_what_a_joint_passes_on() {
         _ => [1.0, 0.0, 0.0, 0.0][j],
     });
     let feet: Vec<_> =
-        (0..3).map(|k| Frictional::touching((2 * k, 2 * k + 1), (0.5, 0.5), Slip::Rest)).collect();
-    for (push, mode, a) in [(0.49, Mode::Stick, 0.0), (0.6, FORWARD, 0.05)] {
+        (0..3).map(|k| Frictional::touching((2 * k, 2 * k + 1), (0.5, 0.5), SlipVelocity::Rest)).collect();
+    for (push, mode, a) in [(0.49, ContactMode::Stick, 0.0), (0.6, FORWARD, 0.05)] {
         let (force, bias) = (DVector::from_row_slice(&[0.0, -1.0, 0.0, push]), DVector::zeros(7));
         let mut kkt =
             EquilibratedKkt::new(&DMatrix::identity(4, 4), &jacobian, (&force, &bias), (&force.abs(), &bias));
         let rows = LcpRows { fixed: &[6], ..LcpRows::default() };
-        let found = kkt.solve_with_friction(&Question { rows, contacts: &feet }).unwrap();
+        let found = kkt.solve_with_friction(&FrictionProblem { rows, contacts: &feet }).unwrap();
         assert_eq!(found.modes, [mode; 3]);
         let reactions = &found.solution.reactions;
         // M a of the cart is the push less what the joint bears.
@@ -244,7 +247,7 @@ fn a_tower_of_planks() {
         }
     });
     let feet: Vec<Frictional> = (0..2 * planks)
-        .map(|foot| Frictional::touching((2 * foot, 2 * foot + 1), (mu, mu), Slip::Rest))
+        .map(|foot| Frictional::touching((2 * foot, 2 * foot + 1), (mu, mu), SlipVelocity::Rest))
         .collect();
     let bias = vec![0.0; 4 * planks];
     let moving = (above + 1) as f64;
@@ -273,7 +276,7 @@ fn redundant_feet_of_different_friction_leave_the_motion_open() {
         let arm = (row / 2) as f64 - 1.0;
         if row % 2 == 0 { [0.0, 1.0, arm][j] } else { [1.0, 0.0, 0.0][j] }
     });
-    let foot = |k: usize, mu: f64| Frictional::touching((2 * k, 2 * k + 1), (mu, mu), Slip::Forward);
+    let foot = |k: usize, mu: f64| Frictional::touching((2 * k, 2 * k + 1), (mu, mu), SlipVelocity::Forward);
     for (mu, determined) in [([0.1, 0.3, 0.1], false), ([0.2, 0.2, 0.2], true)] {
         let feet: Vec<_> = (0..3).map(|k| foot(k, mu[k])).collect();
         let found = solve(&[1.0, 1.0, 1.0], &jacobian, (&[0.0, -1.0, 0.0], &[0.0; 6]), &feet).unwrap();
@@ -292,9 +295,9 @@ fn decided_contacts_bear_at_higher_orders() {
         DMatrix::from_row_slice(4, 3, &[0.0, 1.0, -1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 0.0, 0.0]);
     let sliding = Frictional::decided((0, 1), (0.5, 0.5), FORWARD);
     assert!(sliding.is_decided());
-    let second = Frictional::touching((2, 3), (0.2, 0.2), Slip::Forward);
+    let second = Frictional::touching((2, 3), (0.2, 0.2), SlipVelocity::Forward);
     // The load leaves the first foot at the rate of a half: f = (0, 0, −½) about the middle.
-    for (moment, mode, rates) in [(-0.5, FORWARD, [-0.25, 0.25]), (0.5, Mode::Open, [0.0, 0.0])] {
+    for (moment, mode, rates) in [(-0.5, FORWARD, [-0.25, 0.25]), (0.5, ContactMode::Open, [0.0, 0.0])] {
         let force = [0.0, 0.0, moment];
         let contacts = [sliding.clone(), second.clone()];
         let found = solve(&[1.0, 1.0, 1.0], &jacobian, (&force, &[0.0; 4]), &contacts).unwrap();
@@ -326,14 +329,14 @@ fn a_joint_bears_beside_feet_that_share_a_load() {
         .concat(),
     );
     let contacts: Vec<Frictional> =
-        (0..3).map(|foot| Frictional::touching((foot, 3 + foot), (0.5, 0.5), Slip::Rest)).collect();
+        (0..3).map(|foot| Frictional::touching((foot, 3 + foot), (0.5, 0.5), SlipVelocity::Rest)).collect();
     let mass = DMatrix::from_diagonal(&DVector::from_row_slice(&[1.0, 1.0, 1.0 / 3.0, 2.0]));
     let bias = DVector::zeros(7);
     for (push, slides) in [(0.9, false), (2.5, true)] {
         let force = DVector::from_row_slice(&[push, -1.0, 0.0, -2.0]);
         let mut kkt = EquilibratedKkt::new(&mass, &jacobian, (&force, &bias), (&force.abs(), &bias));
         let rows = LcpRows { fixed: &[6], ..LcpRows::default() };
-        let found = kkt.solve_with_friction(&Question { rows, contacts: &contacts }).unwrap();
+        let found = kkt.solve_with_friction(&FrictionProblem { rows, contacts: &contacts }).unwrap();
         let reactions = &found.solution.reactions;
         assert!((reactions[6] + 2.0).abs() < 1e-13, "{push} {reactions}");
         assert!((reactions.rows(0, 3).sum() - 3.0).abs() < 1e-13, "{push} {reactions}");
@@ -341,6 +344,6 @@ fn a_joint_bears_beside_feet_that_share_a_load() {
         let along = if slides { push - 1.5 } else { 0.0 };
         let a = DVector::from_row_slice(&[along, 0.0, 0.0, 0.0]);
         assert!((&found.solution.accelerations - a).amax() < 1e-13, "{push}");
-        assert_eq!(found.modes, [if slides { FORWARD } else { Mode::Stick }; 3]);
+        assert_eq!(found.modes, [if slides { FORWARD } else { ContactMode::Stick }; 3]);
     }
 }

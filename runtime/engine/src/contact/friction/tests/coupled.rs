@@ -3,8 +3,10 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::super::decision::FrictionError;
-use super::super::modes::{Bound, Condition, Frictional, Given, Mode, Sense, Slip};
-use super::super::problem::Question;
+use super::super::modes::{
+    Bound, ContactMode, Frictional, ImpulseBounds, ModeCondition, SlipDirection, SlipVelocity,
+};
+use super::super::problem::FrictionProblem;
 use super::closed_forms::solve;
 use crate::contact::complementarity::LcpRows;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
@@ -25,7 +27,9 @@ fn friction_joins_the_parts_of_a_contact() {
         let new =
             || EquilibratedKkt::new(&DMatrix::identity(n, n), &jacobian, (&force, &bias), (&force, &bias));
         let (before, mut kkt) = (new(), new());
-        kkt.couple(&[0, 2].map(|block| Frictional::touching((block, 3 + block), (0.5, 0.5), Slip::Rest)));
+        kkt.couple(
+            &[0, 2].map(|block| Frictional::touching((block, 3 + block), (0.5, 0.5), SlipVelocity::Rest)),
+        );
         let entries = |block: usize| [2 * block, 2 * block + 1, n + block, n + 3 + block];
         for block in [0, 2] {
             let own = entries(block).map(|i| kkt.parts[i]);
@@ -45,13 +49,13 @@ fn friction_joins_the_parts_of_a_contact() {
 /// that it is in, and what they meet with zero.
 #[test]
 fn contacts_that_are_given_an_impulse_have_their_modes() {
-    use Condition::{Above, Below, Opens, Presses, Slips};
-    let (forward, backward) = (Some(Sense::Forward), Some(Sense::Backward));
-    let slide = |sense: Option<Sense>| Mode::Slide(sense.unwrap());
+    use ModeCondition::{Above, Below, Opens, Presses, Slips};
+    let (forward, backward) = (Some(SlipDirection::Forward), Some(SlipDirection::Backward));
+    let slide = |sense: Option<SlipDirection>| ContactMode::Slide(sense.unwrap());
     let modes = |push: f64, load: f64| {
         let jacobian = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, 1.0, 0.0]);
         let bound = Bound { slope: 0.5, offset: 0.3 };
-        let contact = Frictional::given((0, 1), Given { forward: bound, backward: bound });
+        let contact = Frictional::given((0, 1), ImpulseBounds { forward: bound, backward: bound });
         let found = solve(&[1.0, 1.0], &jacobian, (&[push, -load], &[0.0; 2]), &[contact]).unwrap();
         let most = 0.5 * load.max(0.0) + 0.3;
         let slips = push - push.clamp(-most, most);
@@ -61,20 +65,24 @@ fn contacts_that_are_given_an_impulse_have_their_modes() {
         left.iter().map(|it| (it.mode, it.conditions.to_vec())).collect::<Vec<_>>()
     };
     for (push, load, expected) in [
-        (0.2, 1.0, vec![(Mode::Stick, vec![])]),
-        (-0.79, 1.0, vec![(Mode::Stick, vec![])]),
+        (0.2, 1.0, vec![(ContactMode::Stick, vec![])]),
+        (-0.79, 1.0, vec![(ContactMode::Stick, vec![])]),
         (1.0, 1.0, vec![(slide(forward), vec![])]),
         (-1.0, 1.0, vec![(slide(backward), vec![])]),
-        (0.8, 1.0, vec![(Mode::Stick, vec![Above]), (slide(forward), vec![Slips])]),
-        (-0.8, 1.0, vec![(Mode::Stick, vec![Below]), (slide(backward), vec![Slips])]),
-        (0.2, -1.0, vec![(Mode::Part(None), vec![])]),
-        (0.5, -1.0, vec![(Mode::Part(forward), vec![])]),
-        (-0.5, -1.0, vec![(Mode::Part(backward), vec![])]),
-        (0.3, -1.0, vec![(Mode::Part(None), vec![Above]), (Mode::Part(forward), vec![Slips])]),
-        (-0.3, -1.0, vec![(Mode::Part(None), vec![Below]), (Mode::Part(backward), vec![Slips])]),
-        (0.2, 0.0, vec![(Mode::Stick, vec![Presses]), (Mode::Part(None), vec![Opens])]),
-        (0.5, 0.0, vec![(slide(forward), vec![Presses]), (Mode::Part(forward), vec![Opens])]),
-        (-0.5, 0.0, vec![(slide(backward), vec![Presses]), (Mode::Part(backward), vec![Opens])]),
+        (0.8, 1.0, vec![(ContactMode::Stick, vec![Above]), (slide(forward), vec![Slips])]),
+        (-0.8, 1.0, vec![(ContactMode::Stick, vec![Below]), (slide(backward), vec![Slips])]),
+        (0.2, -1.0, vec![(ContactMode::Part(None), vec![])]),
+        (0.5, -1.0, vec![(ContactMode::Part(forward), vec![])]),
+        (-0.5, -1.0, vec![(ContactMode::Part(backward), vec![])]),
+        (0.3, -1.0, vec![(ContactMode::Part(None), vec![Above]), (ContactMode::Part(forward), vec![Slips])]),
+        (
+            -0.3,
+            -1.0,
+            vec![(ContactMode::Part(None), vec![Below]), (ContactMode::Part(backward), vec![Slips])],
+        ),
+        (0.2, 0.0, vec![(ContactMode::Stick, vec![Presses]), (ContactMode::Part(None), vec![Opens])]),
+        (0.5, 0.0, vec![(slide(forward), vec![Presses]), (ContactMode::Part(forward), vec![Opens])]),
+        (-0.5, 0.0, vec![(slide(backward), vec![Presses]), (ContactMode::Part(backward), vec![Opens])]),
     ] {
         assert_eq!(modes(push, load), expected, "{push} {load}");
     }
@@ -91,10 +99,11 @@ fn what_is_moved_is_moved_beyond_rounding() {
             let force = DVector::from_row_slice(&[0.0, 1.0]) * (part * unit);
             let (size, bias) = (DVector::repeat(2, unit), DVector::zeros(2));
             // It rises, or falls beside a contact that is open.
-            let contact = Frictional::decided((0, 1), (0.5, 0.5), Mode::Open);
+            let contact = Frictional::decided((0, 1), (0.5, 0.5), ContactMode::Open);
             let mut kkt =
                 EquilibratedKkt::new(&DMatrix::identity(2, 2), &jacobian, (&force, &bias), (&size, &bias));
-            let found = kkt.moved_with_friction(&Question { rows: LcpRows::default(), contacts: &[contact] });
+            let found =
+                kkt.moved_with_friction(&FrictionProblem { rows: LcpRows::default(), contacts: &[contact] });
             assert_eq!(
                 found.as_ref().err(),
                 (!moves).then_some(&FrictionError::Inconsistent),

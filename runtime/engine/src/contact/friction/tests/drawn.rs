@@ -4,7 +4,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::super::decision::FrictionSolution;
-use super::super::modes::{Condition, Frictional, Mode, Sense, Slip};
+use super::super::modes::{ContactMode, Frictional, ModeCondition, SlipDirection, SlipVelocity};
 use super::oracle::{Contact, Linkage, Motion};
 use super::random::{Random, Sorted, linkage};
 use crate::contact::complementarity::Solution;
@@ -29,7 +29,7 @@ fn drawn(it: &Contact, random: &mut Random) -> [f64; 4] {
         let opening = amount(random);
         let slip = match it.slip {
             // One that was located at its limit need not slide by less than the error of that.
-            Slip::Leaves(sense) => {
+            SlipVelocity::Leaves(sense) => {
                 sense.sign() * [amount(random), random.between(-1.0, -0.2)][random.below(2)]
             }
             _ => amount(random) * sign(random),
@@ -41,14 +41,14 @@ fn drawn(it: &Contact, random: &mut Random) -> [f64; 4] {
     match it.slip {
         _ if it.tangent.is_none() => [normal, 0.0, 0.0, 0.0],
         _ if !it.has_friction() => [0.5 + normal, random.between(-1.0, 1.0), 0.0, 0.0],
-        Slip::Forward => slides(1.0, random.between(-1.0, 1.0)),
-        Slip::Backward => slides(-1.0, random.between(-1.0, 1.0)),
-        Slip::Leaves(sense) => slides(sense.sign(), sense.sign() * amount(random)),
-        Slip::Rest if random.below(2) == 0 => {
+        SlipVelocity::Forward => slides(1.0, random.between(-1.0, 1.0)),
+        SlipVelocity::Backward => slides(-1.0, random.between(-1.0, 1.0)),
+        SlipVelocity::Leaves(sense) => slides(sense.sign(), sense.sign() * amount(random)),
+        SlipVelocity::Rest if random.below(2) == 0 => {
             let sense = sign(random);
             slides(sense, sense * amount(random))
         }
-        Slip::Rest => {
+        SlipVelocity::Rest => {
             let most = it.limit * normal;
             let less = [0.0, LITTLE.min(0.5 * most), random.between(0.1, 0.9) * most][random.below(3)];
             [side * normal, sign(random) * (most - less), 0.0, 0.0]
@@ -77,48 +77,50 @@ pub(super) fn load(linkage: &mut Linkage, random: &mut Random) -> Motion {
 }
 
 /// The modes that a motion is one of, each with the conditions that it meets with zero.
-fn left(it: &Contact, [normal, friction, opening, slip]: [f64; 4]) -> Vec<(Mode, Vec<Condition>)> {
+fn left(it: &Contact, [normal, friction, opening, slip]: [f64; 4]) -> Vec<(ContactMode, Vec<ModeCondition>)> {
     let mut modes = Vec::new();
-    let met = |asked: &[(Condition, f64)]| {
-        let zero = |(condition, value): &(Condition, f64)| (*value == 0.0).then_some(*condition);
+    let met = |asked: &[(ModeCondition, f64)]| {
+        let zero = |(condition, value): &(ModeCondition, f64)| (*value == 0.0).then_some(*condition);
         let holds = asked.iter().all(|(_, value)| *value >= 0.0);
         holds.then(|| asked.iter().filter_map(zero).collect::<Vec<_>>())
     };
     let sides: &[f64] = if it.is_guide { &[1.0, -1.0] } else { &[1.0] };
     let senses = match it.slip {
-        Slip::Forward | Slip::Leaves(Sense::Forward) => vec![Sense::Forward],
-        Slip::Backward | Slip::Leaves(Sense::Backward) => vec![Sense::Backward],
-        Slip::Rest => vec![Sense::Forward, Sense::Backward],
+        SlipVelocity::Forward | SlipVelocity::Leaves(SlipDirection::Forward) => vec![SlipDirection::Forward],
+        SlipVelocity::Backward | SlipVelocity::Leaves(SlipDirection::Backward) => {
+            vec![SlipDirection::Backward]
+        }
+        SlipVelocity::Rest => vec![SlipDirection::Forward, SlipDirection::Backward],
     };
     for &s in sides {
         let side = if s > 0.0 { Side::Positive } else { Side::Negative };
-        let mode = |sense: Option<Sense>| match sense {
-            _ if it.is_guide => Mode::Guide { side, sense },
-            None => Mode::Stick,
-            Some(sense) => Mode::Slide(sense),
+        let mode = |sense: Option<SlipDirection>| match sense {
+            _ if it.is_guide => ContactMode::Guide { side, sense },
+            None => ContactMode::Stick,
+            Some(sense) => ContactMode::Slide(sense),
         };
-        let (presses, most) = ((Condition::Presses, s * normal), it.limit * s * normal);
-        let reserves = [(Condition::Below, most - friction), (Condition::Above, most + friction)];
-        if it.slip == Slip::Rest && opening == 0.0 && slip == 0.0 {
+        let (presses, most) = ((ModeCondition::Presses, s * normal), it.limit * s * normal);
+        let reserves = [(ModeCondition::Below, most - friction), (ModeCondition::Above, most + friction)];
+        if it.slip == SlipVelocity::Rest && opening == 0.0 && slip == 0.0 {
             modes.extend(met(&[presses, reserves[0], reserves[1]]).map(|met| (mode(None), met)));
         }
         for &sense in &senses {
-            let asked = [presses, (Condition::Slips, sense.sign() * slip)];
-            let asked = &asked[..if it.slip == Slip::Rest { 2 } else { 1 }];
-            let leaves = it.slip != Slip::Leaves(sense) || sense.sign() * slip >= 0.0;
+            let asked = [presses, (ModeCondition::Slips, sense.sign() * slip)];
+            let asked = &asked[..if it.slip == SlipVelocity::Rest { 2 } else { 1 }];
+            let leaves = it.slip != SlipVelocity::Leaves(sense) || sense.sign() * slip >= 0.0;
             if leaves && opening == 0.0 && friction == -sense.sign() * it.mu * s * normal {
                 modes.extend(met(asked).map(|met| (mode(Some(sense)), met)));
             }
         }
     }
     if !it.is_guide && normal == 0.0 && friction == 0.0 {
-        modes.extend(met(&[(Condition::Opens, opening)]).map(|met| (Mode::Open, met)));
+        modes.extend(met(&[(ModeCondition::Opens, opening)]).map(|met| (ContactMode::Open, met)));
     }
     modes
 }
 
 /// What a motion leaves of every contact with friction.
-pub(super) fn all_left(linkage: &Linkage, motion: &Motion) -> Vec<Vec<(Mode, Vec<Condition>)>> {
+pub(super) fn all_left(linkage: &Linkage, motion: &Motion) -> Vec<Vec<(ContactMode, Vec<ModeCondition>)>> {
     let openings = &linkage.jacobian * &motion.a + &linkage.bias;
     // What was drawn as zero has the rounding of the loads.
     let exact = |x: f64| if x.abs() < 1e-3 * LITTLE { 0.0 } else { x };
@@ -130,7 +132,7 @@ pub(super) fn all_left(linkage: &Linkage, motion: &Motion) -> Vec<Vec<(Mode, Vec
     linkage.contacts.iter().filter(|it| it.has_friction()).map(of).collect()
 }
 
-pub(super) fn list_modes(next: &[Frictional]) -> Vec<Vec<(Mode, Vec<Condition>)>> {
+pub(super) fn list_modes(next: &[Frictional]) -> Vec<Vec<(ContactMode, Vec<ModeCondition>)>> {
     let of = |it: &Frictional| it.choices.iter().map(|it| (it.mode, it.conditions.to_vec())).collect();
     next.iter().map(of).collect()
 }
@@ -183,8 +185,9 @@ pub(super) fn contacts_of_all_kinds(random: &mut Random, count: usize) -> Linkag
     for contact in linkage.contacts.iter_mut().filter(|it| it.has_friction()) {
         contact.is_guide = random.below(4) == 0;
         (contact.mu, contact.limit) = (contact.mu.max(0.2), contact.limit.max(0.2));
-        if contact.slip != Slip::Rest && random.below(2) == 0 {
-            contact.slip = Slip::Leaves([Sense::Forward, Sense::Backward][random.below(2)]);
+        if contact.slip != SlipVelocity::Rest && random.below(2) == 0 {
+            contact.slip =
+                SlipVelocity::Leaves([SlipDirection::Forward, SlipDirection::Backward][random.below(2)]);
         }
     }
     linkage

@@ -3,7 +3,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::super::modes::{Bound, Given, Mode, Sense, Slip};
+use super::super::modes::{Bound, ContactMode, ImpulseBounds, SlipDirection, SlipVelocity};
 use crate::model::Side;
 
 /// A planar linkage in maximal coordinates: bodies, joints, and contacts of points against lines.
@@ -25,11 +25,11 @@ pub(super) struct Contact {
     pub(super) mu: f64,
     /// Infinite where it is rough.
     pub(super) limit: f64,
-    pub(super) slip: Slip,
+    pub(super) slip: SlipVelocity,
     /// Whether it holds both ways.
     pub(super) is_guide: bool,
     /// Bounds of friction while an impulse is given.
-    pub(super) given: Option<Given>,
+    pub(super) given: Option<ImpulseBounds>,
 }
 
 /// a and the multipliers of all rows.
@@ -45,50 +45,66 @@ impl Contact {
     }
 
     /// |R| while it slides in a sense, `slope λ_N + offset`.
-    fn kinetic(&self, sense: Sense) -> (f64, f64) {
+    fn kinetic(&self, sense: SlipDirection) -> (f64, f64) {
         match (self.given, sense) {
             (None, _) => (self.mu, 0.0),
-            (Some(Given { forward: Bound { slope, offset }, .. }), Sense::Forward) => (slope, offset),
-            (Some(Given { backward: Bound { slope, offset }, .. }), Sense::Backward) => (slope, offset),
+            (Some(ImpulseBounds { forward: Bound { slope, offset }, .. }), SlipDirection::Forward) => {
+                (slope, offset)
+            }
+            (Some(ImpulseBounds { backward: Bound { slope, offset }, .. }), SlipDirection::Backward) => {
+                (slope, offset)
+            }
         }
     }
 
     /// The reserves of friction that sticks, against the bounds in both senses.
     fn reserves(&self, normal: f64, friction: f64) -> [f64; 2] {
-        [Sense::Forward, Sense::Backward].map(|sense| {
+        [SlipDirection::Forward, SlipDirection::Backward].map(|sense| {
             let (slope, offset) = if self.given.is_some() { self.kinetic(sense) } else { (self.limit, 0.0) };
             slope * normal + offset + sense.sign() * friction
         })
     }
 
-    fn modes(&self) -> Vec<Mode> {
-        let (forward, backward) = (Mode::Slide(Sense::Forward), Mode::Slide(Sense::Backward));
+    fn modes(&self) -> Vec<ContactMode> {
+        let (forward, backward) =
+            (ContactMode::Slide(SlipDirection::Forward), ContactMode::Slide(SlipDirection::Backward));
         if self.given.is_some() {
-            let part = [None, Some(Sense::Forward), Some(Sense::Backward)].map(Mode::Part);
-            return [Mode::Stick, forward, backward].into_iter().chain(part).collect();
+            let part =
+                [None, Some(SlipDirection::Forward), Some(SlipDirection::Backward)].map(ContactMode::Part);
+            return [ContactMode::Stick, forward, backward].into_iter().chain(part).collect();
         }
-        let guide = |senses: &[Option<Sense>]| {
+        let guide = |senses: &[Option<SlipDirection>]| {
             let sides = [Side::Positive, Side::Negative].into_iter();
-            sides.flat_map(|side| senses.iter().map(move |&sense| Mode::Guide { side, sense })).collect()
+            sides
+                .flat_map(|side| senses.iter().map(move |&sense| ContactMode::Guide { side, sense }))
+                .collect()
         };
         match self.slip {
-            Slip::Forward | Slip::Leaves(Sense::Forward) if self.is_guide => guide(&[Some(Sense::Forward)]),
-            Slip::Backward | Slip::Leaves(Sense::Backward) if self.is_guide => {
-                guide(&[Some(Sense::Backward)])
+            SlipVelocity::Forward | SlipVelocity::Leaves(SlipDirection::Forward) if self.is_guide => {
+                guide(&[Some(SlipDirection::Forward)])
             }
-            Slip::Rest if self.is_guide => guide(&[None, Some(Sense::Forward), Some(Sense::Backward)]),
-            _ if !self.has_friction() => vec![Mode::Open, Mode::Stick],
-            Slip::Forward | Slip::Leaves(Sense::Forward) => vec![Mode::Open, forward],
-            Slip::Backward | Slip::Leaves(Sense::Backward) => vec![Mode::Open, backward],
-            Slip::Rest => vec![Mode::Open, Mode::Stick, forward, backward],
+            SlipVelocity::Backward | SlipVelocity::Leaves(SlipDirection::Backward) if self.is_guide => {
+                guide(&[Some(SlipDirection::Backward)])
+            }
+            SlipVelocity::Rest if self.is_guide => {
+                guide(&[None, Some(SlipDirection::Forward), Some(SlipDirection::Backward)])
+            }
+            _ if !self.has_friction() => vec![ContactMode::Open, ContactMode::Stick],
+            SlipVelocity::Forward | SlipVelocity::Leaves(SlipDirection::Forward) => {
+                vec![ContactMode::Open, forward]
+            }
+            SlipVelocity::Backward | SlipVelocity::Leaves(SlipDirection::Backward) => {
+                vec![ContactMode::Open, backward]
+            }
+            SlipVelocity::Rest => vec![ContactMode::Open, ContactMode::Stick, forward, backward],
         }
     }
 }
 
 impl Linkage {
     /// All modes that satisfy the law.
-    pub(super) fn solutions(&self) -> Vec<Vec<Mode>> {
-        let mut combinations: Vec<Vec<Mode>> = vec![Vec::new()];
+    pub(super) fn solutions(&self) -> Vec<Vec<ContactMode>> {
+        let mut combinations: Vec<Vec<ContactMode>> = vec![Vec::new()];
         for contact in &self.contacts {
             combinations = combinations
                 .into_iter()
@@ -102,7 +118,7 @@ impl Linkage {
         combinations
     }
 
-    fn motion(&self, modes: &[Mode]) -> Option<Motion> {
+    fn motion(&self, modes: &[ContactMode]) -> Option<Motion> {
         let (n, r) = self.jacobian.transpose().shape();
         let mut matrix = DMatrix::zeros(n + r, n + r);
         let mut right = DVector::zeros(n + r);
@@ -115,26 +131,29 @@ impl Linkage {
         };
         self.joints.iter().for_each(|&row| hold(row));
         for (contact, mode) in self.contacts.iter().zip(modes) {
-            if !matches!(mode, Mode::Open | Mode::Part(_)) {
+            if !matches!(mode, ContactMode::Open | ContactMode::Part(_)) {
                 hold(contact.normal);
             }
-            let sticks = matches!(mode, Mode::Stick | Mode::Guide { sense: None, .. } | Mode::Part(None));
+            let sticks = matches!(
+                mode,
+                ContactMode::Stick | ContactMode::Guide { sense: None, .. } | ContactMode::Part(None)
+            );
             contact.tangent.filter(|_| sticks).into_iter().for_each(&mut hold);
         }
         for (contact, mode) in self.contacts.iter().zip(modes) {
-            if matches!(mode, Mode::Open | Mode::Part(_)) {
+            if matches!(mode, ContactMode::Open | ContactMode::Part(_)) {
                 matrix[(n + contact.normal, n + contact.normal)] = 1.0;
             }
             let Some(tangent) = contact.tangent else { continue };
             match mode {
-                Mode::Stick | Mode::Guide { sense: None, .. } | Mode::Part(None) => {}
-                Mode::Guide { side, sense: Some(sense) } => {
+                ContactMode::Stick | ContactMode::Guide { sense: None, .. } | ContactMode::Part(None) => {}
+                ContactMode::Guide { side, sense: Some(sense) } => {
                     matrix[(n + tangent, n + tangent)] = 1.0;
                     matrix[(n + tangent, n + contact.normal)] =
                         f64::from(side.sign()) * sense.sign() * contact.mu;
                 }
-                Mode::Open => matrix[(n + tangent, n + tangent)] = 1.0,
-                Mode::Slide(sense) | Mode::Part(Some(sense)) => {
+                ContactMode::Open => matrix[(n + tangent, n + tangent)] = 1.0,
+                ContactMode::Slide(sense) | ContactMode::Part(Some(sense)) => {
                     let (slope, offset) = contact.kinetic(*sense);
                     matrix[(n + tangent, n + tangent)] = 1.0;
                     matrix[(n + tangent, n + contact.normal)] = sense.sign() * slope;
@@ -151,7 +170,12 @@ impl Linkage {
 
     /// By how much a sliding contact's normal reaction of one opens it, with others in some modes: the contact is open for that,
     /// and its reaction a load.
-    pub(super) fn response(&self, contact: usize, sense: Sense, modes: &[Mode]) -> Option<f64> {
+    pub(super) fn response(
+        &self,
+        contact: usize,
+        sense: SlipDirection,
+        modes: &[ContactMode],
+    ) -> Option<f64> {
         let it = self.contacts[contact];
         let push = self.jacobian.row(it.normal).transpose()
             - self.jacobian.row(it.tangent?).transpose() * (sense.sign() * it.mu);
@@ -161,7 +185,7 @@ impl Linkage {
     }
 
     /// The largest violation of the equations and the law, relative to the largest value there is.
-    pub(super) fn violation(&self, modes: &[Mode], motion: &Motion) -> f64 {
+    pub(super) fn violation(&self, modes: &[ContactMode], motion: &Motion) -> f64 {
         let Motion { a, multipliers } = motion;
         let opening = &self.jacobian * a + &self.bias;
         let size = 1.0 + a.amax().max(multipliers.amax());
@@ -173,11 +197,11 @@ impl Linkage {
             let normal = multipliers[contact.normal];
             let (slip, friction) = contact.tangent.map_or((0.0, 0.0), |row| (opening[row], multipliers[row]));
             match mode {
-                Mode::Open => {
+                ContactMode::Open => {
                     check(-opening[contact.normal]);
                     check(normal.abs().max(friction.abs()));
                 }
-                Mode::Part(sense) => {
+                ContactMode::Part(sense) => {
                     check(-opening[contact.normal]);
                     check(normal.abs());
                     let Some(sense) = sense else {
@@ -188,29 +212,33 @@ impl Linkage {
                     check((friction + sense.sign() * contact.kinetic(*sense).1).abs());
                     check(-sense.sign() * slip);
                 }
-                Mode::Guide { side, sense } => {
+                ContactMode::Guide { side, sense } => {
                     check(opening[contact.normal].abs());
                     check(-f64::from(side.sign()) * normal);
                     match sense {
                         None => check(slip.abs().max(friction.abs() - contact.limit * normal.abs())),
                         Some(sense) => {
                             check((friction + sense.sign() * contact.mu * normal.abs()).abs());
-                            check(if contact.slip == Slip::Rest { -sense.sign() * slip } else { 0.0 });
+                            check(if contact.slip == SlipVelocity::Rest {
+                                -sense.sign() * slip
+                            } else {
+                                0.0
+                            });
                         }
                     }
                 }
-                Mode::Stick => {
+                ContactMode::Stick => {
                     check(opening[contact.normal].abs().max(slip.abs()));
                     check(-normal);
                     if contact.has_friction() {
                         contact.reserves(normal.max(0.0), friction).into_iter().for_each(|it| check(-it));
                     }
                 }
-                Mode::Slide(sense) => {
+                ContactMode::Slide(sense) => {
                     check(opening[contact.normal].abs().max(-normal));
                     let (slope, offset) = contact.kinetic(*sense);
                     check((friction + sense.sign() * (slope * normal + offset)).abs());
-                    if contact.slip == Slip::Rest {
+                    if contact.slip == SlipVelocity::Rest {
                         check(-sense.sign() * slip);
                     }
                 }

@@ -3,8 +3,8 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::super::decision::{FrictionError, FrictionSolution};
-use super::super::modes::{Bound, Frictional, Given, Mode, Slip};
-use super::super::problem::Question;
+use super::super::modes::{Bound, ContactMode, Frictional, ImpulseBounds, SlipVelocity};
+use super::super::problem::FrictionProblem;
 use super::oracle::{Contact, Linkage};
 use crate::contact::complementarity::LcpRows;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
@@ -67,7 +67,7 @@ pub(super) fn linkage(random: &mut Random, contacts: usize) -> Linkage {
             tangent: None,
             mu: 0.0,
             limit: 0.0,
-            slip: Slip::Rest,
+            slip: SlipVelocity::Rest,
             is_guide: false,
             given: None,
         };
@@ -81,9 +81,11 @@ pub(super) fn linkage(random: &mut Random, contacts: usize) -> Linkage {
             rows.push(row);
             contact.mu = random.between(0.0, 2.0);
             contact.limit = contact.mu * [1.0, 1.0, random.between(1.0, 1.5)][random.below(3)];
-            contact.slip = [Slip::Forward, Slip::Backward, Slip::Rest, Slip::Rest][random.below(4)];
+            contact.slip =
+                [SlipVelocity::Forward, SlipVelocity::Backward, SlipVelocity::Rest, SlipVelocity::Rest]
+                    [random.below(4)];
             if random.below(6) == 0 {
-                (contact.limit, contact.slip) = (f64::INFINITY, Slip::Rest);
+                (contact.limit, contact.slip) = (f64::INFINITY, SlipVelocity::Rest);
             }
         }
         list.push(contact);
@@ -126,9 +128,9 @@ impl Sorted {
         }
     }
 
-    pub(super) fn question<'a>(&'a self, linkage: &'a Linkage) -> Question<'a> {
+    pub(super) fn question<'a>(&'a self, linkage: &'a Linkage) -> FrictionProblem<'a> {
         let Self { candidates, tied, contacts } = self;
-        Question { rows: LcpRows { fixed: &linkage.joints, candidates, tied, trials: None }, contacts }
+        FrictionProblem { rows: LcpRows { fixed: &linkage.joints, candidates, tied, trials: None }, contacts }
     }
 }
 
@@ -146,7 +148,7 @@ pub(super) fn solve(linkage: &Linkage) -> Result<FrictionSolution, FrictionError
 }
 
 /// Modes with friction first, in the order of the linkage's contacts.
-pub(super) fn in_order(linkage: &Linkage, modes: &[Mode]) -> Vec<Mode> {
+pub(super) fn in_order(linkage: &Linkage, modes: &[ContactMode]) -> Vec<ContactMode> {
     let with = linkage.contacts.iter().filter(|it| it.has_friction()).count();
     let (mut friction, mut smooth) = (modes[..with].iter(), modes[with..].iter());
     let mode = |it: &Contact| if it.has_friction() { friction.next() } else { smooth.next() };
@@ -165,7 +167,8 @@ pub(super) fn give(random: &mut Random, linkage: &mut Linkage) {
         let returned = Bound { slope: 0.0, offset: -random.between(0.0, mu * given) };
         let [forward, backward] =
             [[friction; 2], [friction; 2], [returned, friction], [friction, returned]][random.below(4)];
-        (contact.given, contact.limit, contact.slip) = (Some(Given { forward, backward }), mu, Slip::Rest);
+        (contact.given, contact.limit, contact.slip) =
+            (Some(ImpulseBounds { forward, backward }), mu, SlipVelocity::Rest);
     }
 }
 

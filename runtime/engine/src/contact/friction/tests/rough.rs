@@ -1,6 +1,6 @@
 //! Rough contacts and smooth ones by themselves, against all sets of closed ones.
 
-use super::super::modes::{Mode, Slip};
+use super::super::modes::{ContactMode, SlipVelocity};
 use super::oracle::Motion;
 use super::random::{Random, Sorted, cases, in_units, kkt, linkage};
 use crate::contact::Trials;
@@ -15,7 +15,7 @@ fn rough_contacts_have_one_of_their_motions() {
     for k in 0..cases(500) {
         let mut linkage = linkage(&mut random, 1 + k % 5);
         for contact in &mut linkage.contacts {
-            (contact.limit, contact.slip) = (f64::INFINITY, Slip::Rest);
+            (contact.limit, contact.slip) = (f64::INFINITY, SlipVelocity::Rest);
         }
         let expected = linkage.solutions();
         counts[expected.len().min(3)] += 1;
@@ -32,10 +32,10 @@ fn rough_contacts_have_one_of_their_motions() {
             continue;
         };
         let closed = |normal: usize| found.bearing.contains(&normal) || found.degenerate.contains(&normal);
-        let modes: Vec<Mode> = linkage
+        let modes: Vec<ContactMode> = linkage
             .contacts
             .iter()
-            .map(|it| if closed(it.normal) { Mode::Stick } else { Mode::Open })
+            .map(|it| if closed(it.normal) { ContactMode::Stick } else { ContactMode::Open })
             .collect();
         assert!(expected.contains(&modes), "{k}: {modes:?} {expected:?}");
         let motion = Motion { a: found.accelerations, multipliers: found.reactions };
@@ -51,9 +51,9 @@ fn a_contact_that_bears_is_not_released() {
     let mut random = Random(0x996E_2118_2D91_6AB8);
     let mut linkage = linkage(&mut random, 3);
     for contact in &mut linkage.contacts {
-        (contact.limit, contact.slip) = (f64::INFINITY, Slip::Rest);
+        (contact.limit, contact.slip) = (f64::INFINITY, SlipVelocity::Rest);
     }
-    let [stick, open] = [Mode::Stick, Mode::Open];
+    let [stick, open] = [ContactMode::Stick, ContactMode::Open];
     assert_eq!(linkage.solutions(), [[open, open, open], [open, stick, open]]);
     let sorted = Sorted::new(&linkage);
     let mut unit = || 10f64.powf(random.between(-8.0, 8.0));
@@ -72,7 +72,7 @@ fn sets_of_rough_contacts_are_counted() {
     for k in 0..cases(300) {
         let mut linkage = linkage(&mut random, 3 + k % 2);
         for contact in &mut linkage.contacts {
-            (contact.limit, contact.slip) = (f64::INFINITY, Slip::Rest);
+            (contact.limit, contact.slip) = (f64::INFINITY, SlipVelocity::Rest);
         }
         let sorted = Sorted::new(&linkage);
         let rows = sorted.question(&linkage).rows;
@@ -85,7 +85,8 @@ fn sets_of_rough_contacts_are_counted() {
         searched += 1;
         // The largest set that is a motion.
         if let Ok(found) = &found {
-            let closed = |modes: &Vec<Mode>| modes.iter().filter(|mode| **mode == Mode::Stick).count();
+            let closed =
+                |modes: &Vec<ContactMode>| modes.iter().filter(|mode| **mode == ContactMode::Stick).count();
             let most = linkage.solutions().iter().map(closed).max();
             assert_eq!(Some(found.bearing.len() + found.degenerate.len()), most, "{k}");
         }

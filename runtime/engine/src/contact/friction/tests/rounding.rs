@@ -5,13 +5,13 @@ use std::f64::consts::PI;
 use nalgebra::DMatrix;
 
 use super::super::decision::{FrictionError, Reason};
-use super::super::modes::{Condition, Frictional, Mode, Sense, Slip};
-use super::super::problem::Equations;
+use super::super::modes::{ContactMode, Frictional, ModeCondition, SlipDirection, SlipVelocity};
+use super::super::problem::RowEquations;
 use super::closed_forms::solve;
 use super::random::Random;
 
-const FORWARD: Mode = Mode::Slide(Sense::Forward);
-const BACKWARD: Mode = Mode::Slide(Sense::Backward);
+const FORWARD: ContactMode = ContactMode::Slide(SlipDirection::Forward);
+const BACKWARD: ContactMode = ContactMode::Slide(SlipDirection::Backward);
 
 /// A contact of which the tangent moves by a part ε of the block, on a support that is accelerated by c: v = ε (ẋ − c t), and the push
 /// across is ε R. It is carried along up to ε μ N, however small ε is.
@@ -22,13 +22,13 @@ fn a_weak_tangent_rubs_as_much_as_it_moves() {
         let jacobian = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, weak, 0.0]);
         let most = f64::abs(weak) * mu * normal;
         let slides = if weak > 0.0 { FORWARD } else { BACKWARD };
-        for (part, mode) in [(0.8, Mode::Stick), (-0.8, Mode::Stick), (1.2, slides)] {
+        for (part, mode) in [(0.8, ContactMode::Stick), (-0.8, ContactMode::Stick), (1.2, slides)] {
             for carried in [0.0, 0.1 * most, -0.1 * most] {
-                let contact = Frictional::touching((0, 1), (mu, mu), Slip::Rest);
+                let contact = Frictional::touching((0, 1), (mu, mu), SlipVelocity::Rest);
                 let (force, bias) = ([part * most, -normal], [0.0, -weak * carried]);
                 let found = solve(&[1.0, 1.0], &jacobian, (&force, &bias), &[contact]).unwrap();
                 assert_eq!(found.modes[0], mode, "{weak} {part} {carried}");
-                let a = if mode == Mode::Stick { carried } else { (part - 1.0) * most };
+                let a = if mode == ContactMode::Stick { carried } else { (part - 1.0) * most };
                 let bears = (a - part * most) / weak;
                 let apart = (found.solution.accelerations[0] - a).abs();
                 assert!(apart < 1e-12 * most, "{weak} {part} {carried}");
@@ -43,7 +43,7 @@ fn a_weak_tangent_rubs_as_much_as_it_moves() {
 fn accelerations_without_mass_are_not_determined() {
     let jacobian = DMatrix::from_row_slice(2, 3, &[0.0, 1.0, 0.0, 1.0, 0.0, 0.0]);
     let found = |push: f64| {
-        let contact = Frictional::touching((0, 1), (0.5, 0.5), Slip::Rest);
+        let contact = Frictional::touching((0, 1), (0.5, 0.5), SlipVelocity::Rest);
         solve(&[1.0, 1.0, 0.0], &jacobian, (&[push, -1.0, 0.0], &[0.0; 2]), &[contact])
     };
     assert_eq!(found(0.3).unwrap_err(), FrictionError::Singular);
@@ -55,11 +55,11 @@ fn accelerations_without_mass_are_not_determined() {
 #[test]
 fn friction_is_known_as_well_as_the_load_that_presses() {
     let jacobian = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, 1.0, 0.0]);
-    let at_limit = [(Mode::Stick, vec![Condition::Above]), (FORWARD, vec![Condition::Slips])];
+    let at_limit = [(ContactMode::Stick, vec![ModeCondition::Above]), (FORWARD, vec![ModeCondition::Slips])];
     for (more, left) in
-        [(1e-9, at_limit.to_vec()), (1e-7, at_limit.to_vec()), (1e-5, vec![(Mode::Stick, vec![])])]
+        [(1e-9, at_limit.to_vec()), (1e-7, at_limit.to_vec()), (1e-5, vec![(ContactMode::Stick, vec![])])]
     {
-        let contact = Frictional::touching((0, 1), (1.0, 1.0), Slip::Rest);
+        let contact = Frictional::touching((0, 1), (1.0, 1.0), SlipVelocity::Rest);
         // N = 1e6 − (1e6 − 1 − more) against a push of one.
         let bias = [1e6 - 1.0 - more, 0.0];
         let found = solve(&[1.0, 1.0], &jacobian, (&[1.0, -1e6], &bias), &[contact]).unwrap();
@@ -78,7 +78,7 @@ fn the_shortest_solution_of_many_singular_equations() {
         let matrix = part(size, rank) * part(rank, size);
         let shortest = matrix.tr_mul(&part(size, 1).column(0));
         let right = &matrix * &shortest;
-        let equations = Equations { index: (0..size).collect(), matrix, right };
+        let equations = RowEquations { index: (0..size).collect(), matrix, right };
         assert!(equations.solve().is_none());
         let (x, determined) = equations.least_norm(&equations.right, 1).unwrap();
         assert!((&x - &shortest).amax() <= 1e-8 * shortest.amax(), "{size} {:e}", (&x - &shortest).amax());
@@ -92,7 +92,7 @@ fn the_shortest_solution_of_many_singular_equations() {
 fn guides_that_share_a_load_have_one_motion() {
     let rows = [[0.0, 1.0, 0.0], [1.0, 0.0, 0.0]];
     let jacobian = DMatrix::from_fn(4, 3, |row, j| rows[row % 2][j]);
-    let guide = |k: usize| Frictional::guide((2 * k, 2 * k + 1), (0.5, 0.5), Slip::Rest);
+    let guide = |k: usize| Frictional::guide((2 * k, 2 * k + 1), (0.5, 0.5), SlipVelocity::Rest);
     let force = [0.9, -1.0, 1.0];
     let found = solve(&[1.0; 3], &jacobian, (&force, &[0.0; 4]), &[guide(0), guide(1)]).unwrap();
     assert_eq!((found.solutions.len(), found.reason), (2, Reason::Sticks), "{:?}", found.solutions);
@@ -117,14 +117,15 @@ fn a_heavy_block_beside_a_rod_does_not_hold_it() {
             ]
             .concat(),
         );
-        let contacts = [0, 2].map(|row| Frictional::touching((row, row + 1), (2.0, 2.0), Slip::Backward));
+        let contacts =
+            [0, 2].map(|row| Frictional::touching((row, row + 1), (2.0, 2.0), SlipVelocity::Backward));
         let force = [0.0, -1.0, 0.0, 0.0, -heavy];
         let bias = [2.0 * sine, 2.0 * cosine, 0.0, 0.0];
         let found =
             solve(&[1.0, 1.0, 1.0 / 12.0, heavy, heavy], &jacobian, (&force, &bias), &contacts).unwrap();
         assert_eq!(
             (found.modes.as_slice(), found.reason),
-            ([Mode::Open, BACKWARD].as_slice(), Reason::Stable)
+            ([ContactMode::Open, BACKWARD].as_slice(), Reason::Stable)
         );
         assert_eq!(found.solutions.len(), 2);
     }

@@ -1,8 +1,8 @@
 //! Ten thousand random linkages with one to four contacts, and Lemke's method on the same.
 
 use super::super::decision::FrictionError;
-use super::super::modes::{Frictional, Mode, Sense};
-use super::super::problem::Problem;
+use super::super::modes::{ContactMode, Frictional, SlipDirection};
+use super::super::problem::BalancedProblem;
 use super::super::stability::{Sliding, painleve};
 use super::oracle::{Linkage, Motion};
 use super::random::{Random, Sorted, cases, give, in_order, in_units, kkt, linkage, solve};
@@ -75,7 +75,8 @@ fn compared(
         expected.sort();
         assert_eq!(all, expected, "{k}");
         // What is taken is one of the modes that it leaves to the next order.
-        let leaves = |(mode, next): (&Mode, &Frictional)| next.choices.iter().any(|it| it.mode == *mode);
+        let leaves =
+            |(mode, next): (&ContactMode, &Frictional)| next.choices.iter().any(|it| it.mode == *mode);
         assert!(found.modes.iter().zip(&found.next).all(leaves), "{k}: {:?}", found.modes);
         let motion = Motion { a: found.solution.accelerations, multipliers: found.solution.reactions };
         worst = worst.max(linkage.violation(&taken, &motion));
@@ -122,7 +123,7 @@ fn lemke_agrees_with_enumeration() {
         let question = sorted.question(&linkage);
         let mut kkt = kkt(&linkage);
         kkt.couple(question.contacts);
-        let problem = Problem::new(&kkt, &question);
+        let problem = BalancedProblem::new(&kkt, &question);
         let all: Vec<_> =
             problem.enumerate().unwrap().iter().map(|found| problem.modes(&found.chosen)).collect();
         solvable += usize::from(!all.is_empty());
@@ -143,12 +144,12 @@ fn the_border_within_a_set() {
     for k in 0..2_000 {
         let linkage = linkage(&mut random, 2 + k % 3);
         for mut modes in linkage.solutions() {
-            let slides = |(at, mode): (usize, &Mode)| match mode {
-                Mode::Slide(sense) => Some((at, *sense)),
+            let slides = |(at, mode): (usize, &ContactMode)| match mode {
+                ContactMode::Slide(sense) => Some((at, *sense)),
                 _ => None,
             };
-            let sliding: Vec<(usize, Sense)> = modes.iter().enumerate().filter_map(slides).collect();
-            let of = |(at, sense): (usize, Sense)| Sliding {
+            let sliding: Vec<(usize, SlipDirection)> = modes.iter().enumerate().filter_map(slides).collect();
+            let of = |(at, sense): (usize, SlipDirection)| Sliding {
                 normal: linkage.contacts[at].normal,
                 tangent: linkage.contacts[at].tangent.unwrap(),
                 signed_mu: sense.sign() * linkage.contacts[at].mu,
@@ -156,13 +157,13 @@ fn the_border_within_a_set() {
             let Some(&first) = sliding.first() else { continue };
             let mut closed = linkage.joints.clone();
             for (contact, mode) in linkage.contacts.iter().zip(&modes) {
-                if *mode == Mode::Stick {
+                if *mode == ContactMode::Stick {
                     closed.extend([Some(contact.normal), contact.tangent].into_iter().flatten());
                 }
             }
             let others: Vec<Sliding> = sliding[1..].iter().map(|it| of(*it)).collect();
             let found = painleve(&linkage.mass, &linkage.jacobian, of(first), &closed, &others).unwrap();
-            modes[first.0] = Mode::Open;
+            modes[first.0] = ContactMode::Open;
             let Some(expected) = linkage.response(first.0, first.1, &modes) else { continue };
             let size = 1.0 + expected.abs();
             assert!((found - expected).abs() <= 1e-10 * size, "{k}: {found} {expected}");

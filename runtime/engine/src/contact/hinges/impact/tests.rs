@@ -4,7 +4,7 @@ use core::cell::Cell;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::{Hinge, Struck, answer};
+use super::{Hinge, HingeCollision, answer};
 use crate::contact::friction::tests::random::{Random, cases};
 use crate::contact::impulse::{Collision, CollisionError, Row};
 use crate::model::Law;
@@ -132,7 +132,7 @@ fn all_modes_have_the_improved_outcome() {
             continue;
         }
         let hinges = || layout.hinges().map(|(_, friction, force)| Hinge { friction, force, mu }).collect();
-        let struck = |most: usize| Struck {
+        let struck = |most: usize| HingeCollision {
             system: &*model.system,
             state: &state,
             collision: &it,

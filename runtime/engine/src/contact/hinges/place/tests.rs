@@ -1,8 +1,8 @@
 //! What counts as zero, in any units.
 
-use super::{Law, Place};
+use super::{HingeProblem, SignCondition};
 use crate::contact::ContactProblem;
-use crate::contact::friction::Slip;
+use crate::contact::friction::SlipVelocity;
 use crate::contact::hinges::choices::choices;
 use crate::contact::hinges::tests::Resting;
 use crate::context::{Numbers, RunContext, scales_of};
@@ -18,7 +18,7 @@ fn context((m, l, g): (f64, f64, f64)) -> RunContext {
 /// A law holds down to −1e-9 of its unit, and is open within ±1e-9 of it; one whose reaction was located holds and is open anyhow.
 #[test]
 fn laws_hold_up_to_rounding() {
-    let law = |margin: f64, is_located: bool| Law { margin, zero: 2.0, is_located };
+    let law = |margin: f64, is_located: bool| SignCondition { margin, zero: 2.0, is_located };
     for (margin, holds, is_open) in
         [(-2.1, false, false), (-1.9, true, true), (1.9, true, true), (2.1, true, false)]
     {
@@ -36,10 +36,10 @@ fn what_is_zero_has_no_units() {
     for units in [(2.0, 0.5, 9.81), (3e-7, 4e5, 2e-9), (5e8, 1e-6, 7e6)] {
         let context = context(units);
         let (m, _, g) = units;
-        let place = Place::new(&context, Numbers::from_slice(&[0.0; 2]));
+        let place = HingeProblem::new(&context, Numbers::from_slice(&[0.0; 2]));
         let layout = context.layout();
         let hinge = (0..2).find(|&contact| layout.contacts[contact].is_hinge()).unwrap();
-        let slips = [(hinge, Slip::Rest)];
+        let slips = [(hinge, SlipVelocity::Rest)];
         let touching: ContactSet = (0..2).collect();
         let question = ContactProblem { touching, slips: &slips, ..ContactProblem::default() };
         let options = choices(layout, &question);
@@ -49,7 +49,8 @@ fn what_is_zero_has_no_units() {
             let support = of(1 - hinge).into_iter().find(|it| it.is_open == is_open).unwrap();
             place.answer(vec![(1 - hinge, support), (hinge, of(hinge)[0])]).unwrap()
         });
-        let told = |laws: Vec<Law>| laws.iter().map(|law| (law.margin, law.zero)).collect::<Vec<_>>();
+        let told =
+            |laws: Vec<SignCondition>| laws.iter().map(|law| (law.margin, law.zero)).collect::<Vec<_>>();
         let (closed, open) = (told(place.laws(&closed)), told(place.laws(&open)));
         let force = 1e-9 * context.scales.force();
         assert!((force / (1e-9 * m * g) - 1.0).abs() < 10.0, "{units:?}: {force:e}");

@@ -3,7 +3,7 @@
 use super::decide as decide_slider;
 use crate::contact::closed_rows::ClosedRows;
 use crate::contact::friction::tests::random::Random;
-use crate::contact::friction::{Sense, Slip as KnownSlip, holds, least_hold};
+use crate::contact::friction::{SlipDirection, SlipVelocity as KnownSlip, holds, least_hold};
 use crate::contact::{ContactProblem, decide};
 use crate::context::{RunContext, scales_of};
 use crate::model::{self, ContactSet};
@@ -62,7 +62,8 @@ fn a_single_contact_is_decided_alike() {
         let (sine, cosine) = alpha.sin_cos();
         let theta = random.between(-3.0, 3.0);
         let state = [theta, 0.0, 0.0, rate, speed * cosine, speed * sine];
-        let leaves = [Sense::Forward, Sense::Backward].map(|sense| (1, KnownSlip::Leaves(sense)));
+        let leaves =
+            [SlipDirection::Forward, SlipDirection::Backward].map(|sense| (1, KnownSlip::Leaves(sense)));
         for slips in [[(1, known)], [leaves[0]], [leaves[1]]].iter().take(if speed == 0.0 { 3 } else { 1 }) {
             let touching = ContactSet::EMPTY.with(1);
             let question = ContactProblem { touching, slips, ..ContactProblem::default() };

@@ -23,12 +23,12 @@ fn both(c: &[f64], look: impl Fn(GuardSource<'_>)) {
 fn roots_behind_a_place_are_told_as_places_of_the_step() {
     both(&CUBIC, |guard| {
         for (from, root) in [(0.0, 0.3), (0.4, 0.6), (0.7, 0.9), (0.95, f64::NAN)] {
-            let found = guard.first_root(from, Start::Free, (0.0, BOUND)).unwrap();
+            let found = guard.first_root(from, RootStart::Free, (0.0, BOUND)).unwrap();
             // The slope is 0.09 at least: the unit roundoff of terms up to two.
             assert!(found.map_or(root.is_nan(), |theta| (theta - root).abs() < 1e-13), "{from} {found:?}");
         }
         for (from, shift) in [(0.0, 0.01), (0.0, -0.01), (0.4, 0.005), (0.8, -0.002)] {
-            let theta = guard.first_root(from, Start::Free, (shift, BOUND)).unwrap().unwrap();
+            let theta = guard.first_root(from, RootStart::Free, (shift, BOUND)).unwrap().unwrap();
             assert!(
                 theta > from && (evaluate(&CUBIC, theta) + shift).abs() < 1e-14,
                 "{from} {shift} {theta}"
@@ -41,22 +41,22 @@ fn roots_behind_a_place_are_told_as_places_of_the_step() {
 fn falls_and_touches_are_told_as_places_of_the_step() {
     both(&CUBIC, |guard| {
         for (from, fall) in [(0.0, 0.3), (0.1, 0.3), (0.65, 0.9)] {
-            let Crossing::At { theta } = guard.watch(from, Start::Free, BOUND).unwrap() else {
+            let Crossing::At { theta } = guard.watch(from, RootStart::Free, BOUND).unwrap() else {
                 panic!("it falls behind {from}")
             };
             assert!((theta - fall).abs() < 1e-13, "{from} {theta}");
         }
-        assert_eq!(guard.watch(0.4, Start::Free, BOUND), Ok(Crossing::LeavesAtStart));
+        assert_eq!(guard.watch(0.4, RootStart::Free, BOUND), Ok(Crossing::LeavesAtStart));
     });
     both(&SQUARE, |guard| {
         for from in [0.0, 0.2] {
-            let Crossing::Touch { theta, value } = guard.watch(from, Start::Free, BOUND).unwrap() else {
+            let Crossing::Touch { theta, value } = guard.watch(from, RootStart::Free, BOUND).unwrap() else {
                 panic!("it touches behind {from}")
             };
             // The value is flat: known to the unit roundoff ε, the place to √ε.
             assert!((theta - 0.5).abs() < 1e-7 && value.abs() < 1e-14, "{theta} {value}");
         }
-        assert_eq!(guard.watch(0.6, Start::Free, BOUND), Ok(Crossing::Clear));
+        assert_eq!(guard.watch(0.6, RootStart::Free, BOUND), Ok(Crossing::Clear));
         assert_eq!(guard.first(), 0.25);
     });
 }
@@ -66,8 +66,8 @@ fn what_is_not_finite_is_told_as_a_place_of_the_step() {
     let value = |theta: f64| if theta > 0.8 { f64::NAN } else { 1.0 };
     let guard = GuardSource::Values { value: &value, size: 1.0, is_noisy: false };
     for error in [
-        guard.watch(0.5, Start::Free, BOUND).unwrap_err(),
-        guard.first_root(0.5, Start::Free, (0.0, BOUND)).unwrap_err(),
+        guard.watch(0.5, RootStart::Free, BOUND).unwrap_err(),
+        guard.first_root(0.5, RootStart::Free, (0.0, BOUND)).unwrap_err(),
     ] {
         assert!(matches!(error, GuardError::NotFinite { theta } if (0.8..=1.0).contains(&theta)), "{error}");
     }

@@ -4,7 +4,7 @@ mod pieces;
 
 use core::cell::Cell;
 
-use self::pieces::{Bounded, Followed, Pieces};
+use self::pieces::{Followed, PieceRegularity, Pieces};
 use super::watch::{Findings, Kind, Tracking, Watch};
 use crate::event::detection::advance::Advance;
 use crate::event::detection::guard_source::{EXACT, GuardSource};
@@ -13,7 +13,7 @@ use crate::event::detection::sampled_step::SampledStep;
 use crate::event::detection::step::Leaves;
 use crate::event::detection::{Guard, SHORTEST};
 use crate::expression::{Condition, Relation, Sides};
-use crate::numerics::root_isolation::{Accuracy, Crossing, GuardError, NODES, Root, Smooth, Start};
+use crate::numerics::root_isolation::{Accuracy, Crossing, GuardError, NODES, Root, RootStart, Smooth};
 use crate::numerics::zero::{MARGIN, SOLVED, roundoff};
 use smallvec::SmallVec;
 
@@ -83,20 +83,24 @@ impl<'a> ConditionGuard<'a> {
     }
 
     /// When it becomes true.
-    fn find_met(&mut self, search: &Search<'_>, tracking: &Tracking) -> Result<Option<f64>, GuardError> {
-        let Search { condition, step, .. } = *search;
+    fn find_met(
+        &mut self,
+        search: &ConditionSearch<'_>,
+        tracking: &Tracking,
+    ) -> Result<Option<f64>, GuardError> {
+        let ConditionSearch { condition, step, .. } = *search;
         let of_series = |sides: &Sides| step.scales.bounds.relative * sides.size();
         let sides = self.is_entire.then(|| step.view.sides(condition)).flatten();
         let exact = sides.filter(|sides| sides.tail() <= EXACT * of_series(sides));
         let is_told = |sides: &&Sides| sides.end().abs() > of_series(sides);
         self.end = exact.as_ref().filter(is_told).map(Sides::end);
         let start = match self.sign {
-            _ if tracking.at_root => Start::Root,
-            Some(positive) if condition.relation() == Relation::Equal => Start::Continues { positive },
-            sign if was_false(condition, sign) && self.stays => Start::Root,
-            _ => Start::Free,
+            _ if tracking.at_root => RootStart::Root,
+            Some(positive) if condition.relation() == Relation::Equal => RootStart::Continues { positive },
+            sign if was_false(condition, sign) && self.stays => RootStart::Root,
+            _ => RootStart::Free,
         };
-        if start == Start::Free && self.is_state && self.sign.is_none() && search.holds_from_zero() {
+        if start == RootStart::Free && self.is_state && self.sign.is_none() && search.holds_from_zero() {
             return Ok(Some(0.0));
         }
         if let Some(sides) = exact {
@@ -143,7 +147,7 @@ impl Kind for ConditionGuard<'_> {
         step: &SampledStep<'_>,
         findings: &mut Findings,
     ) -> Option<Result<Option<f64>, GuardError>> {
-        let search = Search {
+        let search = ConditionSearch {
             condition: self.condition,
             step,
             is_state: self.is_state,
@@ -189,7 +193,7 @@ fn middle(mut sizes: SmallVec<[f64; 4]>) -> Option<f64> {
 }
 
 /// A search for the first time in a step that a condition becomes true.
-struct Search<'s> {
+struct ConditionSearch<'s> {
     condition: &'s Condition,
     step: &'s SampledStep<'s>,
     is_state: bool,
@@ -201,7 +205,7 @@ struct Search<'s> {
     undecided: Cell<Option<f64>>,
 }
 
-impl Search<'_> {
+impl ConditionSearch<'_> {
     fn note_undecided(&self, theta: f64) {
         self.undecided.set(self.undecided.get().or(Some(theta)));
     }
@@ -249,12 +253,12 @@ impl Search<'_> {
     }
 
     /// Where nothing has series.
-    fn find_by_values(&self, start: Start, bound: f64) -> Result<Option<f64>, GuardError> {
+    fn find_by_values(&self, start: RootStart, bound: f64) -> Result<Option<f64>, GuardError> {
         let is_rounding = || {
             let rounding = find_rounding(self.condition, self.step, &[0.0, 0.5, 1.0]);
             NODES.iter().all(|theta| self.value(*theta).abs() <= rounding)
         };
-        if start == Start::Root && is_rounding() {
+        if start == RootStart::Root && is_rounding() {
             self.note_undecided(0.0);
             return Ok(None);
         }
@@ -265,7 +269,7 @@ impl Search<'_> {
         }
     }
 
-    fn find_by_values_alone(&self, start: Start, accuracy: Accuracy) -> Result<Option<f64>, GuardError> {
+    fn find_by_values_alone(&self, start: RootStart, accuracy: Accuracy) -> Result<Option<f64>, GuardError> {
         let (value, counts) = (|theta: f64| self.value(theta), |root: Root| self.counts(root));
         of_values(self.condition, &value, (start, accuracy), &counts)
     }
@@ -296,7 +300,7 @@ impl Search<'_> {
     fn find_by_pieces(
         &self,
         leaves: &Leaves,
-        mut start: Start,
+        mut start: RootStart,
         bound: f64,
     ) -> Result<Option<f64>, GuardError> {
         let condition = self.condition;
@@ -306,8 +310,8 @@ impl Search<'_> {
         let known = leaves.iter().map(|(_, smooth)| smooth.resolution()).fold(1.0, f64::min);
         let shortest = known.max(SHORTEST);
         let mut side = None;
-        let mut look = |[from, to]: [f64; 2], known: Bounded| {
-            let is_monotone = known == Bounded::Monotone;
+        let mut look = |[from, to]: [f64; 2], known: PieceRegularity| {
+            let is_monotone = known == PieceRegularity::Monotone;
             let first = self.value(from);
             let begins = if from == 0.0 { start } else { after(condition, start, (side, first), bound) };
             if first.abs() > bound {
@@ -315,7 +319,7 @@ impl Search<'_> {
             }
             let within = |s: f64| self.value(from + (to - from) * s);
             let at = |s: f64| from + (to - from) * s;
-            let continues = begins != Start::Continues { positive: within(0.0) <= 0.0 };
+            let continues = begins != RootStart::Continues { positive: within(0.0) <= 0.0 };
             if is_monotone
                 && continues
                 && let Some(passes) = passed(&within, bound)
@@ -357,7 +361,7 @@ impl Search<'_> {
 fn of_values(
     condition: &Condition,
     value: &dyn Fn(f64) -> f64,
-    (start, accuracy): (Start, Accuracy),
+    (start, accuracy): (RootStart, Accuracy),
     counts: &dyn Fn(Root) -> bool,
 ) -> Result<Option<f64>, GuardError> {
     let (Accuracy { delta, is_noisy }, negated) = (accuracy, |theta: f64| -value(theta));
@@ -378,7 +382,7 @@ fn was_false(condition: &Condition, sign: Option<bool>) -> bool {
 /// Whether the values in a shortest piece may hide a root: they have the same sign at both ends,
 /// and do not lie on a line as those of a function without a pole do, or grow from both sides as
 /// towards a pole of even order.
-fn may_hide(value: &dyn Fn(f64) -> f64, known: Bounded) -> bool {
+fn may_hide(value: &dyn Fn(f64) -> f64, known: PieceRegularity) -> bool {
     let [first, last] = [value(0.0), value(1.0)];
     if first * last <= 0.0 || !(first.is_finite() && last.is_finite()) {
         return false;
@@ -391,7 +395,7 @@ fn may_hide(value: &dyn Fn(f64) -> f64, known: Bounded) -> bool {
         most = most.max(if inner.is_finite() { inner * first.signum() } else { f64::INFINITY });
     }
     let [least, size] = [first.abs().min(last.abs()), first.abs().max(last.abs())];
-    (known == Bounded::Pole || bent > FLAT * size) && most < POLE * least
+    (known == PieceRegularity::Pole || bent > FLAT * size) && most < POLE * least
 }
 
 /// Whether the values at the ends of a piece are on different sides of zero; none where one is
@@ -439,19 +443,24 @@ fn is_near(value: &dyn Fn(f64) -> f64, at: f64, bound: f64) -> bool {
 /// How a later piece begins: at the root that is known at the start of the step, until the
 /// condition has left it, or at one that a comparison, false on the side that it was on before, has
 /// come to between the pieces.
-fn after(condition: &Condition, before: Start, (side, value): (Option<bool>, f64), bound: f64) -> Start {
+fn after(
+    condition: &Condition,
+    before: RootStart,
+    (side, value): (Option<bool>, f64),
+    bound: f64,
+) -> RootStart {
     match before {
-        Start::Root if value.abs() <= bound => Start::Root,
-        _ if condition.relation() == Relation::Equal => Start::Continues { positive: value > 0.0 },
-        _ if value.abs() <= bound && was_false(condition, side) => Start::Root,
-        _ => Start::Free,
+        RootStart::Root if value.abs() <= bound => RootStart::Root,
+        _ if condition.relation() == Relation::Equal => RootStart::Continues { positive: value > 0.0 },
+        _ if value.abs() <= bound && was_false(condition, side) => RootStart::Root,
+        _ => RootStart::Free,
     }
 }
 
 fn of_difference(
     condition: &Condition,
     difference: &[f64],
-    (start, bound): (Start, f64),
+    (start, bound): (RootStart, f64),
     counts: &dyn Fn(Root) -> bool,
 ) -> Result<Option<f64>, GuardError> {
     let negated: Vec<f64>;
@@ -467,7 +476,7 @@ fn of_difference(
 fn find_first(
     condition: &Condition,
     difference: &GuardSource<'_>,
-    (start, bound): (Start, f64),
+    (start, bound): (RootStart, f64),
     counts: &dyn Fn(Root) -> bool,
 ) -> Result<Option<f64>, GuardError> {
     match condition.relation() {
@@ -479,7 +488,7 @@ fn find_first(
 /// The first root of a difference that counts.
 fn vanishes(
     difference: &GuardSource<'_>,
-    start: Start,
+    start: RootStart,
     bound: f64,
     counts: &dyn Fn(Root) -> bool,
 ) -> Result<Option<f64>, GuardError> {
@@ -489,25 +498,25 @@ fn vanishes(
         if counts(root) {
             return Ok(Some(root.theta));
         }
-        (from, begins) = (advance.behind(root.theta, from), Start::Root);
+        (from, begins) = (advance.behind(root.theta, from), RootStart::Root);
     }
     Ok(None)
 }
 
 /// Where a difference first falls through zero: from a known root, or from above, to which it may
 /// have to rise first. What only touches zero has not fallen.
-fn falls(difference: &GuardSource<'_>, start: Start, bound: f64) -> Result<Option<f64>, GuardError> {
+fn falls(difference: &GuardSource<'_>, start: RootStart, bound: f64) -> Result<Option<f64>, GuardError> {
     let (mut from, mut begins, mut advance) = (0.0, start, Advance::BEGUN);
     while from < 1.0 {
         let next = match difference.watch(from, begins, bound)? {
             Crossing::Clear => return Ok(None),
             Crossing::At { theta } => return Ok(Some(theta)),
-            Crossing::LeavesAtStart if from == 0.0 && start == Start::Root => return Ok(Some(0.0)),
-            Crossing::LeavesAtStart => difference.first_root(from, Start::Root, (0.0, bound))?,
+            Crossing::LeavesAtStart if from == 0.0 && start == RootStart::Root => return Ok(Some(0.0)),
+            Crossing::LeavesAtStart => difference.first_root(from, RootStart::Root, (0.0, bound))?,
             Crossing::Touch { theta, .. } => Some(theta),
         };
         let Some(next) = next else { return Ok(None) };
-        (from, begins) = (advance.behind(next, from), Start::Root);
+        (from, begins) = (advance.behind(next, from), RootStart::Root);
     }
     Ok(None)
 }

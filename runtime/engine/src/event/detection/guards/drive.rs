@@ -6,7 +6,7 @@ use crate::event::detection::contact_status::ContactStatus;
 use crate::event::detection::sample::Quantities;
 use crate::event::detection::sampled_step::SampledStep;
 use crate::event::detection::step::StepView;
-use crate::numerics::root_isolation::{GuardError, Start};
+use crate::numerics::root_isolation::{GuardError, RootStart};
 
 /// g, which may come to zero from either side.
 pub(super) struct DriveGuard {
@@ -44,7 +44,7 @@ impl Kind for DriveGuard {
     ) -> Option<Result<Option<f64>, GuardError>> {
         let value = |theta: f64| self.value(step, theta);
         let (source, bound) = tracking.trace(self, step, &value);
-        let known = self.sign.filter(|_| !tracking.at_root).map(|positive| Start::Continues { positive });
+        let known = self.sign.filter(|_| !tracking.at_root).map(|positive| RootStart::Continues { positive });
         Some(source.first_root(0.0, known.unwrap_or(tracking.start()), (0.0, bound)))
     }
 

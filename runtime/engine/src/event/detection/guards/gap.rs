@@ -9,7 +9,7 @@ use crate::event::detection::guard_source::Suppression;
 use crate::event::detection::sample::Quantities;
 use crate::event::detection::sampled_step::{SampledStep, Scales};
 use crate::event::detection::step::StepView;
-use crate::numerics::root_isolation::{GuardError, Start};
+use crate::numerics::root_isolation::{GuardError, RootStart};
 use crate::numerics::zero::roundoff;
 
 /// g of a contact that closes by falling.
@@ -62,7 +62,7 @@ impl GapGuard {
             let terms = step.evaluate(|view, scratch| view.terms(contact, scratch));
             (roundoff(16.0) * terms.max(step.scales.bounds.length)).min(0.5 * bound)
         };
-        let sink = || source.first_root(0.0, Start::Free, (bound, rounding()));
+        let sink = || source.first_root(0.0, RootStart::Free, (bound, rounding()));
         let is_below = self.below == Some(0.0)
             && match tracking.at_root {
                 true => !sink()?.is_some_and(|theta| step.margin(self.foot, theta) > step.scales.end()),
@@ -72,13 +72,13 @@ impl GapGuard {
         let (mut from, mut below, mut advance) = (0.0, is_below, Advance::BEGUN);
         while from < 1.0 {
             if below {
-                match source.first_root(from, Start::Root, (0.0, bound))? {
+                match source.first_root(from, RootStart::Root, (0.0, bound))? {
                     Some(theta) => from = theta,
                     None => return Ok(None),
                 }
             }
-            let start = if from > 0.0 { Start::Free } else { tracking.start() };
-            let known = self.order.filter(|_| start == Start::Root).map_or(start, Start::Order);
+            let start = if from > 0.0 { RootStart::Free } else { tracking.start() };
+            let known = self.order.filter(|_| start == RootStart::Root).map_or(start, RootStart::Order);
             let touch = &mut |theta| findings.touches.push((theta, tracking.guard));
             let mut fall = source.find_fall(bound, (from, known), Suppression::None, touch)?;
             let is_low = tracking.height.is_finite();

@@ -14,7 +14,7 @@ impl GripGuard {
 
     /// `kept` if it is zero at the start of the phase, and they have been decided to stick.
     pub(super) fn watch<'a>(kept: bool) -> Watch<'a> {
-        Watch::new(Guard::Grip, Self::ASKED, Self).suppressed(kept, Suppression::ToZero)
+        Watch::new(Guard::SharedFriction, Self::ASKED, Self).suppressed(kept, Suppression::ToZero)
     }
 }
 

@@ -5,11 +5,11 @@ use crate::event::detection::guard_source::Suppression;
 use crate::event::detection::sample::Quantities;
 use crate::event::detection::sampled_step::SampledStep;
 use crate::event::detection::step::StepView;
-use crate::event::detection::{Guard, Rub};
+use crate::event::detection::{FrictionGuard, Guard};
 
 /// μₛ |N| + σ R: at zero the contact begins to slide with the sense σ.
 pub(super) struct LimitGuard {
-    rub: Rub,
+    rub: FrictionGuard,
     /// The place of its friction force behind the reactions.
     row: usize,
     /// μₛ, a constant of the model.
@@ -20,7 +20,7 @@ impl LimitGuard {
     const ASKED: Quantities = Quantities::REACTIONS.and(Quantities::SLIPS);
 
     /// `kept` if it is zero at the start of the phase, and the contact has been decided to stick.
-    pub(super) fn watch<'a>(rub: Rub, row: usize, kept: bool) -> Watch<'a> {
+    pub(super) fn watch<'a>(rub: FrictionGuard, row: usize, kept: bool) -> Watch<'a> {
         let watch = Watch::new(Guard::Limit(rub), Self::ASKED, Self { rub, row, coefficient: 0.0 });
         watch.suppressed(kept, Suppression::ToZero)
     }
@@ -28,7 +28,7 @@ impl LimitGuard {
 
 impl Kind for LimitGuard {
     fn value(&self, step: &SampledStep<'_>, theta: f64) -> f64 {
-        let Rub { contact, friction, slip, side } = self.rub;
+        let FrictionGuard { contact, friction, slip, side } = self.rub;
         step.value(theta, Self::ASKED, |sample| {
             let normal = f64::from(side.sign()) * sample.reactions[contact];
             sample.slips[friction].limit * normal + f64::from(slip.sign()) * sample.reactions[self.row]
@@ -45,7 +45,7 @@ impl Kind for LimitGuard {
     }
 
     fn begin_step(&mut self, view: &StepView<'_>, series: &mut Vec<f64>) {
-        let Rub { contact, slip, side, .. } = self.rub;
+        let FrictionGuard { contact, slip, side, .. } = self.rub;
         if let Some(guards) = view.own_guards(contact) {
             let (limit, sign) = (f64::from(side.sign()) * self.coefficient, f64::from(slip.sign()));
             let terms = guards.reaction(contact).iter().zip(guards.reaction(self.row));

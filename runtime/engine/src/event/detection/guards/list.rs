@@ -10,7 +10,7 @@ use super::parting::PartingGuard;
 use super::reaction::ReactionGuard;
 use super::slip::SlipGuard;
 use super::watch::Watch;
-use crate::event::detection::Rub;
+use crate::event::detection::FrictionGuard;
 use crate::event::detection::contact_status::ContactStatus;
 use crate::expression::Condition;
 use crate::model::{ContactKind, ContactSet, Layout, Slip};
@@ -38,7 +38,7 @@ pub(crate) fn list_guards<'a>(
         if let Some(friction) =
             description.friction.filter(|_| is_watched && !status.grip.sticking.contains(contact))
         {
-            let rub = |slip| Rub { contact, friction, slip, side };
+            let rub = |slip| FrictionGuard { contact, friction, slip, side };
             let (row, kept) = (layout.contacts.len() + friction, status.kept.contains(contact));
             match slip {
                 Slip::Stick => {

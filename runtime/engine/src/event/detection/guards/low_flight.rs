@@ -12,7 +12,7 @@
 
 use crate::event::detection::sampled_step::SampledStep;
 use crate::numerics::legendre::{POINTS, W, X};
-use crate::numerics::root_isolation::{self, Accuracy, Crossing, GuardError, Start};
+use crate::numerics::root_isolation::{self, Accuracy, Crossing, GuardError, RootStart};
 use crate::numerics::zero::roundoff;
 
 /// Rounding of g̈, relative to the natural acceleration.
@@ -54,8 +54,8 @@ impl LowFlight {
             if fresh { mean } else { self.gap + theta * h * (self.rate + theta * h * mean) }
         };
         let (start, bound) = match fresh {
-            true => (Start::Root, ROUNDED * natural),
-            false => (Start::Free, roundoff(1.0) * self.gap.max(h * h * natural)),
+            true => (RootStart::Root, ROUNDED * natural),
+            false => (RootStart::Free, roundoff(1.0) * self.gap.max(h * h * natural)),
         };
         let accuracy = Accuracy { delta: bound, is_noisy: true };
         let Crossing::At { theta } = root_isolation::watch(value, start, accuracy)? else {
@@ -71,7 +71,7 @@ impl LowFlight {
         let acceleration = |theta: f64| step.gap_acceleration(theta, contact);
         self.gap >= 0.0
             && self.rate >= 0.0
-            && root_isolation::watch(acceleration, Start::Root, accuracy) == Ok(Crossing::Clear)
+            && root_isolation::watch(acceleration, RootStart::Root, accuracy) == Ok(Crossing::Clear)
     }
 
     /// The flight at the end of the step.

@@ -14,7 +14,7 @@ pub(super) struct PartingGuard {
 impl PartingGuard {
     /// It parts as soon as that is seen.
     pub(super) fn watch<'a>(contact: usize) -> Watch<'a> {
-        let watch = Watch::new(Guard::Parting(contact), Quantities::GAPS, Self { contact });
+        let watch = Watch::new(Guard::RedundantGap(contact), Quantities::GAPS, Self { contact });
         watch.suppressed(true, Suppression::ToBound)
     }
 }

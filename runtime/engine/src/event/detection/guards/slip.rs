@@ -5,11 +5,11 @@ use crate::event::detection::guard_source::Suppression;
 use crate::event::detection::sample::Quantities;
 use crate::event::detection::sampled_step::SampledStep;
 use crate::event::detection::step::StepView;
-use crate::event::detection::{Guard, Rub};
+use crate::event::detection::{FrictionGuard, Guard};
 
 /// σ v: at zero the contact stops.
 pub(super) struct SlipGuard {
-    rub: Rub,
+    rub: FrictionGuard,
     /// The place of its series behind those of the gaps.
     row: usize,
 }
@@ -17,7 +17,7 @@ pub(super) struct SlipGuard {
 impl SlipGuard {
     /// `kept` if it is zero at the start of the phase, and the contact has been decided to go on
     /// sliding.
-    pub(super) fn watch<'a>(rub: Rub, row: usize, kept: bool) -> Watch<'a> {
+    pub(super) fn watch<'a>(rub: FrictionGuard, row: usize, kept: bool) -> Watch<'a> {
         let watch = Watch::new(Guard::Slip(rub), Quantities::SLIPS, Self { rub, row });
         watch.suppressed(kept, Suppression::ToBound)
     }
@@ -25,7 +25,7 @@ impl SlipGuard {
 
 impl Kind for SlipGuard {
     fn value(&self, step: &SampledStep<'_>, theta: f64) -> f64 {
-        let Rub { friction, slip, .. } = self.rub;
+        let FrictionGuard { friction, slip, .. } = self.rub;
         let velocity = step.value(theta, Quantities::SLIPS, |sample| sample.slips[friction].velocity);
         f64::from(slip.sign()) * velocity
     }
@@ -64,7 +64,7 @@ mod tests {
             let [rest, mut gaps] = [[[0.0; ORDERS]; CONTACTS + FRICTIONS]; 2];
             gaps[CONTACTS + 1] = padded(&[0.5 * sigma, -sigma]);
             let series = Guards::new(2, &rest, &gaps, &[[0.0; ORDERS]; 2]);
-            let rub = Rub { contact: GUIDE, friction: 1, slip, side: Side::Positive };
+            let rub = FrictionGuard { contact: GUIDE, friction: 1, slip, side: Side::Positive };
             let mut watch = SlipGuard::watch(rub, CONTACTS + 1, false);
             for closed in [ContactSet::EMPTY.slipping(GUIDE, slip), ContactSet::EMPTY] {
                 Scene::closed(closed, velocity).look_with(Some(series), |step| {

@@ -5,7 +5,7 @@ use crate::event::detection::sample::Quantities;
 use crate::event::detection::sampled_step::{SampledStep, Scales};
 use crate::event::detection::step::StepView;
 use crate::event::detection::{Guard, LOW};
-use crate::numerics::root_isolation::{GuardError, NODES, Start};
+use crate::numerics::root_isolation::{GuardError, NODES, RootStart};
 
 /// The fraction of a run's last step over which a guard must fall to count as zero at its end.
 const LAST: f64 = 1.0 / 64.0;
@@ -105,8 +105,8 @@ pub(crate) struct Tracking {
 }
 
 impl Tracking {
-    pub(super) fn start(&self) -> Start {
-        if self.at_root { Start::Root } else { Start::Free }
+    pub(super) fn start(&self) -> RootStart {
+        if self.at_root { RootStart::Root } else { RootStart::Free }
     }
 
     pub(super) fn series<'s>(&'s self, kind: &dyn Kind, view: &'s StepView<'_>) -> Option<&'s [f64]> {

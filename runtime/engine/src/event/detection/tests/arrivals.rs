@@ -2,7 +2,7 @@
 
 use super::super::{ContactStatus, Guard};
 use super::given::*;
-use crate::contact::friction::Grip;
+use crate::contact::friction::SharedFriction;
 use crate::model::{ContactSet, Form, Side, Slip};
 use crate::numerics::root_isolation::GuardError;
 
@@ -130,7 +130,7 @@ fn a_touch_at_the_first_event_is_part_of_it() {
 fn a_touch_is_undecided_where_it_is_not_at_zero() {
     let closed = set(&[THREAD, CORNER]).slipping(GUIDE, Slip::Forward).pressing(GUIDE, Side::Negative);
     let scene = Scene::new((closed, Form::Closed), |_| Shown::default());
-    let grip = Grip { sticking: set(&[GUIDE]), normals: ContactSet::EMPTY };
+    let grip = SharedFriction { sticking: set(&[GUIDE]), normals: ContactSet::EMPTY };
     let detector = scene.begun(ContactStatus { grip, ..roles(closed.with(PLAIN)) }, (&[], false));
     for (guard, size) in [
         (Guard::Reaction(THREAD), FORCES[THREAD]),
@@ -150,7 +150,9 @@ fn a_touch_is_undecided_where_it_is_not_at_zero() {
             assert!(told(1.01) && !told(1.0) && !told(0.99) && !told(0.0), "{guard:?}");
         }
     }
-    for guard in [Guard::Parting(PLAIN), Guard::Grip, Guard::Foot { contact: CORNER, entry: 1 }] {
+    for guard in
+        [Guard::RedundantGap(PLAIN), Guard::SharedFriction, Guard::Foot { contact: CORNER, entry: 1 }]
+    {
         assert_eq!(detector.find(guard).tracking.guard, guard);
         assert!(!detector.is_undecided(guard, &[f64::INFINITY; CONTACTS], &[f64::INFINITY; CONTACTS]));
     }

@@ -9,7 +9,7 @@ use liftoff_fixtures::Particle;
 use super::super::guards::Watch;
 use super::super::sampled_step::{SampledStep, Scales};
 use super::super::samples::Samples;
-use super::super::{Bounds, ContactStatus, EventDetector, Guard, StepView};
+use super::super::{ContactStatus, EventDetector, Guard, GuardBounds, StepView};
 use crate::context::{Numbers, RunContext, scales_of};
 use crate::expression::Condition;
 use crate::integrate::Guards;
@@ -209,7 +209,7 @@ impl Phase for Given {
 }
 
 /// Error bounds, and natural reactions and slips, each another number.
-pub(crate) const BOUNDS: Bounds = Bounds { relative: 1e-6, length: 2.0 };
+pub(crate) const BOUNDS: GuardBounds = GuardBounds { relative: 1e-6, length: 2.0 };
 pub(crate) const FORCES: [f64; CONTACTS] = [1.0, 3.0, 5.0, 7.0, 9.0, 11.0, 13.0, 4.0];
 pub(crate) const SLIPS: [f64; FRICTIONS] = [0.5, 0.25, 8.0];
 

@@ -3,7 +3,7 @@
 use super::super::guard_source::Suppression;
 use super::super::{ContactStatus, Guard};
 use super::given::*;
-use crate::contact::friction::Grip;
+use crate::contact::friction::SharedFriction;
 use crate::model::{ContactSet, Form, Slip};
 
 const BOUND: f64 = BOUNDS.relative * FORCES[PLAIN];
@@ -124,12 +124,12 @@ fn what_is_kept() {
     }
     let depends = Scene::new((ContactSet::EMPTY, Form::Closed), |_| Shown::default());
     let detector = depends.begun(roles(set(&[PLAIN])), (&[], false));
-    assert_eq!(detector.find(Guard::Parting(PLAIN)).tracking.suppression, Suppression::ToBound);
+    assert_eq!(detector.find(Guard::RedundantGap(PLAIN)).tracking.suppression, Suppression::ToBound);
     for (kept, expected) in
         [(set(&[PLAIN]), Suppression::None), (set(&[PLAIN, RUBBING]), Suppression::ToZero)]
     {
-        let grip = Grip { sticking: set(&[RUBBING]), normals: ContactSet::EMPTY };
+        let grip = SharedFriction { sticking: set(&[RUBBING]), normals: ContactSet::EMPTY };
         let detector = scene.begun(ContactStatus { kept, grip, ..roles(closed) }, (&[], false));
-        assert_eq!(detector.find(Guard::Grip).tracking.suppression, expected);
+        assert_eq!(detector.find(Guard::SharedFriction).tracking.suppression, expected);
     }
 }

@@ -2,13 +2,13 @@
 
 use super::super::guards::list_guards;
 use super::super::sample::Quantities;
-use super::super::{ContactStatus, EventDetector, Guard, LOW, Rub};
+use super::super::{ContactStatus, EventDetector, FrictionGuard, Guard, LOW};
 use super::given::*;
-use crate::contact::friction::Grip;
+use crate::contact::friction::SharedFriction;
 use crate::model::{ContactSet, Form, Side, Slip};
 
-fn rub(contact: usize, friction: usize, slip: Slip, side: Side) -> Rub {
-    Rub { contact, friction, slip, side }
+fn rub(contact: usize, friction: usize, slip: Slip, side: Side) -> FrictionGuard {
+    FrictionGuard { contact, friction, slip, side }
 }
 
 /// Closed contacts of all kinds: the rubbing one as said, the guide slides forward on its negative side.
@@ -66,14 +66,19 @@ fn contacts_that_depend_on_others_part() {
     let none = ContactSet::EMPTY;
     for (slip, held) in [(Slip::Stick, none), (Slip::Backward, set(&[PLAIN])), (Slip::Forward, none)] {
         let mut expected = vec![Guard::Gap(PLAIN)];
-        expected.extend((!held.contains(PLAIN)).then_some(Guard::Parting(PLAIN)));
-        expected.extend([Guard::Gap(RUBBING), Guard::Parting(RUBBING)]);
+        expected.extend((!held.contains(PLAIN)).then_some(Guard::RedundantGap(PLAIN)));
+        expected.extend([Guard::Gap(RUBBING), Guard::RedundantGap(RUBBING)]);
         let slides = Guard::Slip(rub(RUBBING, 0, slip, Side::Positive));
         expected.extend((slip != Slip::Stick).then_some(slides));
         expected.push(Guard::Slip(rub(GUIDE, 1, Slip::Forward, Side::Negative)));
-        expected.extend([Guard::Gap(CORNER), Guard::Parting(CORNER)]);
+        expected.extend([Guard::Gap(CORNER), Guard::RedundantGap(CORNER)]);
         expected.extend(FEET);
-        expected.extend([Guard::Gap(THREAD), Guard::Parting(THREAD), Guard::Gap(DRIVE), Guard::Gap(TURN)]);
+        expected.extend([
+            Guard::Gap(THREAD),
+            Guard::RedundantGap(THREAD),
+            Guard::Gap(DRIVE),
+            Guard::Gap(TURN),
+        ]);
         expected.push(Guard::Slip(rub(HINGE, 2, Slip::Backward, Side::Positive)));
         let status = ContactStatus { held, ..roles(all(slip)) };
         assert_eq!(listed(none, &status), expected, "{slip:?}");
@@ -87,19 +92,20 @@ fn contacts_that_share_a_load_have_one_margin() {
     let own = listed(stick, &roles(stick));
     let limit = |guard: &Guard| matches!(guard, Guard::Limit(_));
     for normals in [ContactSet::EMPTY, set(&[RUBBING])] {
-        let grip = Grip { sticking: set(&[RUBBING]), normals };
+        let grip = SharedFriction { sticking: set(&[RUBBING]), normals };
         let status = ContactStatus { grip, ..roles(stick) };
         let gone =
             |guard: &Guard| limit(guard) || *guard == Guard::Reaction(RUBBING) && normals.contains(RUBBING);
         let kept = own.iter().copied().filter(|guard| !gone(guard));
-        let expected: Vec<Guard> = kept.chain([Guard::Grip]).collect();
+        let expected: Vec<Guard> = kept.chain([Guard::SharedFriction]).collect();
         assert_eq!(listed(stick, &status), expected);
     }
 }
 
 #[test]
 fn each_guard_is_evaluated_from_what_it_follows_from() {
-    let (stick, grip) = (all(Slip::Stick), Grip { sticking: set(&[GUIDE]), normals: ContactSet::EMPTY });
+    let (stick, grip) =
+        (all(Slip::Stick), SharedFriction { sticking: set(&[GUIDE]), normals: ContactSet::EMPTY });
     let scene = Scene::closed(ContactSet::EMPTY, |_| Shown::default());
     let conditions = [scene.condition("z < 4")];
     for (bearing, closed) in [(stick, stick), (ContactSet::EMPTY, all(Slip::Forward))] {
@@ -107,10 +113,10 @@ fn each_guard_is_evaluated_from_what_it_follows_from() {
         for watch in list_guards(&LAYOUT, &bearing, &status, (&conditions, &[(0, false)])) {
             let expected = match watch.tracking.guard {
                 Guard::Reaction(_) | Guard::Side(..) => Quantities::REACTIONS,
-                Guard::Gap(_) | Guard::Parting(_) => Quantities::GAPS,
+                Guard::Gap(_) | Guard::RedundantGap(_) => Quantities::GAPS,
                 Guard::Foot { .. } => Quantities::FEET,
                 Guard::Limit(_) => Quantities::REACTIONS.and(Quantities::SLIPS),
-                Guard::Grip => Quantities::REACTIONS.and(Quantities::GRIP),
+                Guard::SharedFriction => Quantities::REACTIONS.and(Quantities::GRIP),
                 Guard::Slip(_) => Quantities::SLIPS,
                 Guard::Condition(_) => Quantities::NONE,
             };
@@ -123,10 +129,10 @@ fn each_guard_is_evaluated_from_what_it_follows_from() {
 #[test]
 fn what_counts_as_zero() {
     let closed = set(&[PLAIN, CORNER]).slipping(RUBBING, Slip::Stick).slipping(GUIDE, Slip::Backward);
-    let grip = Grip { sticking: set(&[RUBBING]), normals: ContactSet::EMPTY };
+    let grip = SharedFriction { sticking: set(&[RUBBING]), normals: ContactSet::EMPTY };
     let scene = Scene::new((closed, Form::Closed), |_| Shown::default());
     let heights = [(THREAD, 1e-6), (DRIVE, 1.0)];
-    for grip in [Grip::default(), grip] {
+    for grip in [SharedFriction::default(), grip] {
         let roles = ContactStatus { grip, heights: &heights, ..roles(closed) };
         let located = [(0, false)];
         let conditions = [scene.condition("z < 4")];
@@ -138,12 +144,12 @@ fn what_counts_as_zero() {
                 Guard::Reaction(contact) | Guard::Side(contact, _) => FORCES[contact],
                 Guard::Limit(rub) => FORCES[rub.contact],
                 Guard::Slip(rub) => SLIPS[rub.friction],
-                Guard::Grip => 13.0,
+                Guard::SharedFriction => 13.0,
                 Guard::Gap(TURN) => 1.0,
                 // Of its sides the greater one, 4.
                 Guard::Condition(_) => 4.0,
                 Guard::Gap(THREAD) => LOW,
-                Guard::Gap(_) | Guard::Parting(_) | Guard::Foot { .. } => BOUNDS.length,
+                Guard::Gap(_) | Guard::RedundantGap(_) | Guard::Foot { .. } => BOUNDS.length,
             };
             let (found, name) = (watch.bound(&detector.sampled(&view), &[0.0, 0.5]), watch.tracking.guard);
             assert!((found / (expected * BOUNDS.relative) - 1.0).abs() < 1e-12, "{name:?} {found}");

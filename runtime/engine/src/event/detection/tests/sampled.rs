@@ -1,7 +1,7 @@
 //! Values of guards, and how often what they follow from is evaluated.
 
 use super::super::sample::Scratch;
-use super::super::{EventDetector, Guard, Rub, StepView};
+use super::super::{EventDetector, FrictionGuard, Guard, StepView};
 use super::given::*;
 use crate::model::{ContactSet, Form, Side, Slip};
 use crate::numerics::root_isolation::NODES;
@@ -32,14 +32,14 @@ fn expected(guard: Guard, t: f64) -> f64 {
         Guard::Reaction(contact) => shown.reactions[contact],
         Guard::Side(contact, side) => signed(side.sign(), shown.reactions[contact]),
         Guard::Gap(contact) => shown.gaps[contact],
-        Guard::Parting(contact) => -shown.gaps[contact],
+        Guard::RedundantGap(contact) => -shown.gaps[contact],
         Guard::Foot { entry, .. } => shown.feet[entry],
-        Guard::Slip(Rub { friction, slip, .. }) => signed(slip.sign(), shown.slips[friction][0]),
-        Guard::Limit(Rub { contact, friction, slip, side }) => {
+        Guard::Slip(FrictionGuard { friction, slip, .. }) => signed(slip.sign(), shown.slips[friction][0]),
+        Guard::Limit(FrictionGuard { contact, friction, slip, side }) => {
             signed(side.sign(), shown.slips[friction][1] * shown.reactions[contact])
                 + signed(slip.sign(), shown.reactions[CONTACTS + friction])
         }
-        Guard::Grip | Guard::Condition(_) => f64::NAN,
+        Guard::SharedFriction | Guard::Condition(_) => f64::NAN,
     }
 }
 

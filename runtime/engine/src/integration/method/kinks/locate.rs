@@ -29,7 +29,7 @@ const MOST: usize = 80;
 
 /// Values of each kink at the nodes, one after the other.
 #[derive(Default)]
-pub(super) struct Samples(Vec<f64>);
+pub(super) struct KinkSamples(Vec<f64>);
 
 impl CutAtKinks<'_> {
     /// θ of the first kink within the last step, farther from its ends than `resolution`.
@@ -41,7 +41,7 @@ impl CutAtKinks<'_> {
         let least = |kink: Kink| if kink == Kink::Sign { ALIKE } else { APART };
         self.alike = self.are_alike(&values, |_| ALIKE);
         if self.alike || self.are_alike(&values, least) {
-            self.samples = Samples(values);
+            self.samples = KinkSamples(values);
             return None;
         }
         self.sample((0..NODES.len()).filter(|node| !FEW.contains(node)), &mut values);
@@ -54,7 +54,7 @@ impl CutAtKinks<'_> {
             }
         });
         let first = firsts.filter(|theta| is_within(*theta, resolution)).min_by(f64::total_cmp);
-        self.samples = Samples(values);
+        self.samples = KinkSamples(values);
         first
     }
 

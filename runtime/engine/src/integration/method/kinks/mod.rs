@@ -19,7 +19,7 @@ use crate::context::Numbers;
 use crate::integrate::{Counts, Guards, StepError};
 use crate::model::Kink;
 use crate::system::{DenseOutput, PhaseStepper};
-use locate::Samples;
+use locate::KinkSamples;
 use near::Near;
 
 /// A step is made again so many times at most.
@@ -48,7 +48,7 @@ struct CutAtKinks<'a> {
     end: f64,
     /// The last step.
     dense: DenseOutput,
-    samples: Samples,
+    samples: KinkSamples,
     /// Whether no kink came near zero over the last step.
     alike: bool,
     /// A full state and a reduced one.
@@ -76,7 +76,7 @@ pub(crate) fn cut<'a>(begun: StartedStepper<'a>, problem: &Problem<'a>) -> Start
         usual: FIRST * time,
         end: problem.end,
         dense: DenseOutput::default(),
-        samples: Samples::default(),
+        samples: KinkSamples::default(),
         alike: false,
         scratch: RefCell::default(),
         again: 0,

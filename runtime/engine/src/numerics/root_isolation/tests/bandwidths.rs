@@ -3,7 +3,7 @@
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
-use super::super::{Crossing, GuardError, Start, TERMS, tail, watch, watch_series};
+use super::super::{Crossing, GuardError, RootStart, TERMS, tail, watch, watch_series};
 use super::known::{Random, sine_series};
 
 /// Guards of each kind without `LIFTOFF_GUARDS`.
@@ -123,13 +123,13 @@ impl Guard {
 
 fn look(guard: &Guard, is_series: bool, x: f64, h: f64) -> Result<Crossing, GuardError> {
     if !is_series {
-        return watch(|s| guard.value(x + h * s), Start::Free, guard.delta);
+        return watch(|s| guard.value(x + h * s), RootStart::Free, guard.delta);
     }
     let c = guard.series(x, h);
     if tail(&c) > EXACT * guard.delta {
         return Err(GuardError::Unresolved { theta: 0.0 });
     }
-    watch_series(&c, Start::Free, guard.delta)
+    watch_series(&c, RootStart::Free, guard.delta)
 }
 
 /// Where a run finds it.

@@ -1,7 +1,7 @@
 //! Cheap bounds of series with whole coefficients, whose sums are exact.
 
-use super::super::series::Series;
-use super::super::{Start, stays_above, without_zeros};
+use super::super::series::PowerSeries;
+use super::super::{RootStart, stays_above, without_zeros};
 use super::known::Random;
 
 /// What rounding may add to a bound, relative to the sum of sizes.
@@ -36,7 +36,7 @@ fn partial_sums_and_bernstein_coefficients_bound_a_series() {
     let mut random = Random(5);
     for _ in 0..2000 {
         let c = drawn(&mut random);
-        let series = Series::new(&c, Start::Free);
+        let series = PowerSeries::new(&c, RootStart::Free);
         let sums = extremes((0..c.len()).map(|k| c[..=k].iter().sum()));
         assert!(is_beside(series.partial_sums(), sums, size(&c)), "{c:?}");
         let terms = without_zeros(&c);
@@ -65,7 +65,7 @@ fn what_lets_a_series_fall_bounds_it() {
         let c = drawn(&mut random);
         let sign = if c[0] < 0.0 { -1.0 } else { 1.0 };
         let least = sign * c[0] + c[1..].iter().map(|c| (sign * c).min(0.0)).sum::<f64>();
-        let [low, high] = Series::new(&c, Start::Free).reach();
+        let [low, high] = PowerSeries::new(&c, RootStart::Free).reach();
         let [bound, other] = if sign > 0.0 { [low, high] } else { [-high, -low] };
         assert!(least - bound <= ROUNDED * c[0].abs() && (bound < least || c[0] == 0.0), "{c:?}");
         assert_eq!(other, f64::INFINITY, "{c:?}");
@@ -95,13 +95,13 @@ fn what_lets_a_series_fall_bounds_it() {
 #[test]
 fn behind_a_known_root_every_sign_counts() {
     for (start, level) in [
-        (Start::Free, 1e-3),
-        (Start::Root, 1e-3),
-        (Start::Continues { positive: true }, 1e-3),
-        (Start::Order(0), 1e-3),
-        (Start::Order(1), 0.0),
-        (Start::Order(2), 0.0),
+        (RootStart::Free, 1e-3),
+        (RootStart::Root, 1e-3),
+        (RootStart::Continues { positive: true }, 1e-3),
+        (RootStart::Order(0), 1e-3),
+        (RootStart::Order(1), 0.0),
+        (RootStart::Order(2), 0.0),
     ] {
-        assert_eq!(Series::new(&[0.0, 0.0, 1.0], start).level(1e-3), level, "{start:?}");
+        assert_eq!(PowerSeries::new(&[0.0, 0.0, 1.0], start).level(1e-3), level, "{start:?}");
     }
 }

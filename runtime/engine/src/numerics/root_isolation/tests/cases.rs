@@ -3,25 +3,25 @@
 use core::cell::Cell;
 
 use super::super::bracket::Point;
-use super::super::extrema::{Extremum, Zigzag};
-use super::super::{Crossing, ExtremumKind, GuardError, NODES, Start, extrema, watch, watch_series};
+use super::super::extrema::{LocatedExtremum, Zigzag};
+use super::super::{Crossing, ExtremumKind, GuardError, NODES, RootStart, extrema, watch, watch_series};
 use super::{ULPS, all_extrema, bend, crossing, product};
 use super::{first_root, first_root_series};
 
 #[test]
 fn the_step_is_half_open() {
-    assert_eq!(first_root(|t| 1.0 - t, Start::Free, 0.0), Ok(Some(1.0)));
-    assert_eq!(first_root(|t| t, Start::Free, 0.0), Ok(None));
-    assert_eq!(first_root(|t| t * (t - 1.0), Start::Free, 0.0), Ok(Some(1.0)));
-    assert_eq!(watch(|t| -t, Start::Free, 1e-9), Ok(Crossing::LeavesAtStart));
+    assert_eq!(first_root(|t| 1.0 - t, RootStart::Free, 0.0), Ok(Some(1.0)));
+    assert_eq!(first_root(|t| t, RootStart::Free, 0.0), Ok(None));
+    assert_eq!(first_root(|t| t * (t - 1.0), RootStart::Free, 0.0), Ok(Some(1.0)));
+    assert_eq!(watch(|t| -t, RootStart::Free, 1e-9), Ok(Crossing::LeavesAtStart));
     // Zero at the end is above −δ; the next step starts there and goes down.
-    assert_eq!(watch(|t| 1.0 - t, Start::Free, 1e-9), Ok(Crossing::Clear));
-    assert_eq!(watch(|t| -t - t * t, Start::Free, 1e-9), Ok(Crossing::LeavesAtStart));
+    assert_eq!(watch(|t| 1.0 - t, RootStart::Free, 1e-9), Ok(Crossing::Clear));
+    assert_eq!(watch(|t| -t - t * t, RootStart::Free, 1e-9), Ok(Crossing::LeavesAtStart));
     assert_eq!(
-        watch(|t| (t - 1.0) * (t - 1.0), Start::Free, 1e-9),
+        watch(|t| (t - 1.0) * (t - 1.0), RootStart::Free, 1e-9),
         Ok(Crossing::Touch { theta: 1.0, value: 0.0 })
     );
-    assert_eq!(watch(|t| t * t, Start::Free, 1e-9), Ok(Crossing::Clear));
+    assert_eq!(watch(|t| t * t, RootStart::Free, 1e-9), Ok(Crossing::Clear));
 }
 
 /// A turning point at the seam of two steps belongs to one of them at least.
@@ -31,8 +31,8 @@ fn a_touch_at_a_seam_is_seen() {
         let delta = 1e-10;
         let a = 1.0 + f64::from(i) * 1e-8;
         let g = |t: f64| 3.0 * (t - a) * (t - a) * bend(0.3, t);
-        let before = watch(g, Start::Free, delta).expect("finite");
-        let after = watch(|t| g(1.0 + t), Start::Free, delta).expect("finite");
+        let before = watch(g, RootStart::Free, delta).expect("finite");
+        let after = watch(|t| g(1.0 + t), RootStart::Free, delta).expect("finite");
         let touches = [before, after].map(|v| matches!(v, Crossing::Touch { .. }));
         assert!(touches[0] || touches[1], "{a}: {before:?} {after:?}");
     }
@@ -41,13 +41,13 @@ fn a_touch_at_a_seam_is_seen() {
 #[test]
 fn a_touch_before_a_crossing_comes_first() {
     let g = |t: f64| (t - 0.3) * (t - 0.3) * (0.8 - t);
-    let Ok(Crossing::Touch { theta, .. }) = watch(g, Start::Free, 1e-9) else {
+    let Ok(Crossing::Touch { theta, .. }) = watch(g, RootStart::Free, 1e-9) else {
         panic!("a touch at 0.3");
     };
     assert!((theta - 0.3).abs() < 1e-8);
     // From there on, the touch is a known root.
     let rest = |s: f64| g(theta + s * (1.0 - theta));
-    let s = crossing(watch(rest, Start::Root, 1e-9)).expect("a crossing");
+    let s = crossing(watch(rest, RootStart::Root, 1e-9)).expect("a crossing");
     assert!((theta + s * (1.0 - theta) - 0.8).abs() < ULPS);
 }
 
@@ -55,19 +55,19 @@ fn a_touch_before_a_crossing_comes_first() {
 #[test]
 fn a_dip_within_the_band_of_a_known_root() {
     let g = |t: f64| 1e-6 * t * (t - 0.04);
-    assert_eq!(watch(g, Start::Root, 1e-9), Ok(Crossing::Clear));
-    assert!(matches!(watch(g, Start::Free, 1e-9), Ok(Crossing::Touch { .. })));
-    assert_eq!(watch(g, Start::Root, 1e-10), Ok(Crossing::LeavesAtStart));
+    assert_eq!(watch(g, RootStart::Root, 1e-9), Ok(Crossing::Clear));
+    assert!(matches!(watch(g, RootStart::Free, 1e-9), Ok(Crossing::Touch { .. })));
+    assert_eq!(watch(g, RootStart::Root, 1e-10), Ok(Crossing::LeavesAtStart));
 }
 
 /// Three roots 1e-4 apart with 4e-13 between: within δ the last counts, above it the first.
 #[test]
 fn the_last_change_of_sign_before_leaving_the_band() {
     let g = |t: f64| -product(&[0.4999, 0.5, 0.5001], t);
-    let last = crossing(watch(g, Start::Free, 1e-11)).expect("a crossing");
-    let first = crossing(watch(g, Start::Free, 1e-13)).expect("a crossing");
+    let last = crossing(watch(g, RootStart::Free, 1e-11)).expect("a crossing");
+    let first = crossing(watch(g, RootStart::Free, 1e-13)).expect("a crossing");
     assert!((last - 0.5001).abs() < ULPS && (first - 0.4999).abs() < ULPS);
-    assert_eq!(first_root(g, Start::Free, 1e-11).map(|root| root == Some(first)), Ok(true));
+    assert_eq!(first_root(g, RootStart::Free, 1e-11).map(|root| root == Some(first)), Ok(true));
 }
 
 /// p′ = x (x² − 1/16) has a root where the interval is halved.
@@ -86,9 +86,9 @@ fn a_turning_point_in_the_middle() {
 fn a_stop_condition_may_be_tangent() {
     for sign in [-1.0, 1.0] {
         let g = |t: f64| sign * ((t - 0.4) * (t - 0.4) * bend(0.2, t) + 5e-10);
-        let theta = first_root(g, Start::Free, 1e-9).expect("finite").expect("a root");
+        let theta = first_root(g, RootStart::Free, 1e-9).expect("finite").expect("a root");
         assert!((theta - 0.4).abs() < 1e-9, "{theta}");
-        assert_eq!(first_root(g, Start::Free, 1e-10), Ok(None));
+        assert_eq!(first_root(g, RootStart::Free, 1e-10), Ok(None));
     }
 }
 
@@ -97,9 +97,9 @@ fn a_function_that_no_polynomial_fits() {
     for i in 1..100 {
         let a = f64::from(i) / 100.3;
         let kink = |t: f64| (t - a).abs() - 1e-3;
-        let theta = crossing(watch(kink, Start::Free, 1e-6)).expect("a crossing");
+        let theta = crossing(watch(kink, RootStart::Free, 1e-6)).expect("a crossing");
         assert!((theta - (a - 1e-3)).abs() < ULPS, "{a}: {theta}");
-        assert_eq!(watch(|t| (t - a).abs() + 1e-3, Start::Free, 1e-6), Ok(Crossing::Clear));
+        assert_eq!(watch(|t| (t - a).abs() + 1e-3, RootStart::Free, 1e-6), Ok(Crossing::Clear));
     }
 }
 
@@ -115,9 +115,9 @@ fn noise_within_the_error_bound() {
         count.set(count.get() + 1);
         (t - 0.6) * (t - 0.6) + noise(t)
     };
-    assert!(matches!(watch(noisy, Start::Free, 4e-12), Ok(Crossing::Touch { .. })));
-    assert_eq!(watch(|t| noisy(t) + 1e-11, Start::Free, 4e-12), Ok(Crossing::Clear));
-    assert!(crossing(watch(|t| noisy(t) - 1e-11, Start::Free, 4e-12)).is_some());
+    assert!(matches!(watch(noisy, RootStart::Free, 4e-12), Ok(Crossing::Touch { .. })));
+    assert_eq!(watch(|t| noisy(t) + 1e-11, RootStart::Free, 4e-12), Ok(Crossing::Clear));
+    assert!(crossing(watch(|t| noisy(t) - 1e-11, RootStart::Free, 4e-12)).is_some());
     assert!(count.get() < 150, "{} evaluations", count.get());
 }
 
@@ -129,13 +129,13 @@ fn evaluations() {
         g(t)
     };
     let smooth: &dyn Fn(f64) -> f64 = &|t: f64| 2.0 + (0.3 * t + 0.2).cos();
-    assert_eq!(watch(|t| counted(smooth, t), Start::Free, 1e-12), Ok(Crossing::Clear));
+    assert_eq!(watch(|t| counted(smooth, t), RootStart::Free, 1e-12), Ok(Crossing::Clear));
     assert_eq!(count.take(), NODES.len());
     // A run has its values at these places once for all guards.
     let known = |t: f64| if NODES.contains(&t) { smooth(t) } else { counted(smooth, t) };
-    assert_eq!((watch(known, Start::Free, 1e-12), count.take()), (Ok(Crossing::Clear), 0));
+    assert_eq!((watch(known, RootStart::Free, 1e-12), count.take()), (Ok(Crossing::Clear), 0));
     let falling: &dyn Fn(f64) -> f64 = &|t: f64| (0.3 * t + 0.2).cos() - 0.95;
-    assert!(crossing(watch(|t| counted(falling, t), Start::Free, 1e-12)).is_some());
+    assert!(crossing(watch(|t| counted(falling, t), RootStart::Free, 1e-12)).is_some());
     // 17 for the fit, two to compare with it, the rest for the root.
     assert!(count.get() <= 27, "{} evaluations", count.get());
 }
@@ -143,8 +143,8 @@ fn evaluations() {
 #[test]
 fn what_is_not_finite_is_said() {
     let pole = |t: f64| 1.0 / (t - 0.5);
-    assert_eq!(watch(pole, Start::Free, 0.0), Err(GuardError::NotFinite { theta: 0.5 }));
-    assert!(first_root(|_| f64::NAN, Start::Free, 0.0).is_err());
+    assert_eq!(watch(pole, RootStart::Free, 0.0), Err(GuardError::NotFinite { theta: 0.5 }));
+    assert!(first_root(|_| f64::NAN, RootStart::Free, 0.0).is_err());
     assert!(extrema(|t| (t - 0.9).sqrt(), 0.0, |_| ()).is_err());
 }
 
@@ -155,17 +155,17 @@ fn kinks() {
         let a = f64::from(i) / 200.7;
         let kink = |shift: f64| move |theta: f64| (theta - a).abs() * bend(0.3, theta) + shift;
         for shift in [0.0, 1e-10, -1e-10] {
-            let touch = watch(kink(shift), Start::Free, 1e-9);
+            let touch = watch(kink(shift), RootStart::Free, 1e-9);
             assert!(
                 matches!(touch, Ok(Crossing::Touch { theta, .. }) if (theta - a).abs() < 1e-9),
                 "{a} {shift} {touch:?}"
             );
-            let root = first_root(kink(shift), Start::Free, 1e-9).expect("finite").expect("a root");
+            let root = first_root(kink(shift), RootStart::Free, 1e-9).expect("finite").expect("a root");
             assert!((root - a).abs() < 1e-9, "{a} {root}");
         }
-        assert_eq!(watch(kink(1e-8), Start::Free, 1e-9), Ok(Crossing::Clear));
-        assert_eq!(first_root(kink(1e-8), Start::Free, 1e-9), Ok(None));
-        let theta = crossing(watch(kink(-1e-8), Start::Free, 1e-9)).expect("a crossing");
+        assert_eq!(watch(kink(1e-8), RootStart::Free, 1e-9), Ok(Crossing::Clear));
+        assert_eq!(first_root(kink(1e-8), RootStart::Free, 1e-9), Ok(None));
+        let theta = crossing(watch(kink(-1e-8), RootStart::Free, 1e-9)).expect("a crossing");
         assert!((theta - (a - 1e-8 / bend(0.3, a))).abs() < 1e-14, "{a} {theta}");
     }
 }
@@ -176,9 +176,9 @@ fn jumps_of_functions_that_change() {
     for i in 1..200 {
         let p = f64::from(i) / 200.3;
         let falling = |theta: f64| if theta < p { 1e-3 + p - theta } else { -1e-3 - (theta - p) };
-        assert_eq!(first_root(falling, Start::Free, 1e-12), Ok(None), "{p}");
+        assert_eq!(first_root(falling, RootStart::Free, 1e-12), Ok(None), "{p}");
         let steep = |theta: f64| (theta - p).cbrt() + 0.5 * (theta - p);
-        let root = first_root(steep, Start::Free, 1e-12).expect("finite").expect("a root");
+        let root = first_root(steep, RootStart::Free, 1e-12).expect("finite").expect("a root");
         assert!((root - p).abs() < ULPS, "{p} {root}");
     }
 }
@@ -191,7 +191,7 @@ fn an_extremum_at_a_seam_is_seen() {
         let a = 1.0 + f64::from(i) * 1e-6;
         let g = |theta: f64| 3.0 * (theta - a) * (theta - a) * bend(0.3, theta);
         let (before, after) = (all_extrema(g, delta), all_extrema(|theta| g(1.0 + theta), delta));
-        let near = |e: &Extremum, end: f64| (e.theta - end).abs() < 1e-4;
+        let near = |e: &LocatedExtremum, end: f64| (e.theta - end).abs() < 1e-4;
         let seen =
             before.iter().filter(|e| near(e, 1.0)).count() + after.iter().filter(|e| near(e, 0.0)).count();
         assert!((1..=2).contains(&seen), "{a}: {before:?} {after:?}");
@@ -203,10 +203,10 @@ fn an_extremum_at_a_seam_is_seen() {
 fn poles_and_jumps_are_no_roots() {
     for p in [0.1234, 0.51, 0.77] {
         let pole = |theta: f64| 1.0 / (theta - p);
-        assert_eq!(first_root(pole, Start::Free, 1e-12), Ok(None), "{p}");
+        assert_eq!(first_root(pole, RootStart::Free, 1e-12), Ok(None), "{p}");
         let jump = |theta: f64| if theta < p { -0.1 } else { 1.0 };
-        assert_eq!(first_root(jump, Start::Free, 1e-12), Ok(None), "{p}");
-        let behind = first_root(|theta| pole(theta) * (0.9 - theta), Start::Free, 1e-12);
+        assert_eq!(first_root(jump, RootStart::Free, 1e-12), Ok(None), "{p}");
+        let behind = first_root(|theta| pole(theta) * (0.9 - theta), RootStart::Free, 1e-12);
         assert!(
             behind.is_ok_and(|root| root.is_some_and(|root| (root - 0.9).abs() < ULPS)),
             "{p} {behind:?}"
@@ -216,7 +216,7 @@ fn poles_and_jumps_are_no_roots() {
             assert!((0.0..=1.0).contains(&theta), "{theta} is outside of the step");
             pole(theta) * (1.3 - theta)
         };
-        assert_eq!(first_root(later, Start::Free, 1e-12), Ok(None), "{p}");
+        assert_eq!(first_root(later, RootStart::Free, 1e-12), Ok(None), "{p}");
     }
 }
 
@@ -224,11 +224,11 @@ fn poles_and_jumps_are_no_roots() {
 #[test]
 fn the_bound_itself_is_touched() {
     let touch = Crossing::Touch { theta: 0.5, value: 1.0 };
-    assert_eq!(watch_series(&[1.25, -1.0, 1.0], Start::Free, 1.0), Ok(touch));
-    assert_eq!(watch_series(&[1.25_f64.next_up(), -1.0, 1.0], Start::Free, 1.0), Ok(Crossing::Clear));
-    assert_eq!(first_root_series(&[1.25, -1.0, 1.0], Start::Free, 1.0), Ok(Some(0.5)));
-    assert_eq!(first_root_series(&[-1.25, 1.0, -1.0], Start::Free, 1.0), Ok(Some(0.5)));
-    assert_eq!(first_root_series(&[1.25_f64.next_up(), -1.0, 1.0], Start::Free, 1.0), Ok(None));
+    assert_eq!(watch_series(&[1.25, -1.0, 1.0], RootStart::Free, 1.0), Ok(touch));
+    assert_eq!(watch_series(&[1.25_f64.next_up(), -1.0, 1.0], RootStart::Free, 1.0), Ok(Crossing::Clear));
+    assert_eq!(first_root_series(&[1.25, -1.0, 1.0], RootStart::Free, 1.0), Ok(Some(0.5)));
+    assert_eq!(first_root_series(&[-1.25, 1.0, -1.0], RootStart::Free, 1.0), Ok(Some(0.5)));
+    assert_eq!(first_root_series(&[1.25_f64.next_up(), -1.0, 1.0], RootStart::Free, 1.0), Ok(None));
 }
 
 /// Of equal values the first counts, and what differs by the noise is no turn.
@@ -241,7 +241,7 @@ fn the_first_of_equal_extrema() {
             let points = values.iter().enumerate().map(|(k, x)| Point { theta: k as f64, value: sign * x });
             points.filter_map(|point| zigzag.push(point, noise)).collect::<Vec<_>>()
         };
-        let of = |theta: f64, value: f64, kind| Extremum { theta, value: sign * value, kind };
+        let of = |theta: f64, value: f64, kind| LocatedExtremum { theta, value: sign * value, kind };
         let other = if sign > 0.0 { ExtremumKind::Minimum } else { ExtremumKind::Maximum };
         assert_eq!(told(0.25), [of(1.0, 1.0, kind), of(3.0, 0.5, other), of(4.0, 1.0, kind)]);
         assert_eq!(told(0.5), [of(1.0, 1.0, kind)]);

@@ -1,6 +1,6 @@
 //! A hundred thousand random guards with known roots: none missed, none invented.
 
-use super::super::{Crossing, Start, rest, watch, watch_series};
+use super::super::{Crossing, RootStart, rest, watch, watch_series};
 use super::known::{Known, Random, Root};
 use super::{first_root, first_root_series};
 
@@ -30,7 +30,7 @@ fn expected(known: &Known) -> Vec<Event> {
     start.chain(known.roots.iter().filter(|root| root.at > 0.0).filter_map(event)).collect()
 }
 
-fn verdict(known: &Known, kind: Kind, sign: f64, from: f64, start: Start) -> Crossing {
+fn verdict(known: &Known, kind: Kind, sign: f64, from: f64, start: RootStart) -> Crossing {
     match kind {
         Kind::Series => watch_series(&rest(&known.c, from).map(|c| sign * c), start, known.delta),
         Kind::Function => watch(|s| sign * (known.value)(from + (1.0 - from) * s), start, known.delta),
@@ -38,7 +38,7 @@ fn verdict(known: &Known, kind: Kind, sign: f64, from: f64, start: Start) -> Cro
     .expect("finite")
 }
 
-fn first(known: &Known, kind: Kind, from: f64, start: Start) -> Option<f64> {
+fn first(known: &Known, kind: Kind, from: f64, start: RootStart) -> Option<f64> {
     match kind {
         Kind::Series => first_root_series(&rest(&known.c, from), start, known.delta),
         Kind::Function => first_root(|s| (known.value)(from + (1.0 - from) * s), start, known.delta),
@@ -53,8 +53,8 @@ fn nearest(known: &Known, theta: f64, slack: impl Fn(&Root) -> f64) -> Option<Ro
     known.roots.iter().find(near).copied()
 }
 
-fn at_start(known: &Known) -> Start {
-    if known.order() > 0 { Start::Order(known.order()) } else { Start::Free }
+fn at_start(known: &Known) -> RootStart {
+    if known.order() > 0 { RootStart::Order(known.order()) } else { RootStart::Free }
 }
 
 fn observed(known: &Known, kind: Kind) -> Vec<Event> {
@@ -81,7 +81,7 @@ fn observed(known: &Known, kind: Kind) -> Vec<Event> {
         if root.multiplicity % 2 == 1 {
             sign = -sign;
         }
-        (from, start) = (root.at, Start::Order(root.multiplicity));
+        (from, start) = (root.at, RootStart::Order(root.multiplicity));
     }
     events
 }
@@ -94,7 +94,7 @@ fn observed_roots(known: &Known, kind: Kind) -> Vec<f64> {
             break;
         };
         found.push(root.at);
-        (from, start) = (root.at, Start::Order(root.multiplicity));
+        (from, start) = (root.at, RootStart::Order(root.multiplicity));
     }
     found
 }

@@ -2,7 +2,7 @@
 
 use core::f64::consts::PI;
 
-use super::super::{Crossing, GuardError, Start, watch};
+use super::super::{Crossing, GuardError, RootStart, watch};
 use super::crossing;
 use super::first_root;
 use super::known::Random;
@@ -17,10 +17,10 @@ fn spikes() {
         let spike = |theta: f64| 1.0 / (1.0 + ((theta - p) / width).powi(2)) - 0.5;
         // Slope ½/w, rounding 1e-16.
         let near = |theta: f64, root: f64| (theta - root).abs() < 1e-15;
-        let rise = first_root(spike, Start::Free, 1e-12).expect("finite");
+        let rise = first_root(spike, RootStart::Free, 1e-12).expect("finite");
         let rise = rise.unwrap_or_else(|| panic!("no root: {p} {width}"));
         assert!(near(rise, p - width), "{p} {width} {rise}");
-        let dip = crossing(watch(|theta| -spike(theta), Start::Free, 1e-12)).expect("a crossing");
+        let dip = crossing(watch(|theta| -spike(theta), RootStart::Free, 1e-12)).expect("a crossing");
         assert!(near(dip, p - width), "{p} {width} {dip}");
     }
 }
@@ -34,7 +34,7 @@ fn roots_beside_poles() {
         let g = |theta: f64| (omega * (theta - p)).tan() - 100.0;
         let turns = ((-omega * p - 100f64.atan()) / PI).ceil();
         let expected = p + (100f64.atan() + turns * PI) / omega;
-        let found = first_root(g, Start::Free, 1e-10).expect("finite");
+        let found = first_root(g, RootStart::Free, 1e-10).expect("finite");
         match found {
             // Slope 1e4 ω, rounding of the argument 1e-15.
             Some(found) => assert!((found - expected).abs() < 1e-14, "{omega} {p} {found} {expected}"),
@@ -46,7 +46,7 @@ fn roots_beside_poles() {
 /// Less than 20 turns are followed to the first time above 0.99999; of more it is said that they are not.
 #[test]
 fn sines_of_many_turns() {
-    let first = |omega: f64| watch(|theta| 0.99999 - (omega * theta).sin(), Start::Free, 1e-12);
+    let first = |omega: f64| watch(|theta| 0.99999 - (omega * theta).sin(), RootStart::Free, 1e-12);
     for omega in [10.0, 60.0, 100.0, 300.0, 400.0] {
         let theta = crossing(first(omega)).expect("a crossing");
         // Slope 4.5e-3 ω, rounding 1e-16.
@@ -56,5 +56,5 @@ fn sines_of_many_turns() {
         assert!(matches!(first(omega), Err(GuardError::Unresolved { .. })), "{omega}");
     }
     // A bound clears the wave far from zero, but only once its turns are resolved.
-    assert_eq!(watch(|theta| 3.0 + (100.0 * theta).sin(), Start::Free, 1e-12), Ok(Crossing::Clear));
+    assert_eq!(watch(|theta| 3.0 + (100.0 * theta).sin(), RootStart::Free, 1e-12), Ok(Crossing::Clear));
 }

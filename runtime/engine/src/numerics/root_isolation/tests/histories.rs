@@ -2,9 +2,9 @@
 
 use super::super::bracket::Point;
 use super::super::partition::{Node, beyond};
-use super::super::search::{Found, Search};
+use super::super::search::{RootSearch, SearchResult};
 use super::super::sign_history::History;
-use super::super::{Crossing, Start};
+use super::super::{Crossing, RootStart};
 
 pub(super) const DELTA: f64 = 0.25;
 
@@ -25,7 +25,7 @@ fn verdict(mut history: History, points: &[[f64; 2]], last: Node) -> Crossing {
 }
 
 fn find_crossing(points: &[[f64; 2]], last: [f64; 2]) -> Crossing {
-    verdict(History::new(Start::Free, DELTA), points, node(last[0], last[1]))
+    verdict(History::new(RootStart::Free, DELTA), points, node(last[0], last[1]))
 }
 
 const TOUCH: fn(f64, f64) -> Crossing = |theta, value| Crossing::Touch { theta, value };
@@ -85,12 +85,16 @@ fn a_guard_comes_down_from_above() {
 #[test]
 fn a_guard_is_at_its_known_root_until_it_is_above_its_bound() {
     let end = node(1.0, -1.0);
-    for start in [Start::Root, Start::Order(2)] {
+    for start in [RootStart::Root, RootStart::Order(2)] {
         let of = |top: f64| verdict(History::new(start, DELTA), &[[0.0, 0.0], [0.5, top]], end);
         assert_eq!(of(DELTA), Crossing::LeavesAtStart, "{start:?}");
         assert!(matches!(of(DELTA.next_up()), Crossing::At { .. }), "{start:?}");
         let series = verdict(History::of_series(start, DELTA), &[[0.0, 0.0], [0.5, 0.125]], end);
-        assert_eq!(matches!(series, Crossing::At { .. }), start == Start::Order(2), "{start:?} {series:?}");
+        assert_eq!(
+            matches!(series, Crossing::At { .. }),
+            start == RootStart::Order(2),
+            "{start:?} {series:?}"
+        );
         // A minimum counts only behind.
         let dips =
             verdict(History::new(start, DELTA), &[[0.0, 0.0], [0.25, 0.2], [0.5, 0.0]], node(1.0, 1.0));
@@ -111,10 +115,10 @@ fn a_minimum_at_the_end_counts_where_it_goes_on_for_less_than_the_noise() {
     ] {
         for value in [DELTA, 0.0, -DELTA] {
             let last = Node { noise, beyond, ..node(1.0, value) };
-            let found = verdict(History::new(Start::Free, DELTA), &[[0.0, 1.0]], last);
+            let found = verdict(History::new(RootStart::Free, DELTA), &[[0.0, 1.0]], last);
             let expected = if counts { TOUCH(1.0, value) } else { Crossing::Clear };
             assert_eq!(found, expected, "{noise} {beyond} {value}");
-            let rises = verdict(History::new(Start::Free, DELTA), &[[0.0, -DELTA]], last);
+            let rises = verdict(History::new(RootStart::Free, DELTA), &[[0.0, -DELTA]], last);
             assert_eq!(rises, Crossing::Clear, "{noise} {beyond} {value}");
         }
     }
@@ -127,8 +131,8 @@ fn turns_within_the_noise_are_passed_over() {
         [(0.0625, 0.0625, false), (0.0625, 0.0626, true), (9.0, 0.125, false), (9.0, 0.126, true)]
     {
         let of = |theta, value| Node { noise, ..node(theta, value) };
-        let mut history = History::new(Start::Free, DELTA);
-        let mut search = Search::new(Start::Free, DELTA);
+        let mut history = History::new(RootStart::Free, DELTA);
+        let mut search = RootSearch::new(RootStart::Free, DELTA);
         for [theta, value] in [[0.0, 1.0], [0.25, 0.1], [0.5, 0.1 + depth], [0.75, 0.05], [0.9, 0.05 + depth]]
         {
             history.follow(of(theta, value));
@@ -137,7 +141,7 @@ fn turns_within_the_noise_are_passed_over() {
         history.follow(of(1.0, 0.05 + depth));
         let expected = if is_seen { TOUCH(0.75, 0.05) } else { Crossing::Clear };
         assert_eq!(history.verdict(&mut |_| f64::NAN), expected, "{noise} {depth}");
-        let found = matches!(search.found(), Some(Found::Tangent { theta: 0.25, value: 0.1 }));
+        let found = matches!(search.found(), Some(SearchResult::Tangent { theta: 0.25, value: 0.1 }));
         assert_eq!(found, is_seen, "{noise} {depth}");
     }
 }

@@ -1,7 +1,7 @@
 //! Functions that no polynomial fits over all of the step.
 
 use super::super::polynomial::{FINE, node};
-use super::super::{Accuracy, GuardError, Start, watch};
+use super::super::{Accuracy, GuardError, RootStart, watch};
 use super::first_root;
 use super::{ULPS, crossing};
 
@@ -13,13 +13,13 @@ fn some_kinks_are_followed() {
         let kinked = |theta: f64| {
             2.0 * (0.9 - theta) - 0.01 * places.iter().map(|p| (p - theta).max(0.0)).sum::<f64>()
         };
-        let found = watch(kinked, Start::Free, 1e-12);
+        let found = watch(kinked, RootStart::Free, 1e-12);
         match count {
             8 => assert!(crossing(found).is_some_and(|at| (at - 0.9).abs() < ULPS), "{first} {found:?}"),
             _ => assert!(matches!(found, Err(GuardError::Unresolved { .. })), "{first} {found:?}"),
         }
         let noisy = Accuracy { delta: 1e-12, is_noisy: true };
-        let found = crossing(watch(kinked, Start::Free, noisy));
+        let found = crossing(watch(kinked, RootStart::Free, noisy));
         assert!(found.is_some_and(|at| (at - 0.9).abs() < ULPS), "{count} {first} {found:?}");
     }
 }
@@ -36,7 +36,7 @@ fn a_kink_between_places_of_the_same_value_is_seen() {
                 let kink = |theta: f64| sign * (unit * (theta - p).abs()).round() / unit;
                 assert_eq!(kink(before), kink(after));
                 let accuracy = Accuracy { delta: 1e-9, is_noisy: true };
-                let root = first_root(kink, Start::Free, accuracy).expect("followed").expect("a root");
+                let root = first_root(kink, RootStart::Free, accuracy).expect("followed").expect("a root");
                 assert!((root - p).abs() <= 0.5 / unit, "{p} {root}");
             }
         }

@@ -19,8 +19,8 @@ use core::f64::consts::PI;
 
 use proptest::prelude::*;
 
-use super::extrema::Extremum;
-use super::{Accuracy, Crossing, ExtremumKind, GuardError, Root, Start};
+use super::extrema::LocatedExtremum;
+use super::{Accuracy, Crossing, ExtremumKind, GuardError, Root, RootStart};
 use super::{extrema, find_root, find_root_series, watch};
 
 /// θ of a root found by bisection on a function good to an ulp: the spacing of θ, twice.
@@ -38,14 +38,14 @@ fn bend(phase: f64, theta: f64) -> f64 {
 /// Where the first root of a function is.
 fn first_root(
     mut g: impl FnMut(f64) -> f64,
-    start: Start,
+    start: RootStart,
     accuracy: impl Into<Accuracy>,
 ) -> Result<Option<f64>, GuardError> {
     Ok(find_root(&mut g, start, accuracy.into())?.map(theta))
 }
 
 /// Where the first root of Σ cₖ θᵏ is.
-fn first_root_series(c: &[f64], start: Start, delta: f64) -> Result<Option<f64>, GuardError> {
+fn first_root_series(c: &[f64], start: RootStart, delta: f64) -> Result<Option<f64>, GuardError> {
     Ok(find_root_series(c, start, delta)?.map(theta))
 }
 
@@ -53,7 +53,7 @@ fn theta(root: Root) -> f64 {
     root.theta
 }
 
-fn all_extrema(g: impl FnMut(f64) -> f64, delta: f64) -> Vec<Extremum> {
+fn all_extrema(g: impl FnMut(f64) -> f64, delta: f64) -> Vec<LocatedExtremum> {
     let mut found = Vec::new();
     extrema(g, delta, |extremum| found.push(extremum)).expect("finite");
     found
@@ -88,13 +88,13 @@ proptest! {
     fn roots_of_polynomials((roots, sign) in roots(), phase in 0.0..6.0f64) {
         let g = |theta| sign * product(&roots, theta) * bend(phase, theta);
         let inside: Vec<f64> = roots.iter().copied().filter(|r| *r > 0.0 && *r < 1.0).collect();
-        let found = first_root(g, Start::Free, 0.0).expect("finite");
+        let found = first_root(g, RootStart::Free, 0.0).expect("finite");
         prop_assert_eq!(found.is_some(), !inside.is_empty(), "{:?} of {:?}", found, inside);
         if let Some(theta) = found {
             prop_assert!((theta - inside[0]).abs() <= ULPS, "{} {}", theta, inside[0]);
         }
         let down = inside.iter().copied().find(|r| g(r - 1e-7) > 0.0);
-        let verdict = watch(g, Start::Free, 0.0).expect("finite");
+        let verdict = watch(g, RootStart::Free, 0.0).expect("finite");
         match down {
             _ if g(0.0) < 0.0 => prop_assert_eq!(verdict, Crossing::LeavesAtStart),
             Some(r) => {
@@ -109,10 +109,10 @@ proptest! {
     #[test]
     fn pairs_a_tenth_of_a_millionth_apart(a in 1e-3..0.999f64, phase in 0.0..6.0f64, k in 0.1..10.0f64) {
         let g = |theta: f64| k * (theta - a) * (theta - a - 1e-7) * bend(phase, theta);
-        let theta = crossing(watch(g, Start::Free, 1e-18)).expect("a crossing");
+        let theta = crossing(watch(g, RootStart::Free, 1e-18)).expect("a crossing");
         prop_assert!((theta - a).abs() <= ULPS);
-        prop_assert!((first_root(g, Start::Free, 0.0).expect("finite").expect("a root") - a).abs() <= ULPS);
-        let up = first_root(|theta| -g(theta), Start::Free, 0.0).expect("finite");
+        prop_assert!((first_root(g, RootStart::Free, 0.0).expect("finite").expect("a root") - a).abs() <= ULPS);
+        let up = first_root(|theta| -g(theta), RootStart::Free, 0.0).expect("finite");
         prop_assert!((up.expect("a root") - a).abs() <= ULPS);
     }
 
@@ -125,15 +125,15 @@ proptest! {
         let g = |shift: f64| {
             move |theta: f64| k * (theta - a).powi(2) * bend(phase, theta) + shift * delta
         };
-        let verdict = watch(g(offset), Start::Free, delta).expect("finite");
+        let verdict = watch(g(offset), RootStart::Free, delta).expect("finite");
         // p′ is exact to δ/100 times the degree squared; p″ is at least k/2.
         let near = delta / k + 1e-13 / k;
         let touched = matches!(verdict, Crossing::Touch { theta, value }
             if (theta - a).abs() <= near.max(1e-15) * 50.0 && (value - offset * delta).abs() < 0.01 * delta);
         prop_assert!(touched, "{:?} for {}", verdict, a);
-        prop_assert_eq!(watch(g(2.0), Start::Free, delta), Ok(Crossing::Clear));
-        prop_assert_eq!(first_root(g(2.0), Start::Free, delta), Ok(None));
-        let theta = crossing(watch(g(-2.0), Start::Free, delta));
+        prop_assert_eq!(watch(g(2.0), RootStart::Free, delta), Ok(Crossing::Clear));
+        prop_assert_eq!(first_root(g(2.0), RootStart::Free, delta), Ok(None));
+        let theta = crossing(watch(g(-2.0), RootStart::Free, delta));
         if g(-2.0)(0.0) > 0.0 {
             let expected = a - (2.0 * delta / k / bend(phase, a)).sqrt();
             let theta = theta.expect("a crossing");
@@ -147,7 +147,7 @@ proptest! {
         let g = |theta: f64| height * (omega * theta + phase).sin();
         let first = (phase / PI).floor() + 1.0;
         let expected = Some((first * PI - phase) / omega).filter(|r| *r < 1.0 - 1e-9);
-        let found = first_root(g, Start::Free, 0.0).expect("finite").filter(|r| *r < 1.0 - 1e-9);
+        let found = first_root(g, RootStart::Free, 0.0).expect("finite").filter(|r| *r < 1.0 - 1e-9);
         prop_assert_eq!(found.is_some(), expected.is_some());
         if let (Some(found), Some(expected)) = (found, expected) {
             // Rounding of the argument, up to 66.
@@ -157,7 +157,7 @@ proptest! {
         let peak = |i: f64| ((i + 0.5) * PI - phase) / omega;
         let clear = |theta: f64| theta > 1e-6 / omega && theta < 1.0 - 1e-6 / omega;
         let expected: Vec<f64> = (-1..40).map(|i| peak(f64::from(i))).filter(|t| clear(*t)).collect();
-        let found: Vec<Extremum> = all_extrema(g, 0.0).into_iter().filter(|e| clear(e.theta)).collect();
+        let found: Vec<LocatedExtremum> = all_extrema(g, 0.0).into_iter().filter(|e| clear(e.theta)).collect();
         prop_assert_eq!(found.len(), expected.len(), "{:?} {:?}", found, expected);
         for (found, expected) in found.iter().zip(expected) {
             // Coefficients to 1e-15, their derivative times degree², over ω².
@@ -179,18 +179,18 @@ proptest! {
         let at = |s: f64| (s.asin() - from) / width;
         let root = |eps: f64| at((1.0 + eps - (eps * (2.0 + eps)).sqrt()) / 3.0);
         let touch = at(1.0 / 3.0);
-        let verdict = watch(frame(eps), Start::Free, delta).expect("finite");
+        let verdict = watch(frame(eps), RootStart::Free, delta).expect("finite");
         if root(eps) > 1e-6 && touch < 0.999 {
             let theta = crossing(Ok(verdict)).expect("a crossing");
             // The slope at the root is 3/2 √(2ε); rounding of N is 2e-16.
             prop_assert!((theta - root(eps)).abs() < 1e-15 / (width * eps.sqrt()));
-            let graze = watch(frame(0.0), Start::Free, delta).expect("finite");
+            let graze = watch(frame(0.0), RootStart::Free, delta).expect("finite");
             let touched = matches!(graze, Crossing::Touch { theta, .. } if (theta - touch).abs() < 1e-12 / width);
             prop_assert!(touched, "{:?}", graze);
         } else if touch > 1.001 && root(eps) > 1.0 {
             prop_assert_eq!(verdict, Crossing::Clear);
         }
-        prop_assert_eq!(watch(frame(-eps), Start::Free, 1e-15), Ok(Crossing::Clear));
+        prop_assert_eq!(watch(frame(-eps), RootStart::Free, 1e-15), Ok(Crossing::Clear));
     }
 
     /// A gap after lift-off rises as θ³, as θ² or as θ, and closes at `b`, or never opens.
@@ -198,12 +198,12 @@ proptest! {
     fn known_roots_at_the_start(order in 1..4, b in 0.1..0.9f64, size in 1e-9..1.0f64, noise in -1.0..1.0f64) {
         let delta = 1e-13;
         let gap = |theta: f64| size * theta.powi(order) * (b - theta) + 0.5 * noise * delta;
-        let theta = crossing(watch(gap, Start::Root, delta)).expect("a crossing");
+        let theta = crossing(watch(gap, RootStart::Root, delta)).expect("a crossing");
         prop_assert!((theta - b).abs() < 2.0 * delta / (size * 0.1f64.powi(order)), "{}", theta);
-        let closed = watch(|theta| -gap(theta), Start::Root, delta);
+        let closed = watch(|theta| -gap(theta), RootStart::Root, delta);
         prop_assert_eq!(closed, Ok(Crossing::LeavesAtStart));
         let rising = |theta: f64| size * theta.powi(order) + 0.5 * noise * delta;
-        prop_assert_eq!(watch(rising, Start::Root, delta), Ok(Crossing::Clear));
-        prop_assert_eq!(first_root(rising, Start::Root, delta), Ok(None));
+        prop_assert_eq!(watch(rising, RootStart::Root, delta), Ok(Crossing::Clear));
+        prop_assert_eq!(first_root(rising, RootStart::Root, delta), Ok(None));
     }
 }

@@ -2,7 +2,7 @@
 
 use core::f64::consts::PI;
 
-use super::super::{Crossing, Start, extrema, watch};
+use super::super::{Crossing, RootStart, extrema, watch};
 use crate::integrate::{Dop853, StepState, Stepper, Tolerance};
 
 /// A harmonic motion y = sin t by DOP853: what happens to 1 + η − y within a hundred periods.
@@ -16,7 +16,7 @@ fn swings(eta: f64) -> [usize; 3] {
         solver.step().expect("a smooth motion");
         let dense = solver.dense();
         let gap = |theta| 1.0 + eta - dense.interpolate(theta)[0];
-        match watch(gap, Start::Free, 1e-9).expect("finite") {
+        match watch(gap, RootStart::Free, 1e-9).expect("finite") {
             Crossing::Touch { theta, .. } => touches.push(dense.t0 + theta * dense.h),
             Crossing::At { .. } => crossings += 1,
             Crossing::Clear | Crossing::LeavesAtStart => (),

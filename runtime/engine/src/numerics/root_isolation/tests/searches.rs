@@ -1,24 +1,24 @@
 //! The first root of a sequence of points, at the borders of what is known of the function.
 
-use super::super::Start;
+use super::super::RootStart;
 use super::super::partition::Node;
-use super::super::search::{Found, Search};
+use super::super::search::{RootSearch, SearchResult};
 use super::histories::{DELTA, node};
 
-fn found(mut search: Search, nodes: &[Node]) -> Option<[f64; 2]> {
+fn found(mut search: RootSearch, nodes: &[Node]) -> Option<[f64; 2]> {
     nodes.iter().for_each(|node| search.follow(*node));
     match search.found()? {
-        Found::At(theta) | Found::Tangent { theta, .. } => Some([theta; 2]),
-        Found::Between { ends: [a, b], smooth } => {
+        SearchResult::At(theta) | SearchResult::Tangent { theta, .. } => Some([theta; 2]),
+        SearchResult::Between { ends: [a, b], smooth } => {
             assert!(smooth);
             Some([a.theta, b.theta])
         }
     }
 }
 
-fn roots(start: Start, points: &[[f64; 2]]) -> Option<[f64; 2]> {
+fn roots(start: RootStart, points: &[[f64; 2]]) -> Option<[f64; 2]> {
     let nodes: Vec<Node> = points.iter().map(|&[theta, value]| node(theta, value)).collect();
-    found(Search::new(start, DELTA), &nodes)
+    found(RootSearch::new(start, DELTA), &nodes)
 }
 
 #[test]
@@ -28,15 +28,18 @@ fn the_first_change_of_sign_is_found() {
             roots(start, &points.iter().map(|[theta, value]| [*theta, sign * value]).collect::<Vec<_>>())
         };
         let positive = sign > 0.0;
-        assert_eq!(of(Start::Free, &[[0.0, 1.0], [0.5, -1.0], [1.0, 1.0]]), Some([0.0, 0.5]));
-        assert_eq!(of(Start::Free, &[[0.0, 1.0], [0.5, 0.0], [1.0, 1.0]]), Some([0.5; 2]));
-        assert_eq!(of(Start::Free, &[[0.0, 0.0], [0.5, 1.0], [1.0, -1.0]]), Some([0.5, 1.0]));
-        assert_eq!(of(Start::Free, &[[0.0, 0.0], [0.5, 1.0], [1.0, 1.0]]), None);
-        assert_eq!(of(Start::Free, &[[0.0, 1.0], [1.0, 0.0]]), Some([1.0; 2]));
+        assert_eq!(of(RootStart::Free, &[[0.0, 1.0], [0.5, -1.0], [1.0, 1.0]]), Some([0.0, 0.5]));
+        assert_eq!(of(RootStart::Free, &[[0.0, 1.0], [0.5, 0.0], [1.0, 1.0]]), Some([0.5; 2]));
+        assert_eq!(of(RootStart::Free, &[[0.0, 0.0], [0.5, 1.0], [1.0, -1.0]]), Some([0.5, 1.0]));
+        assert_eq!(of(RootStart::Free, &[[0.0, 0.0], [0.5, 1.0], [1.0, 1.0]]), None);
+        assert_eq!(of(RootStart::Free, &[[0.0, 1.0], [1.0, 0.0]]), Some([1.0; 2]));
         // The sign that the step before ended with.
-        assert_eq!(of(Start::Continues { positive: !positive }, &[[0.0, 1.0], [1.0, 2.0]]), Some([0.0; 2]));
-        assert_eq!(of(Start::Continues { positive }, &[[0.0, 1.0], [1.0, 2.0]]), None);
-        assert_eq!(of(Start::Continues { positive }, &[[0.0, 0.0], [1.0, -2.0]]), None);
+        assert_eq!(
+            of(RootStart::Continues { positive: !positive }, &[[0.0, 1.0], [1.0, 2.0]]),
+            Some([0.0; 2])
+        );
+        assert_eq!(of(RootStart::Continues { positive }, &[[0.0, 1.0], [1.0, 2.0]]), None);
+        assert_eq!(of(RootStart::Continues { positive }, &[[0.0, 0.0], [1.0, -2.0]]), None);
     }
 }
 
@@ -45,13 +48,13 @@ fn the_first_change_of_sign_is_found() {
 fn signs_behind_a_known_root_count_beyond_the_bound() {
     for sign in [1.0, -1.0] {
         for (top, seen) in [(DELTA, false), (DELTA.next_up(), true)] {
-            for start in [Start::Root, Start::Order(2)] {
+            for start in [RootStart::Root, RootStart::Order(2)] {
                 let points = [[0.0, 0.0], [0.5, sign * top], [1.0, -sign]];
                 let expected = seen.then_some([0.5, 1.0]);
                 assert_eq!(roots(start, &points), expected, "{start:?} {top}");
                 let nodes = points.map(|[theta, value]| node(theta, value));
-                let series = found(Search::of_series(start, DELTA), &nodes);
-                let divided = matches!(start, Start::Order(_));
+                let series = found(RootSearch::of_series(start, DELTA), &nodes);
+                let divided = matches!(start, RootStart::Order(_));
                 assert_eq!(series, (seen || divided).then_some([0.5, 1.0]), "{start:?} {top}");
             }
         }
@@ -64,7 +67,7 @@ fn an_extremum_within_the_bound_is_a_root() {
     for sign in [1.0, -1.0] {
         let of = |points: &[f64]| {
             let points = points.iter().enumerate();
-            roots(Start::Free, &points.map(|(k, x)| [0.25 * k as f64, sign * x]).collect::<Vec<_>>())
+            roots(RootStart::Free, &points.map(|(k, x)| [0.25 * k as f64, sign * x]).collect::<Vec<_>>())
         };
         assert_eq!(of(&[1.0, DELTA, 1.0]), Some([0.25; 2]));
         assert_eq!(of(&[1.0, DELTA.next_up(), 1.0]), None);
@@ -79,7 +82,7 @@ fn a_root_at_the_end_is_seen_to_the_noise() {
     for sign in [1.0, -1.0] {
         let of = |last: [f64; 2], noise: f64, beyond: f64| {
             let end = Node { noise, beyond, ..node(1.0, sign * last[1]) };
-            found(Search::new(Start::Free, DELTA), &[node(0.0, sign * last[0]), end])
+            found(RootSearch::new(RootStart::Free, DELTA), &[node(0.0, sign * last[0]), end])
         };
         let at_end = Some([1.0; 2]);
         assert_eq!(of([1.0, 0.125], 0.125, f64::INFINITY), at_end);

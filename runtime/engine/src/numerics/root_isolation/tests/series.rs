@@ -1,6 +1,6 @@
 //! Guards given by their series, each for one rule.
 
-use super::super::{Crossing, GuardError, Start, TERMS, rest, tail, watch, watch_series};
+use super::super::{Crossing, GuardError, RootStart, TERMS, rest, tail, watch, watch_series};
 use super::{ULPS, crossing};
 use super::{all_extrema, first_root, first_root_series};
 
@@ -28,7 +28,7 @@ fn grazing() {
             let a = f64::from(i) / 100.7;
             // 1 − cos(2(θ − a)) = 1 − sin(2θ + π/2 − 2a)
             let series = raised(sine(2.0, 0.5 * core::f64::consts::PI - 2.0 * a).map(|c| -c), 1.0);
-            let verdict = |shift: f64| watch_series(&raised(series, shift * delta), Start::Free, delta);
+            let verdict = |shift: f64| watch_series(&raised(series, shift * delta), RootStart::Free, delta);
             for shift in [-0.1, 0.1] {
                 // g″ = 4, rounding of g′ 33 ε · Σ 2ᵏ/k!, less than 1e-13.
                 let touch = matches!(verdict(shift), Ok(Crossing::Touch { theta, value })
@@ -54,27 +54,27 @@ fn one_root_of_several_guards() {
         let guards: [&[f64]; 4] =
             [&[a, -1.0], &[a * a, 0.0, -1.0], &[a * a * a, 0.0, 0.0, -1.0], &[2.0 * a, -2.0]];
         for c in guards {
-            let theta = crossing(watch_series(c, Start::Free, 1e-18)).expect("a crossing");
+            let theta = crossing(watch_series(c, RootStart::Free, 1e-18)).expect("a crossing");
             // a² and a³ are rounded.
             assert!((theta - a).abs() <= f64::EPSILON * a.max(0.25), "{a} {c:?} {theta}");
-            assert_eq!(first_root_series(c, Start::Free, 1e-18), Ok(Some(theta)));
+            assert_eq!(first_root_series(c, RootStart::Free, 1e-18), Ok(Some(theta)));
         }
     }
 }
 
 #[test]
 fn the_step_is_half_open() {
-    assert_eq!(first_root_series(&[1.0, -1.0], Start::Free, 0.0), Ok(Some(1.0)));
-    assert_eq!(first_root_series(&[0.0, 1.0], Start::Free, 0.0), Ok(None));
-    assert_eq!(first_root_series(&[0.0, -1.0, 1.0], Start::Free, 0.0), Ok(Some(1.0)));
-    assert_eq!(watch_series(&[0.0, -1.0], Start::Free, 1e-9), Ok(Crossing::LeavesAtStart));
-    assert_eq!(watch_series(&[1.0, -1.0], Start::Free, 1e-9), Ok(Crossing::Clear));
+    assert_eq!(first_root_series(&[1.0, -1.0], RootStart::Free, 0.0), Ok(Some(1.0)));
+    assert_eq!(first_root_series(&[0.0, 1.0], RootStart::Free, 0.0), Ok(None));
+    assert_eq!(first_root_series(&[0.0, -1.0, 1.0], RootStart::Free, 0.0), Ok(Some(1.0)));
+    assert_eq!(watch_series(&[0.0, -1.0], RootStart::Free, 1e-9), Ok(Crossing::LeavesAtStart));
+    assert_eq!(watch_series(&[1.0, -1.0], RootStart::Free, 1e-9), Ok(Crossing::Clear));
     assert_eq!(
-        watch_series(&[1.0, -2.0, 1.0], Start::Free, 1e-9),
+        watch_series(&[1.0, -2.0, 1.0], RootStart::Free, 1e-9),
         Ok(Crossing::Touch { theta: 1.0, value: 0.0 })
     );
-    assert_eq!(watch_series(&[0.0, 0.0, 1.0], Start::Free, 1e-9), Ok(Crossing::Clear));
-    assert_eq!(watch_series(&[], Start::Free, 0.0), Ok(Crossing::Clear));
+    assert_eq!(watch_series(&[0.0, 0.0, 1.0], RootStart::Free, 1e-9), Ok(Crossing::Clear));
+    assert_eq!(watch_series(&[], RootStart::Free, 0.0), Ok(Crossing::Clear));
 }
 
 /// θᵐ (b − θ) rises by less than 1e-3, and falls to b − 1: with the order known its root is b, whatever δ says of the rise.
@@ -84,22 +84,22 @@ fn a_known_order_decides_within_the_bound() {
         let b = 1e-3;
         let mut c = [0.0; 6];
         (c[m], c[m + 1]) = (b, -1.0);
-        let theta = crossing(watch_series(&c, Start::Order(m), 0.5)).expect("a crossing");
+        let theta = crossing(watch_series(&c, RootStart::Order(m), 0.5)).expect("a crossing");
         assert!((theta - b).abs() <= f64::EPSILON);
-        assert_eq!(watch_series(&c, Start::Root, 0.5), Ok(Crossing::LeavesAtStart));
-        assert_eq!(watch_series(&c, Start::Order(m), 2.0), Ok(Crossing::Clear));
-        assert_eq!(first_root_series(&c, Start::Order(m), 0.5), Ok(Some(theta)));
+        assert_eq!(watch_series(&c, RootStart::Root, 0.5), Ok(Crossing::LeavesAtStart));
+        assert_eq!(watch_series(&c, RootStart::Order(m), 2.0), Ok(Crossing::Clear));
+        assert_eq!(first_root_series(&c, RootStart::Order(m), 0.5), Ok(Some(theta)));
         let down = c.map(|c| -c);
-        assert_eq!(watch_series(&down, Start::Order(m), 0.5), Ok(Crossing::Clear));
+        assert_eq!(watch_series(&down, RootStart::Order(m), 0.5), Ok(Crossing::Clear));
         c[m] = -b;
-        assert_eq!(watch_series(&c, Start::Order(m), 0.5), Ok(Crossing::LeavesAtStart));
-        assert_eq!(first_root_series(&c, Start::Order(m), 0.5), Ok(None));
+        assert_eq!(watch_series(&c, RootStart::Order(m), 0.5), Ok(Crossing::LeavesAtStart));
+        assert_eq!(first_root_series(&c, RootStart::Order(m), 0.5), Ok(None));
         // What rounding has left below the order does not count.
         let (mut noisy, mut rising) = ([1e-16; 6], [1e-16; 6]);
         (noisy[m], noisy[m + 1], rising[m]) = (b, -1.0, b);
-        let theta = crossing(watch_series(&noisy, Start::Order(m), 1e-14)).expect("a crossing");
+        let theta = crossing(watch_series(&noisy, RootStart::Order(m), 1e-14)).expect("a crossing");
         assert!((theta - b).abs() < 1e-12);
-        assert_eq!(watch_series(&rising, Start::Order(m), 1e-14), Ok(Crossing::Clear));
+        assert_eq!(watch_series(&rising, RootStart::Order(m), 1e-14), Ok(Crossing::Clear));
     }
 }
 
@@ -108,14 +108,14 @@ fn a_known_order_decides_within_the_bound() {
 fn a_root_in_the_seam() {
     for positive in [true, false] {
         let sign = if positive { 1.0 } else { -1.0 };
-        let start = Start::Continues { positive };
+        let start = RootStart::Continues { positive };
         let (before, after) = ([sign, -sign * (1.0 - 1e-12)], [-sign * 1e-12, -sign]);
-        assert_eq!(first_root_series(&before, Start::Free, 1e-9), Ok(None));
+        assert_eq!(first_root_series(&before, RootStart::Free, 1e-9), Ok(None));
         assert_eq!(first_root_series(&after, start, 1e-9), Ok(Some(0.0)));
         assert_eq!(first_root(|t| after[0] + after[1] * t, start, 1e-9), Ok(Some(0.0)));
-        assert_eq!(first_root_series(&after, Start::Free, 1e-9), Ok(None));
+        assert_eq!(first_root_series(&after, RootStart::Free, 1e-9), Ok(None));
         // Found at the end of the step before, and not again.
-        assert_eq!(first_root_series(&[sign, -sign], Start::Free, 1e-9), Ok(Some(1.0)));
+        assert_eq!(first_root_series(&[sign, -sign], RootStart::Free, 1e-9), Ok(Some(1.0)));
         assert_eq!(first_root_series(&[0.0, -sign], start, 1e-9), Ok(None));
         assert_eq!(first_root_series(&[sign, -0.5 * sign], start, 1e-9), Ok(None));
     }
@@ -187,7 +187,9 @@ fn the_tail_of_a_series() {
 fn zeros_at_the_end_of_a_series_say_nothing() {
     let series: [&[f64]; 5] = [&[0.3, 0.2, -1.0], &[0.0, 0.0, 0.4, -1.0], &[1.0, -0.25], &[-0.3], &[0.0]];
     for c in series {
-        for start in [Start::Free, Start::Root, Start::Order(2), Start::Continues { positive: true }] {
+        for start in
+            [RootStart::Free, RootStart::Root, RootStart::Order(2), RootStart::Continues { positive: true }]
+        {
             let mut long = [0.0; TERMS];
             long[..c.len()].copy_from_slice(c);
             assert_eq!(watch_series(&long, start, 1e-9), watch_series(c, start, 1e-9), "{c:?} {start:?}");
@@ -196,7 +198,7 @@ fn zeros_at_the_end_of_a_series_say_nothing() {
         }
     }
     assert_eq!(
-        first_root_series(&[0.3, 0.2, -1.0, 0.0], Start::Free, 1e-9).map(|root| root.is_some()),
+        first_root_series(&[0.3, 0.2, -1.0, 0.0], RootStart::Free, 1e-9).map(|root| root.is_some()),
         Ok(true)
     );
 }
@@ -215,14 +217,14 @@ fn what_is_not_finite_is_said() {
             c[place] = bad;
             let theta = if place == 0 { 0.0 } else { 1.0 };
             assert_eq!(
-                watch_series(&c, Start::Free, 1e-9),
+                watch_series(&c, RootStart::Free, 1e-9),
                 Err(GuardError::NotFinite { theta }),
                 "{bad} {place}"
             );
-            assert_eq!(first_root_series(&c, Start::Free, 1e-9), Err(GuardError::NotFinite { theta }));
+            assert_eq!(first_root_series(&c, RootStart::Free, 1e-9), Err(GuardError::NotFinite { theta }));
         }
     }
-    assert!(watch_series(&[1e308, -1e308, -1e308, 1e308], Start::Free, 1.0).is_err());
+    assert!(watch_series(&[1e308, -1e308, -1e308, 1e308], RootStart::Free, 1.0).is_err());
 }
 
 /// The same from a function and from its series.
@@ -231,8 +233,8 @@ fn both_ways() {
     for i in 0..2000 {
         let (omega, phase) = (0.5 + f64::from(i % 37) / 12.0, f64::from(i) * 0.003);
         let g = |theta: f64| (omega * theta + phase).sin();
-        let by_values = crossing(watch(g, Start::Free, 1e-12));
-        let by_series = crossing(watch_series(&sine(omega, phase), Start::Free, 1e-12));
+        let by_values = crossing(watch(g, RootStart::Free, 1e-12));
+        let by_series = crossing(watch_series(&sine(omega, phase), RootStart::Free, 1e-12));
         assert_eq!(by_values.is_some(), by_series.is_some(), "{omega} {phase}");
         if let (Some(a), Some(b)) = (by_values, by_series) {
             // Terms up to eω, rounded; the argument too.

@@ -1,7 +1,7 @@
 //! The same in other units: by a power of two nothing but the unit changes, to the last bit.
 
 use super::super::{
-    Accuracy, Crossing, ExtremumKind, Start, TERMS, extrema, rest, stays_above, tail, watch, watch_series,
+    Accuracy, Crossing, ExtremumKind, RootStart, TERMS, extrema, rest, stays_above, tail, watch, watch_series,
 };
 use super::known::sine_series;
 use super::{all_extrema, bend, first_root, first_root_series};
@@ -23,7 +23,7 @@ fn in_unit(verdict: Crossing, unit: f64) -> Crossing {
     }
 }
 
-fn of_values(g: &dyn Fn(f64) -> f64, start: Start, delta: f64, unit: f64) -> Told {
+fn of_values(g: &dyn Fn(f64) -> f64, start: RootStart, delta: f64, unit: f64) -> Told {
     let falls = [false, true].map(|is_noisy| {
         let accuracy = Accuracy { delta: unit * delta, is_noisy };
         watch(|theta| unit * g(theta), start, accuracy).ok().map(|verdict| in_unit(verdict, unit))
@@ -34,19 +34,19 @@ fn of_values(g: &dyn Fn(f64) -> f64, start: Start, delta: f64, unit: f64) -> Tol
     Told { falls, root, turns }
 }
 
-fn of_series(c: &[f64], start: Start, delta: f64, unit: f64) -> Told {
+fn of_series(c: &[f64], start: RootStart, delta: f64, unit: f64) -> Told {
     let scaled: Vec<f64> = c.iter().map(|c| unit * c).collect();
     let fall = watch_series(&scaled, start, unit * delta).ok().map(|verdict| in_unit(verdict, unit));
     let root = first_root_series(&scaled, start, unit * delta).ok();
     Told { falls: [fall, None], root, turns: Vec::new() }
 }
 
-const STARTS: [Start; 5] = [
-    Start::Free,
-    Start::Root,
-    Start::Order(1),
-    Start::Continues { positive: true },
-    Start::Continues { positive: false },
+const STARTS: [RootStart; 5] = [
+    RootStart::Free,
+    RootStart::Root,
+    RootStart::Order(1),
+    RootStart::Continues { positive: true },
+    RootStart::Continues { positive: false },
 ];
 
 #[test]
@@ -120,11 +120,13 @@ fn a_minimum_beyond_the_end_is_seen_to_half_of_its_bound() {
             let d = (part * 0.5 * delta / k).sqrt();
             let g = |theta: f64| k * (theta - 1.0 - d) * (theta - 1.0 - d);
             let series = [k * (1.0 + d) * (1.0 + d), -2.0 * k * (1.0 + d), k];
-            for verdict in [watch(g, Start::Free, delta), watch_series(&series, Start::Free, delta)] {
+            for verdict in [watch(g, RootStart::Free, delta), watch_series(&series, RootStart::Free, delta)] {
                 let touches = matches!(verdict, Ok(Crossing::Touch { theta: 1.0, .. }));
                 assert_eq!(touches, is_seen, "{k} {part} {verdict:?}");
             }
-            for root in [first_root(g, Start::Free, delta), first_root_series(&series, Start::Free, delta)] {
+            for root in
+                [first_root(g, RootStart::Free, delta), first_root_series(&series, RootStart::Free, delta)]
+            {
                 assert_eq!(root, Ok(is_seen.then_some(1.0)), "{k} {part}");
             }
             // The noise of one that is looked for is the bound itself.

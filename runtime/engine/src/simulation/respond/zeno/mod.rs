@@ -21,7 +21,7 @@ use crate::contact::impulse::Outcome;
 use crate::contact::labels;
 use crate::model::ContactSet;
 use crate::numerics::zero::MARGIN;
-use crate::simulation::snapshot::{Rise, Sequence, Snapshot, ZenoClosure};
+use crate::simulation::snapshot::{PendingFlight, Sequence, Snapshot, ZenoClosure};
 use crate::simulation::{Exhausted, RunCause, Simulation};
 
 /// A sequence converges if its end is known to this part of the time that is left.
@@ -134,15 +134,17 @@ impl Snapshot<'_> {
     pub(in crate::simulation) fn settle_unseen(&mut self) -> Result<(), RunCause> {
         let scales = self.setup.context.scales;
         let e = |contact: usize| self.restitution(contact);
-        let unseen = |rise: &Rise| {
+        let unseen = |rise: &PendingFlight| {
             let falls = rise.fall > MARGIN * scales.acceleration();
             rise.rate > 0.0 && falls && rise.height <= rise.least && e(rise.contact) < 1.0
         };
         let rising = self.find_rising();
-        let low = rising.iter().filter(|rise| unseen(rise)).map(|&Rise { contact, rate, fall, .. }| {
-            let rest = 2.0 * rate / fall / (1.0 - e(contact));
-            ZenoClosure { end: self.t + rest, error: 0.0, set: ContactSet::EMPTY.with(contact) }
-        });
+        let low = rising.iter().filter(|rise| unseen(rise)).map(
+            |&PendingFlight { contact, rate, fall, .. }| {
+                let rest = 2.0 * rate / fall / (1.0 - e(contact));
+                ZenoClosure { end: self.t + rest, error: 0.0, set: ContactSet::EMPTY.with(contact) }
+            },
+        );
         let low: Vec<ZenoClosure> = low.collect();
         if !low.is_empty() {
             return self.settle(low);

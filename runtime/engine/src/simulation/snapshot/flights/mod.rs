@@ -17,7 +17,7 @@ const RESOLVED: f64 = roundoff(256.0);
 
 /// A contact that leaves its support and falls back.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Rise {
+pub(crate) struct PendingFlight {
     pub(in crate::simulation) contact: usize,
     /// ġ and −g̈ of its gap.
     pub(in crate::simulation) rate: f64,
@@ -97,7 +97,7 @@ impl Snapshot<'_> {
         let rising = known.map_or(&found, |(_, rising)| rising);
         let mut flights = self.bounces.heights.clone();
         // One that is no higher than the rounding of its gap cannot be followed.
-        for &Rise { contact, height, .. } in rising.iter().filter(|rise| rise.height > rise.least) {
+        for &PendingFlight { contact, height, .. } in rising.iter().filter(|rise| rise.height > rise.least) {
             if flights.iter().all(|(known, _)| *known != contact) {
                 flights.push((contact, height));
             }
@@ -126,7 +126,7 @@ impl Snapshot<'_> {
     /// Open contacts within the bound of their gaps, above their bars, that do not approach their
     /// supports but will fall back. Of one that lifts off with its reaction at zero g̈ is as well
     /// known as the place of that zero, and grows.
-    pub(in crate::simulation) fn find_rising(&self) -> Vec<Rise> {
+    pub(in crate::simulation) fn find_rising(&self) -> Vec<PendingFlight> {
         let gaps = self.gaps();
         let near = self.find_near(&gaps).difference(self.closed()).difference(self.onset.lifted);
         if near.is_empty() {
@@ -138,7 +138,7 @@ impl Snapshot<'_> {
             let rate = equations.gap_rate(contact, self.rates());
             let fall = -equations.gap_acceleration(contact, &a);
             let height = gaps[contact].max(0.0) + 0.5 * rate * rate / fall;
-            Rise { contact, rate, fall, height, least: self.resolved(contact, &equations) }
+            PendingFlight { contact, rate, fall, height, least: self.resolved(contact, &equations) }
         };
         near.iter().map(rise).filter(|rise| rise.rate >= 0.0 && rise.fall > 0.0).collect()
     }

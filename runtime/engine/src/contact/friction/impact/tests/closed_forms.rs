@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::contact::impact::Stages;
-use crate::contact::impulse::{Collision, CollisionError, Method, Outcome, Row};
+use crate::contact::impulse::{Collision, CollisionError, ImpulseMethod, Outcome, Row};
 use crate::contact::trials::Trials;
 use crate::model::Law;
 
@@ -89,7 +89,7 @@ fn a_rod_strikes_a_rough_floor() {
             assert!((told.2 - gained).abs() < 6e-10, "{law:?} {told:?}");
             let change = kinetic(&collision, &outcome.rates) - kinetic(&collision, &collision.rates);
             assert!((told.2 - change).abs() < 1e-14);
-            assert_eq!((outcome.law, outcome.method, outcome.factor), (law, Method::Path, 1.0));
+            assert_eq!((outcome.law, outcome.method, outcome.factor), (law, ImpulseMethod::Path, 1.0));
             assert!(v != 0.0 || told.0 == 0.0);
         }
     }
@@ -122,7 +122,7 @@ fn moreau_relates_the_whole_impulse_to_the_slip_after_it() {
         let [normal, friction, v] = sliding.map_or([stick.0, stick.1, 0.0], |(_, found)| found);
         assert!(friction.abs() <= mu * normal + 1e-15);
         let outcome = collision.solve().unwrap();
-        assert_eq!((outcome.law, outcome.method), (Law::Moreau, Method::AtOnce));
+        assert_eq!((outcome.law, outcome.method), (Law::Moreau, ImpulseMethod::AtOnce));
         for (found, expected) in [
             (outcome.impulses[0], normal),
             (outcome.impulses[1], friction),
@@ -142,7 +142,7 @@ fn a_smooth_contact_has_one_law() {
         let along = collision.solve().unwrap();
         collision.rows[1] = Row::Open;
         let smooth = collision.solve().unwrap();
-        assert_eq!((along.law, smooth.law, smooth.method), (law, law, Method::AtOnce));
+        assert_eq!((along.law, smooth.law, smooth.method), (law, law, ImpulseMethod::AtOnce));
         assert!((along.rates - &smooth.rates).amax() < 1e-15);
         assert!((along.gained - smooth.gained).abs() < 1e-15);
         assert!((smooth.opening[0] - 0.7).abs() < 1e-15);
@@ -225,7 +225,7 @@ fn a_plank_falls_flat() {
     for law in [Law::Newton, Law::Poisson] {
         let outcome = plank(law, 0.2).solve().unwrap();
         assert!((outcome.rates - DVector::from_row_slice(&[0.2, 0.5, 0.0])).amax() < 1e-14);
-        assert!((outcome.impulses[0] - 0.75).abs() < 1e-14 && outcome.method == Method::AtOnce);
+        assert!((outcome.impulses[0] - 0.75).abs() < 1e-14 && outcome.method == ImpulseMethod::AtOnce);
         assert!((outcome.gained - (0.5 * (0.04 + 0.25) - 0.625)).abs() < 1e-14);
         let sticks = plank(law, 0.6).solve().unwrap();
         assert!((sticks.rates - DVector::from_row_slice(&[0.0, 0.5, 0.0])).amax() < 1e-14);

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::random::collision;
 use crate::contact::friction::tests::random::Random;
-use crate::contact::impulse::{Collision, CollisionError, Method, Row};
+use crate::contact::impulse::{Collision, CollisionError, ImpulseMethod, Row};
 use crate::model::Law;
 
 /// A contact slips one way all along its path, and another one touches that moves with it: pressed where its velocity at the end falls
@@ -36,7 +36,7 @@ fn another_contact_is_pressed_beyond_rounding() {
         for (part, pressed) in [(1e-11, true), (1e-13, false), (-1e-13, false), (-1e-11, false)] {
             it.drift[1] = -(&it.jacobian * &it.rates)[1] - change - part * size;
             let method = it.solve().unwrap().method;
-            assert_eq!(method == Method::AtOnce, pressed, "{k} {part} {parts:?}");
+            assert_eq!(method == ImpulseMethod::AtOnce, pressed, "{k} {part} {parts:?}");
         }
         examined[usize::from(parts[0] * parts[1] < 0.0)] += 1;
     }
@@ -117,7 +117,7 @@ fn impulses_are_not_unique_where_those_of_a_stage_are_not() {
         };
         let outcome = it.solve().unwrap();
         assert!((outcome.rates - DVector::from_row_slice(&[0.5, 0.0, 0.7, 0.5])).amax() < 1e-14);
-        assert_eq!((outcome.method, outcome.unique), (Method::AtOnce, feet == 2));
+        assert_eq!((outcome.method, outcome.unique), (ImpulseMethod::AtOnce, feet == 2));
     }
 }
 

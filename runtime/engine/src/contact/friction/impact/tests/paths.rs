@@ -1,6 +1,6 @@
 //! Routh's path by small steps of the impulse.
 
-use crate::contact::friction::impact::path::{Striker, Vertex};
+use crate::contact::friction::impact::path::{RouthContact, Vertex};
 use crate::contact::friction::tests::random::{Random, cases};
 use crate::model::Law;
 
@@ -10,7 +10,7 @@ const STEPS: f64 = 4_000.0;
 /// ġ, v, P, P_t and ∫ ġ dP.
 type Point = [f64; 5];
 
-fn slope(it: &Striker<f64>, slip: f64) -> [f64; 2] {
+fn slope(it: &RouthContact<f64>, slip: f64) -> [f64; 2] {
     // At rest what holds it, or friction against the slip that would follow.
     let held = -it.w_nt / it.w_tt;
     let ratio = if slip == 0.0 && held.abs() <= it.mu {
@@ -23,7 +23,7 @@ fn slope(it: &Striker<f64>, slip: f64) -> [f64; 2] {
 }
 
 /// The ends of compression and of restitution; none where the path goes on for ever.
-fn integrated(it: &Striker<f64>, slip: f64) -> Option<[Point; 2]> {
+fn integrated(it: &RouthContact<f64>, slip: f64) -> Option<[Point; 2]> {
     let h = 1.0 / (it.w_nn * STEPS);
     let mut now: Point = [-1.0, slip, 0.0, 0.0, 0.0];
     let mut compressed: Option<Point> = None;
@@ -76,7 +76,7 @@ fn paths_are_those_of_small_steps() {
         let (mu, e) = (random.between(0.0, 2.0), random.between(0.05, 1.0));
         let law = [Law::Newton, Law::Poisson, Law::Stronge][k % 3];
         let slip = random.between(-1.0, 1.0) * [0.0, 0.3, 1.0, 3.0][random.below(4)];
-        let it = Striker { w_nn, w_nt, w_tt, mu, e, law };
+        let it = RouthContact { w_nn, w_nt, w_tt, mu, e, law };
         let (path, steps) = match (it.path(-1.0, slip), integrated(&it, slip)) {
             (Some(path), Some(steps)) => (path, steps),
             // Newton's law may ask for more than a path gives that falls again; steps may not come so far.
@@ -104,7 +104,7 @@ fn paths_are_those_of_small_steps() {
 fn a_slip_may_end_with_a_stage() {
     let (mu, e) = (0.5, 0.5);
     for law in [Law::Newton, Law::Poisson, Law::Stronge] {
-        let it = Striker { w_nn: 1.0, w_nt: 0.0, w_tt: 1.0, mu, e, law };
+        let it = RouthContact { w_nn: 1.0, w_nt: 0.0, w_tt: 1.0, mu, e, law };
         for sense in [1.0, -1.0] {
             // Compression takes P = 1, both take 1 + e.
             for part in [1.0, 1.0 + e] {
@@ -129,7 +129,7 @@ fn a_contact_that_moves_along_one_line_stops_at_once() {
         let (w, q) = (random.between(0.5, 2.0), random.between(-2.0, 2.0));
         let (mu, e) = (random.between(0.0, 2.0), random.between(0.05, 1.0));
         let law = [Law::Newton, Law::Poisson, Law::Stronge][k % 3];
-        let it = Striker { w_nn: w, w_nt: w * q, w_tt: w * q * q, mu, e, law };
+        let it = RouthContact { w_nn: w, w_nt: w * q, w_tt: w * q * q, mu, e, law };
         let slip = -q;
         let part = -mu * q.abs();
         let found = it.path(-1.0, slip);

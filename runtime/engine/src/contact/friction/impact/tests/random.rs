@@ -5,8 +5,8 @@ use nalgebra::{DMatrix, DVector};
 use crate::contact::complementarity::LcpRows;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
 use crate::contact::friction::tests::random::{Random, cases};
-use crate::contact::friction::{FrictionError, Frictional, Question, Slip};
-use crate::contact::impulse::{Collision, CollisionError, Method, Outcome, Row};
+use crate::contact::friction::{FrictionError, FrictionProblem, Frictional, SlipVelocity};
+use crate::contact::impulse::{Collision, CollisionError, ImpulseMethod, Outcome, Row};
 use crate::model::Law;
 
 /// Contacts of one body or two that all approach, each with friction.
@@ -115,7 +115,7 @@ fn contacts_at_once_satisfy_the_law() {
             worst = worst.max(it.residual(&outcome)).max(apart_from_each_other(&it, &outcome));
             continue;
         }
-        assert_eq!(outcome.method, Method::AtOnce);
+        assert_eq!(outcome.method, ImpulseMethod::AtOnce);
         assert!(outcome.law == law || law != Law::Poisson);
         wedged += usize::from(outcome.law != law);
         let size = it.rates.amax() + outcome.impulses.amax();
@@ -292,7 +292,7 @@ fn a_single_contact_never_gains_but_by_newton() {
         let e = random.between(0.0, 1.0);
         let it = collision(&mut random, 1, (e, law));
         let outcome = it.solve().unwrap();
-        assert_eq!((outcome.method, outcome.law), (Method::Path, law));
+        assert_eq!((outcome.method, outcome.law), (ImpulseMethod::Path, law));
         let Row::Friction { mu, .. } = it.rows[1] else { unreachable!() };
         let size = it.rates.amax() + outcome.impulses.amax();
         let balance = &it.mass * (&outcome.rates - &it.rates) - it.jacobian.tr_mul(&outcome.impulses);
@@ -350,13 +350,13 @@ fn another_contact_ends_the_path_only_where_it_is_pressed() {
 fn is_inconsistent(it: &Collision, force: &DVector<f64>) -> bool {
     let bias = DVector::zeros(4);
     let mut kkt = EquilibratedKkt::new(&it.mass, &it.jacobian, (force, &bias), (&force.abs(), &bias));
-    let slip = |v: f64| if v > 0.0 { Slip::Forward } else { Slip::Backward };
+    let slip = |v: f64| if v > 0.0 { SlipVelocity::Forward } else { SlipVelocity::Backward };
     let contact = |k: usize| {
         let Row::Friction { mu, .. } = it.rows[2 + k] else { unreachable!() };
         Frictional::touching((k, 2 + k), (mu, mu), slip(it.approach()[2 + k]))
     };
     let contacts = [contact(0), contact(1)];
-    let question = Question { rows: LcpRows::default(), contacts: &contacts };
+    let question = FrictionProblem { rows: LcpRows::default(), contacts: &contacts };
     kkt.solve_with_friction(&question).is_err_and(|error| error == FrictionError::Inconsistent)
 }
 
@@ -383,8 +383,8 @@ fn a_paradox_ends_in_an_impact() {
                 continue;
             }
         };
-        paths += usize::from(outcome.method == Method::Path);
-        together += usize::from(outcome.method == Method::AtOnce);
+        paths += usize::from(outcome.method == ImpulseMethod::Path);
+        together += usize::from(outcome.method == ImpulseMethod::AtOnce);
         let size = it.rates.amax() + outcome.impulses.amax();
         assert!(it.residual(&outcome) <= 1e-10, "{k} {:e}", it.residual(&outcome));
         assert!(outcome.gained <= 1e-12 && !outcome.acting.is_empty(), "{k} {}", outcome.gained);

@@ -25,7 +25,7 @@ pub(super) struct Pieces<'a> {
 
 /// What bounds tell of a condition over a piece.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Bounded {
+pub(super) enum PieceRegularity {
     /// It only rises, or only falls.
     Monotone,
     /// It is finite.
@@ -34,7 +34,7 @@ pub(super) enum Bounded {
     Pole,
 }
 
-impl Bounded {
+impl PieceRegularity {
     fn by(bounds: &Enclosure) -> Self {
         match bounds.slope.size().is_finite() {
             true if !bounds.slope.contains(0.0) => Self::Monotone,
@@ -56,7 +56,7 @@ impl Pieces<'_> {
     /// Looks for the first event in the pieces, in order of time, that are not proved to have none.
     pub(super) fn follow(
         &self,
-        look: &mut dyn FnMut([f64; 2], Bounded) -> Result<Option<f64>, GuardError>,
+        look: &mut dyn FnMut([f64; 2], PieceRegularity) -> Result<Option<f64>, GuardError>,
     ) -> Result<Followed, GuardError> {
         let mut left = MOST;
         let mut waiting = vec![[0.0, 1.0]];
@@ -66,8 +66,8 @@ impl Pieces<'_> {
             if bounds.value.low > self.bound || bounds.value.high < -self.bound {
                 continue;
             }
-            let known = Bounded::by(&bounds);
-            let divides = known != Bounded::Monotone && end - start > self.shortest;
+            let known = PieceRegularity::by(&bounds);
+            let divides = known != PieceRegularity::Monotone && end - start > self.shortest;
             if divides && !self.is_seen(&bounds, piece) {
                 let middle = 0.5 * (start + end);
                 waiting.extend([[middle, end], [start, middle]]);
@@ -151,7 +151,7 @@ mod tests {
         bounds: &dyn Fn([f64; 2]) -> [[f64; 2]; 2],
         bound: f64,
         shortest: f64,
-    ) -> Vec<([f64; 2], Bounded)> {
+    ) -> Vec<([f64; 2], PieceRegularity)> {
         let enclosure = |piece: [f64; 2]| {
             let [value, slope] = bounds(piece).map(|[low, high]| Interval { low, high });
             Some(Enclosure { value, slope })
@@ -189,9 +189,9 @@ mod tests {
     fn pieces_are_divided_as_far_as_that_tells_more() {
         let of = |slope: [f64; 2], most: f64| known_of(&move |_| [[-1.0, most], slope], 0.0, 0.125);
         for slope in [[1e-9, 1e6], [-1e6, -1e-9]] {
-            assert_eq!(of(slope, 1.0), [([0.0, 1.0], Bounded::Monotone)]);
+            assert_eq!(of(slope, 1.0), [([0.0, 1.0], PieceRegularity::Monotone)]);
         }
-        for (most, known) in [(1.0, Bounded::Finite), (f64::INFINITY, Bounded::Pole)] {
+        for (most, known) in [(1.0, PieceRegularity::Finite), (f64::INFINITY, PieceRegularity::Pole)] {
             for slope in [[-1e6, 1e6], [0.0, 1e6], [-f64::INFINITY, f64::INFINITY], [1.0, f64::INFINITY]] {
                 let eighths: Vec<_> =
                     (0..8).map(|k| ([0.0, 0.125].map(|x| x + 0.125 * f64::from(k)), known)).collect();

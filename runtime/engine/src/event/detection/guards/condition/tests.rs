@@ -19,7 +19,7 @@ fn comparing() -> [Condition; 3] {
 /// none.
 #[test]
 fn a_pole_between_the_places_looked_at_may_hide_a_root() {
-    let hides = |value: &dyn Fn(f64) -> f64| may_hide(value, Bounded::Finite);
+    let hides = |value: &dyn Fn(f64) -> f64| may_hide(value, PieceRegularity::Finite);
     for sign in [1.0, -1.0] {
         assert!(!hides(&|theta| sign * (1.0 + theta)));
         assert!(hides(&|theta| sign * (1.0 + theta + 0.01 * (9.0 * theta).sin())));
@@ -35,7 +35,7 @@ fn a_pole_between_the_places_looked_at_may_hide_a_root() {
             assert_eq!(hides(&|theta| sign * if theta == 0.5 { inner } else { 1000.0 }), is_bent, "{inner}");
         }
         assert!(!hides(&|theta| if theta == 0.5 { f64::NAN } else { sign * (1.0 + theta) }));
-        for known in [Bounded::Finite, Bounded::Pole] {
+        for known in [PieceRegularity::Finite, PieceRegularity::Pole] {
             assert!(!may_hide(&|theta| sign * (theta - 0.3), known));
             for end in [0.0, 1.0] {
                 let infinite = |theta: f64| if theta == end { sign * f64::INFINITY } else { sign };
@@ -43,10 +43,10 @@ fn a_pole_between_the_places_looked_at_may_hide_a_root() {
             }
         }
         // Where bounds are infinite a line may hide it as well.
-        assert!(may_hide(&|theta| sign * (1.0 + theta), Bounded::Pole));
+        assert!(may_hide(&|theta| sign * (1.0 + theta), PieceRegularity::Pole));
         assert!(!may_hide(
             &|theta| sign * (1.0 + 9.0 * (core::f64::consts::PI * theta).sin()),
-            Bounded::Pole
+            PieceRegularity::Pole
         ));
     }
 }
@@ -136,16 +136,16 @@ fn a_known_root_lasts_until_it_is_left() {
     for value in [0.1, -0.1] {
         let positive = value > 0.0;
         for condition in [&equal, &less, &greater] {
-            assert_eq!(after(condition, Start::Root, (None, value), 0.1), Start::Root);
-            let left = if *condition == equal { Start::Continues { positive } } else { Start::Free };
-            assert_eq!(after(condition, Start::Root, (None, value), 0.09), left);
-            assert_eq!(after(condition, Start::Free, (None, value), 1.0), left);
+            assert_eq!(after(condition, RootStart::Root, (None, value), 0.1), RootStart::Root);
+            let left = if *condition == equal { RootStart::Continues { positive } } else { RootStart::Free };
+            assert_eq!(after(condition, RootStart::Root, (None, value), 0.09), left);
+            assert_eq!(after(condition, RootStart::Free, (None, value), 1.0), left);
             // What a comparison was false by it comes to zero from.
             for side in [true, false] {
                 let is_root = *condition == less && side || *condition == greater && !side;
-                let at_root = if is_root { Start::Root } else { left };
-                assert_eq!(after(condition, Start::Free, (Some(side), value), 0.1), at_root);
-                assert_eq!(after(condition, Start::Free, (Some(side), value), 0.09), left);
+                let at_root = if is_root { RootStart::Root } else { left };
+                assert_eq!(after(condition, RootStart::Free, (Some(side), value), 0.1), at_root);
+                assert_eq!(after(condition, RootStart::Free, (Some(side), value), 0.09), left);
             }
         }
     }
@@ -161,8 +161,9 @@ fn the_first_place_where_it_becomes_true() {
         let difference = series.map(|c| sign * c);
         let value = |theta: f64| difference.iter().rev().fold(0.0, |sum, c| sum * theta + c);
         for (condition, expected) in [(&equal, a), (&less, falls), (&greater, rises)] {
-            let by_series = of_difference(condition, &difference, (Start::Free, 1e-12), &|_| true).unwrap();
-            let by_values = of_values(condition, &value, (Start::Free, 1e-12.into()), &|_| true).unwrap();
+            let by_series =
+                of_difference(condition, &difference, (RootStart::Free, 1e-12), &|_| true).unwrap();
+            let by_values = of_values(condition, &value, (RootStart::Free, 1e-12.into()), &|_| true).unwrap();
             for found in [by_series, by_values] {
                 assert!(found.is_some_and(|at| (at - expected).abs() < 1e-14), "{sign} {expected} {found:?}");
             }
@@ -171,12 +172,12 @@ fn the_first_place_where_it_becomes_true() {
     // From a known root the first side that it leaves to.
     for (sign, holds) in [(-1.0, &less), (1.0, &greater)] {
         let difference = [0.0, sign];
-        assert_eq!(of_difference(holds, &difference, (Start::Root, 1e-12), &|_| true), Ok(Some(0.0)));
-        assert_eq!(of_difference(holds, &difference, (Start::Free, 1e-12), &|_| true), Ok(None));
-        assert_eq!(of_difference(&equal, &difference, (Start::Root, 1e-12), &|_| true), Ok(None));
+        assert_eq!(of_difference(holds, &difference, (RootStart::Root, 1e-12), &|_| true), Ok(Some(0.0)));
+        assert_eq!(of_difference(holds, &difference, (RootStart::Free, 1e-12), &|_| true), Ok(None));
+        assert_eq!(of_difference(&equal, &difference, (RootStart::Root, 1e-12), &|_| true), Ok(None));
         let value = |theta: f64| sign * theta;
-        assert_eq!(of_values(holds, &value, (Start::Root, 1e-12.into()), &|_| true), Ok(Some(0.0)));
-        assert_eq!(of_values(holds, &value, (Start::Free, 1e-12.into()), &|_| true), Ok(None));
+        assert_eq!(of_values(holds, &value, (RootStart::Root, 1e-12.into()), &|_| true), Ok(Some(0.0)));
+        assert_eq!(of_values(holds, &value, (RootStart::Free, 1e-12.into()), &|_| true), Ok(None));
     }
 }
 

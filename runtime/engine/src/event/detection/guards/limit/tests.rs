@@ -8,7 +8,7 @@ use crate::series::ORDERS;
 const MU: f64 = 0.25;
 
 fn watch(slip: Slip, side: Side) -> Watch<'static> {
-    LimitGuard::watch(Rub { contact: GUIDE, friction: 1, slip, side }, CONTACTS + 1, false)
+    LimitGuard::watch(FrictionGuard { contact: GUIDE, friction: 1, slip, side }, CONTACTS + 1, false)
 }
 
 /// N = ±(4 − t) and R = σ (t − 0.5): 0.25 (4 − t) ± (t − 0.5).
