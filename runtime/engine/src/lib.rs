@@ -155,12 +155,51 @@ pub use trajectory::{
     AppliedImpulse, Extremum, Instant, LogEntry, LoggedDecision, Segment, Statistics, Trajectory,
 };
 
-/// Collisions in plain numbers: rows of a Jacobian, laws of restitution, the impulses that follow,
-/// and the path of a single contact with friction.
-#[cfg(feature = "std")]
-pub mod impulse {
-    pub use crate::contact::impulse::*;
-    pub use crate::contact::{Path, RouthContact, Vertex};
+/// The equations that were derived of a model, as a book prints them: energies, mass matrix, forces and gaps, and for each
+/// contact set in closed form its equation of motion and its reactions. The text changes only when the physics does.
+///
+/// Needs the feature `equations`. In a test, with the crate `insta`, a change of the mechanics shows as a readable difference:
+///
+/// ```
+/// # use liftoff::prelude::*;
+/// # #[derive(BarSystem)]
+/// # #[gravity(g)]
+/// # #[bar(OA, mass = m, length = l)]
+/// # #[pin(O = (0, 0))]
+/// # #[figure(A = (0, -l))]
+/// # #[coordinate(phi = angle(OA), from = down)]
+/// # struct Swing { m: f64, l: f64, g: f64 }
+/// let text = liftoff::equations::<Swing>(); // insta::assert_snapshot!(text);
+/// assert!(text.contains("⅓ m l² φ̈ = −½ m g l sin φ"));
+/// ```
+#[cfg(feature = "equations")]
+pub fn equations<M: BarSystem>() -> String {
+    liftoff_codegen::equations_from_text(M::LAYOUT.declaration).to_string()
+}
+
+/// What emitted code calls and what the crates above the engine share: no part of the interface, and it may change with
+/// every version.
+#[doc(hidden)]
+pub mod __private {
+    pub use liftoff_core::__private::*;
+
+    #[cfg(feature = "std")]
+    pub mod event {
+        pub use crate::event::*;
+    }
+
+    #[cfg(feature = "std")]
+    pub mod expression {
+        pub use crate::expression::*;
+    }
+
+    /// Collisions in plain numbers: rows of a Jacobian, laws of restitution, the impulses that follow,
+    /// and the path of a single contact with friction.
+    #[cfg(feature = "std")]
+    pub mod impulse {
+        pub use crate::contact::impulse::*;
+        pub use crate::contact::{Path, RouthContact, Vertex};
+    }
 }
 
 /// What a program needs to declare, run and read a simulation.

@@ -1,7 +1,7 @@
 //! A run in plain numbers, as the judge is told of it.
 
 use liftoff::__private::event::Guard;
-use liftoff::{Event, Scales, Segment, Trajectory};
+use liftoff::{Event, EventKind, Note, Scales, Segment, Trajectory};
 use liftoff_judge::{Action, Change, Condition, MotionSegment, Record, RecordedEvent};
 
 use super::conditions::translated;

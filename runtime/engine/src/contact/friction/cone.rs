@@ -21,6 +21,20 @@ const CHANGES: usize = 10;
 /// A combination of the balanced multipliers of rows, (row, part).
 pub(super) type Edge = Vec<(usize, f64)>;
 
+impl ActiveRows {
+    /// What multipliers of closed rows the loads of edges are, a column for each; `None` where an
+    /// edge has a row that is not closed.
+    pub(super) fn build_edge_matrix(&self, edges: &[Edge]) -> Option<DMatrix<f64>> {
+        let mut of_edges = DMatrix::zeros(self.rows.len(), edges.len());
+        for (k, edge) in edges.iter().enumerate() {
+            for &(row, part) in edge {
+                of_edges[(self.find_place(row)?, k)] = part;
+            }
+        }
+        Some(of_edges)
+    }
+}
+
 impl BalancedProblem<'_> {
     /// The motion of modes whose equations are singular, if reactions exist that meet the conditions on them.
     pub(super) fn admissible(

@@ -3,7 +3,6 @@
 
 use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
-use super::cone::Edge;
 use super::modes::{
     Bound, ContactMode, Frictional, ImpulseBounds, ModeChoice, ModeCondition, SlipDirection, smooth_choices,
 };
