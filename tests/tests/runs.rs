@@ -2,8 +2,8 @@
 
 use approx::assert_abs_diff_eq;
 use common::{kinds, run};
-use liftoff::LoggedDecision;
 use liftoff::prelude::*;
+use liftoff::{Condition, LoggedDecision};
 use liftoff_compiled::*;
 use liftoff_tests::random::Source;
 
@@ -106,4 +106,52 @@ fn bars_fall_through_level_without_an_event() {
         let off = (run.final_state()[0] - known.final_state()[0]).abs();
         assert!(off < 10.0 * tolerance && run.audit().is_clean(), "{tolerance}: {off:e}");
     }
+}
+
+/// What `serde` writes of an event is what its fields say, its kind and note as text.
+#[test]
+fn events_are_serialised_by_their_fields() {
+    let ball = BouncingBall { m: 1.0, g: 9.81, e: 0.5 };
+    let run = run(&ball, Pose::new("y", 1.0).with("x", 0.0), &["t = 0.5"]);
+    let impact = run.events().iter().find(|event| event.kind == EventKind::Impact).unwrap();
+    let json = serde_json::to_value(impact).unwrap();
+    let names: Vec<&String> = json.as_object().unwrap().keys().collect();
+    let all = ["before", "energy", "impulses", "kind", "note", "reactions", "state", "supports", "t"];
+    assert_eq!(names, all);
+    assert_eq!((&json["kind"], &json["t"]), (&"impact".into(), &impact.t.into()));
+    assert_eq!(json["state"], serde_json::json!(impact.state));
+    assert_eq!(json["impulses"][0]["value"], impact.impulses[0].value);
+    assert_eq!(json["before"]["energy"]["kinetic"], impact.before.as_ref().unwrap().energy.kinetic);
+    assert_eq!(json["note"].as_str(), impact.note.as_ref().map(ToString::to_string).as_deref());
+}
+
+/// Samples are the values of outputs at times; states those at the ends of steps, both sides of an impact.
+#[test]
+fn samples_and_states_are_values_of_the_motion() {
+    let ball = BouncingBall { m: 1.0, g: 9.81, e: 0.5 };
+    let run = run(&ball, Pose::new("y", 1.0).with("x", 0.0), &["t = 0.8"]);
+    let outputs = ["y", "y'", "E"].map(|text| run.output(text).unwrap());
+    let rows = run.sample([0.1, 0.3, 0.7], &outputs);
+    for (t, row) in [0.1_f64, 0.3].into_iter().zip(&rows) {
+        let closed = [1.0 - 9.81 * t * t / 2.0, -9.81 * t, 9.81];
+        row.iter().zip(closed).for_each(|(value, exact)| assert_abs_diff_eq!(*value, exact, epsilon = 1e-11));
+    }
+    assert_eq!(rows[2], outputs.each_ref().map(|output| run.value(output, 0.7)));
+    let impact = run.events().iter().find(|event| event.kind == EventKind::Impact).unwrap();
+    let sides: Vec<Vec<f64>> =
+        run.states().filter(|(instant, _)| instant.t == impact.t).map(|(_, state)| state).collect();
+    assert_eq!(sides.len(), 2);
+    assert_abs_diff_eq!(sides[1][3], -0.5 * sides[0][3], epsilon = 1e-12);
+}
+
+/// A condition ends a run as its text does.
+#[test]
+fn until_takes_text_or_a_condition() {
+    let pair = FallingPair { m: 1.0, l: 1.0, g: 9.81 };
+    let prepared = || Simulation::new(&pair).unwrap().start(Pose::new("phi", 0.1)).unwrap();
+    let condition = Condition::parse(prepared().layout(), "phi = 1").unwrap();
+    let typed = prepared().until(condition).unwrap().run().unwrap();
+    let text = prepared().until("phi = 1").unwrap().run().unwrap();
+    assert_eq!((typed.end_time(), typed.final_state()), (text.end_time(), text.final_state()));
+    assert_abs_diff_eq!(typed.final_state()[0], 1.0, epsilon = 1e-12);
 }

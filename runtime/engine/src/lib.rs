@@ -72,6 +72,8 @@ mod contact;
 mod context;
 #[cfg(feature = "ensemble")]
 pub mod ensemble;
+#[cfg(feature = "equations")]
+mod equations;
 #[cfg(feature = "std")]
 mod error;
 #[cfg(feature = "std")]
@@ -95,12 +97,14 @@ pub use assembly::{Pose, StartError};
 pub use audit::{Audit, Finding, Quantity};
 #[cfg(feature = "std")]
 pub use contact::ContactError;
+#[cfg(feature = "equations")]
+pub use equations::equations;
 #[cfg(feature = "std")]
 pub use error::{ModelError, NameError, OutputError, ScheduleError, SupportError};
 #[cfg(feature = "std")]
 pub use event::{Event, EventFilter, EventKind, FrictionState, ImpactOrder, Note, PreImpact, Reaction};
 #[cfg(feature = "std")]
-pub use expression::{Condition, Formula, Output, contact_set};
+pub use expression::{Condition, Formula, IntoCondition, Output, contact_set};
 #[cfg(feature = "std")]
 pub use integration::method;
 pub use liftoff_core::model::{BarSystem, ContactSet, Form, Layout};
@@ -154,28 +158,6 @@ pub use trajectory::observe::{Observer, Step};
 pub use trajectory::{
     AppliedImpulse, Extremum, Instant, LogEntry, LoggedDecision, Segment, Statistics, Trajectory,
 };
-
-/// The equations that were derived of a model, as a book prints them: energies, mass matrix, forces and gaps, and for each
-/// contact set in closed form its equation of motion and its reactions. The text changes only when the physics does.
-///
-/// Needs the feature `equations`. In a test, with the crate `insta`, a change of the mechanics shows as a readable difference:
-///
-/// ```
-/// # use liftoff::prelude::*;
-/// # #[derive(BarSystem)]
-/// # #[gravity(g)]
-/// # #[bar(OA, mass = m, length = l)]
-/// # #[pin(O = (0, 0))]
-/// # #[figure(A = (0, -l))]
-/// # #[coordinate(phi = angle(OA), from = down)]
-/// # struct Swing { m: f64, l: f64, g: f64 }
-/// let text = liftoff::equations::<Swing>(); // insta::assert_snapshot!(text);
-/// assert!(text.contains("⅓ m l² φ̈ = −½ m g l sin φ"));
-/// ```
-#[cfg(feature = "equations")]
-pub fn equations<M: BarSystem>() -> String {
-    liftoff_codegen::equations_from_text(M::LAYOUT.declaration).to_string()
-}
 
 /// What emitted code calls and what the crates above the engine share: no part of the interface, and it may change with
 /// every version.

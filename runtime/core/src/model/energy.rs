@@ -2,6 +2,7 @@
 
 /// Kinetic and potential energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Energy<S> {
     /// T.
     pub kinetic: S,

@@ -7,6 +7,7 @@ use crate::error::NameError;
 
 /// A start from which no motion follows.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum StartError {
     /// An unknown coordinate.
     #[error(transparent)]

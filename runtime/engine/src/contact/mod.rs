@@ -43,6 +43,7 @@ use crate::model::{ContactSet, Layout, SlipState};
 
 /// Why no motion follows from a state.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum ContactError {
     /// No admissible reactions exist: the supports and joints contradict each other.
     #[error("jammed: no reactions of {} satisfy the contact conditions", contacts.join(", "))]

@@ -6,6 +6,7 @@ use super::OutputError;
 
 /// Parameters that describe no mechanical system.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum ModelError {
     /// The condition on which a contact, a spring or a load is there.
     #[error("the condition `while` of {of}: {source}")]

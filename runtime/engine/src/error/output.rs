@@ -11,6 +11,7 @@ pub(crate) const MOST_OPERATORS: usize = 1000;
 
 /// Text that is no expression of the model.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum OutputError {
     /// A character or word in the wrong place.
     #[error("expected {expected}, found {found} at column {column}")]

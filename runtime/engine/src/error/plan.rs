@@ -6,6 +6,7 @@ use super::{NameError, OutputError};
 
 /// An unknown support to hold or release, or an invalid time of its release.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum SupportError {
     /// No such support.
     #[error(transparent)]
@@ -30,6 +31,7 @@ pub enum SupportError {
 
 /// An invalid scheduled action.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum ScheduleError {
     /// No such support, thread or point.
     #[error(transparent)]

@@ -20,6 +20,7 @@ const DIGITS: usize = 4;
 
 /// Something that happened.
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Event {
     /// When.
     pub t: f64,
@@ -40,10 +41,13 @@ pub struct Event {
     pub impulses: Vec<Reaction>,
     /// What else there is to say.
     pub note: Option<Note>,
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub(crate) coordinates: &'static [Coordinate],
     /// Value and rate of each dependent angle.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub(crate) dependent: Vec<(&'static str, [f64; 2])>,
     /// Natural length of the run, m.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub(crate) length: f64,
 }
 
@@ -103,12 +107,14 @@ impl Event {
 
 /// The motion just before an impact or an impulse.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PreImpact {
     /// The full state: coordinates, then rates.
     pub state: Vec<f64>,
     /// Kinetic and potential energy, J.
     pub energy: Energy<f64>,
     /// The contacts that bear.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub(crate) bearing: ContactSet,
 }
 
@@ -128,6 +134,7 @@ impl core::ops::Index<&str> for Event {
 
 /// Kinds of [`Event`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum EventKind {
     /// The run begins.
     Start,
@@ -229,8 +236,23 @@ impl fmt::Display for EventKind {
     }
 }
 
+#[cfg(feature = "serde")]
+impl serde::Serialize for EventKind {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for Note {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
 /// The reaction or impulse of a support, or of a contact whose supports' shares are not determined.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Reaction {
     /// Index of the contact.
     pub contact: usize,

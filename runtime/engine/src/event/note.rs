@@ -6,6 +6,7 @@ use crate::expression::Condition;
 
 /// What there is to say of an event.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum Note {
     /// The state is that before the impact of contacts that the start's rates close.
     BeforeImpact,
@@ -38,6 +39,7 @@ pub enum Note {
 
 /// The forces of a contact with friction.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FrictionState {
     /// The contact's label.
     pub contact: &'static str,
@@ -55,6 +57,7 @@ pub struct FrictionState {
 
 /// Contacts of which simultaneous impacts end otherwise if they come one after the other.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ImpactOrder {
     /// Pairs of contacts with the kinetic angle between them, rad.
     pub pairs: Vec<([&'static str; 2], f64)>,

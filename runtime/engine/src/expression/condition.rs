@@ -37,6 +37,27 @@ pub(crate) enum Relation {
     Greater,
 }
 
+/// What can be taken for a condition on a model: text or a [`Condition`].
+pub trait IntoCondition {
+    /// The condition with the names of a model.
+    ///
+    /// # Errors
+    /// The text is no condition, or names something that the model does not have.
+    fn into_condition(self, layout: &'static Layout) -> Result<Condition, OutputError>;
+}
+
+impl IntoCondition for Condition {
+    fn into_condition(self, _: &'static Layout) -> Result<Condition, OutputError> {
+        Ok(self)
+    }
+}
+
+impl<T: AsRef<str>> IntoCondition for T {
+    fn into_condition(self, layout: &'static Layout) -> Result<Condition, OutputError> {
+        Condition::parse(layout, self.as_ref())
+    }
+}
+
 impl Condition {
     /// Reads a condition with the names of a model.
     pub fn parse(layout: &'static Layout, text: &str) -> Result<Self, OutputError> {

@@ -19,8 +19,8 @@ mod tests;
 mod token;
 mod tree;
 
-pub use condition::Condition;
 pub(crate) use condition::Relation;
+pub use condition::{Condition, IntoCondition};
 pub(crate) use enclosure::Enclosure;
 pub use environment::{Environment, Variable};
 pub use formula::Formula;

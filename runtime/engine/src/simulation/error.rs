@@ -14,6 +14,7 @@ use crate::trajectory::Trajectory;
 
 /// Why a run stopped short.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum RunCause {
     /// The tolerance is not a number between 0 and 1.
     #[error("tolerance {0} is not between 0 and 1")]

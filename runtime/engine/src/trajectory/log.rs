@@ -17,6 +17,7 @@ pub struct LogEntry {
 
 /// What a run may decide.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum LoggedDecision {
     /// The pose of the start penetrates contacts by this much, m, within ten times the tolerance: they count as closed, and the pose
     /// moves onto them, by the square root of that where a gap has a fold.

@@ -66,6 +66,7 @@ pub struct AppliedImpulse {
 
 /// The work that a run took.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Statistics {
     /// Accepted steps.
     pub steps: u64,
@@ -109,6 +110,7 @@ pub struct Segment {
 
 /// A time at which a motion is looked at.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Instant {
     /// When.
     pub t: f64,
@@ -118,6 +120,7 @@ pub struct Instant {
 
 /// A turning point of an output.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Extremum {
     /// When.
     pub t: f64,
@@ -249,6 +252,33 @@ impl Trajectory {
             instants.push(Instant { t, is_before: false });
         }
         instants
+    }
+
+    /// The full state, coordinates then rates, at each of the [`instants`](Self::instants) in order.
+    pub fn states(&self) -> impl Iterator<Item = (Instant, Vec<f64>)> {
+        self.instants().into_iter().map(|instant| (instant, self.state_at(instant)))
+    }
+
+    /// The values of some outputs, a row for each of the times; at an event they are those after it.
+    ///
+    /// ```
+    /// # use liftoff::prelude::*;
+    /// # #[derive(BarSystem)]
+    /// # #[gravity(g)]
+    /// # #[bar(OA, mass = m, length = l)]
+    /// # #[pin(O = (0, 0))]
+    /// # #[figure(A = (0, -l))]
+    /// # #[coordinate(phi = angle(OA), from = down)]
+    /// # struct Pendulum { m: f64, l: f64, g: f64 }
+    /// # let pendulum = Pendulum { m: 1.0, l: 1.0, g: 9.81 };
+    /// let run = Simulation::new(&pendulum)?.start(Pose::new("phi", 1.0))?.limit(2.0).run()?;
+    /// let rows = run.sample((0..=20).map(|i| 0.1 * f64::from(i)), &[run.output("phi")?, run.output("x(A)")?]);
+    /// assert!(rows.len() == 21 && rows[0] == [1.0, 1.0_f64.sin()]);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    pub fn sample(&self, times: impl IntoIterator<Item = f64>, outputs: &[Output]) -> Vec<Vec<f64>> {
+        let row = |t| outputs.iter().map(|output| self.value(output, t)).collect();
+        times.into_iter().map(row).collect()
     }
 
     /// The full state at an instant.

@@ -129,9 +129,7 @@ pub(crate) fn change_of(run: &Trajectory, event: &Event) -> Option<Change> {
         EventKind::Release | EventKind::Cut => Change::Remove,
         EventKind::Impulse => Change::Impulse,
         EventKind::Stop if is_found(run, event) => Change::Stop,
-        EventKind::Slip | EventKind::Stick | EventKind::Reverse | EventKind::Side => return None,
-        EventKind::Arm | EventKind::Disarm => return None,
-        EventKind::Start | EventKind::Touch | EventKind::Stop | EventKind::End => return None,
+        _ => return None,
     })
 }
 

@@ -6,6 +6,7 @@ use core::str::FromStr;
 
 /// A method of integration.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[non_exhaustive]
 pub enum MethodId {
     /// Chosen for each phase: [`Auto`].
     Auto,
