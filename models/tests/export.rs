@@ -60,9 +60,9 @@ fn case(model: &Model, set: ContactSet, seed: &mut u64) -> Option<Value> {
 /// The same by the closed form of the set, if it has one, at the state that it makes of this one.
 fn reduced(model: &Model, set: ContactSet, state: &[f64]) -> Option<Value> {
     let layout = model.layout();
-    let phase = Arc::clone(&model.system).phase(set, Form::Closed);
+    let phase = Arc::clone(&model.system).phase(set, Form::Reduced);
     let info = phase.info();
-    if info.form != Form::Closed {
+    if info.form != Form::Reduced {
         return None;
     }
     let n = layout.coordinates.len();

@@ -36,7 +36,7 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Generated<'_, '_, M> {
 }
 
 fn generated<M: BarSystem>(bencher: Bencher, model: &M, set: ContactSet) {
-    M::phase(set, Form::Closed, Generated { bencher, model });
+    M::phase(set, Form::Reduced, Generated { bencher, model });
 }
 
 fn by_hand<const N: usize>(bencher: Bencher, rhs: fn(&[f64; N]) -> [f64; N]) {

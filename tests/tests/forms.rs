@@ -32,7 +32,7 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Projected<'_, M> {
     type Output = Motion<M>;
 
     fn visit<const N: usize>(self, phase: Phase<M, f64, N>) -> Motion<M> {
-        assert_eq!(phase.form, Form::Projected);
+        assert_eq!(phase.form, Form::Multipliers);
         let k = self.model.constants::<f64>();
         let state = (phase.restrict)(&self.full);
         Motion {
@@ -59,7 +59,7 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Closed<'_, M> {
         let k = self.model.constants::<f64>();
         let state: [f64; N] = core::array::from_fn(|_| self.source.range(0.2, 1.1));
         let full = (phase.embed)(&k, &state);
-        let other = M::phase(phase.set, Form::Projected, Projected { model: self.model, full });
+        let other = M::phase(phase.set, Form::Multipliers, Projected { model: self.model, full });
         let derivative = (phase.derivative)(&k, &phase.set, &state);
         close(&derivative, &(phase.restrict)(&other.derivative), "motion");
         close((phase.reactions)(&k, &phase.set, &state).as_ref(), &other.reactions, "reactions");
@@ -73,7 +73,7 @@ fn check<M: BarSystem>(model: &M, sets: usize) {
     let mut source = Source::new(11);
     for &set in M::LAYOUT.closed_forms {
         for _ in 0..20 {
-            M::phase(set, Form::Closed, Closed { model, source: &mut source });
+            M::phase(set, Form::Reduced, Closed { model, source: &mut source });
         }
     }
 }

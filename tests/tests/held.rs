@@ -95,8 +95,8 @@ fn compare(what: &str, model: &Model, own: &Model, held: &HeldMotion, y: &[f64],
     let expected: Vec<f64> =
         (0..layout.reactions()).map(|i| multipliers[layout.row_of_reaction(i)]).collect();
     for model in [model, own] {
-        let phase = Arc::clone(&model.system).phase(set, Form::Closed);
-        assert_eq!(phase.info().form, Form::Projected, "{what}");
+        let phase = Arc::clone(&model.system).phase(set, Form::Reduced);
+        assert_eq!(phase.info().form, Form::Multipliers, "{what}");
         let (mut derivative, mut reactions) = (vec![0.0; y.len()], vec![0.0; layout.reactions()]);
         phase.derivative(y, &mut derivative);
         phase.reactions(y, &mut reactions);

@@ -225,7 +225,7 @@ pub(super) fn kernel_outputs(analysis: &Analysis) -> Vec<Id> {
     let kernel = &analysis.functions.kernel;
     let mut outputs = kernel.mass.written(kernel.force.len());
     outputs.extend(kernel.force.iter().chain(&kernel.gap));
-    outputs.extend(kernel.jacobian.iter().flatten().chain(&kernel.bias).chain(&kernel.drift));
+    outputs.extend(kernel.jacobian.iter().flatten().chain(&kernel.bias).chain(&kernel.prescribed_gap_rate));
     outputs.extend(&kernel.friction);
     outputs
 }
@@ -239,7 +239,7 @@ pub(super) fn kernel_of(analysis: &Analysis, results: &[TokenStream]) -> TokenSt
     let (gap, rest) = rest.split_at(rows);
     let (jacobian, rest) = rest.split_at(rows * n);
     let (bias, rest) = rest.split_at(rows);
-    let (drift, friction) = rest.split_at(rows);
+    let (prescribed, friction) = rest.split_at(rows);
     let grid = |entries: &[TokenStream]| {
         let rows = entries.chunks(n.max(1)).map(|row| quote!([#(#row),*]));
         quote!([#(#rows),*])
@@ -256,7 +256,7 @@ pub(super) fn kernel_of(analysis: &Analysis, results: &[TokenStream]) -> TokenSt
             gap: [#(#gap),*],
             jacobian: #jacobian,
             bias: [#(#bias),*],
-            drift: [#(#drift),*],
+            prescribed_gap_rate: [#(#prescribed),*],
             friction: [#(#friction),*],
         }
     }

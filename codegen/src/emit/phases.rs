@@ -28,7 +28,7 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
         let affine = analysis.functions.are_guards_affine(&analysis.motion, phase);
         let embed = if is_full(analysis, phase) { quote!(|_, state| *state) } else { quote!(#name::embed) };
         quote! {
-            (Form::Closed, ::core::option::Option::Some(#set)) => visitor.#visit::<#n, #name>(Phase {
+            (Form::Reduced, ::core::option::Option::Some(#set)) => visitor.#visit::<#n, #name>(Phase {
                 set,
                 form,
                 coordinates: #coordinates,

@@ -40,7 +40,7 @@ pub(super) fn projected(analysis: &Analysis) -> TokenStream {
     quote! {
         visitor.#visit(Phase {
             set,
-            form: Form::Projected,
+            form: Form::Multipliers,
             coordinates: #coordinates,
             rates: #coordinates,
             derivative: #derivative,

@@ -16,7 +16,8 @@ pub(super) fn kernel(
 ) -> Kernel {
     let n = motion.n;
     let forces: Vec<Series> = (0..n).map(|i| dense.force(i)).collect();
-    let rows = motion.rows.iter().flat_map(|r| r.jacobian.iter().chain([&r.gap, &r.bias, &r.drift]));
+    let rows =
+        motion.rows.iter().flat_map(|r| r.jacobian.iter().chain([&r.gap, &r.bias, &r.prescribed_gap_rate]));
     let every = dense.mass.iter().flatten().chain(&forces).chain(rows);
     let mut lowering = Lowering::new(program, system, &motion.opaque_terms, every);
     let name = |i: usize| &kinematics.coordinates[i].name;
@@ -46,7 +47,7 @@ pub(super) fn with_rows(lowering: &mut Lowering, motion: &Motion, mass: Mass, fo
             .map(|r| r.jacobian.iter().map(|j| lowering.series(j)).collect())
             .collect(),
         bias: motion.rows.iter().map(|r| lowering.series(&r.bias)).collect(),
-        drift: motion.rows.iter().map(|r| lowering.series(&r.drift)).collect(),
+        prescribed_gap_rate: motion.rows.iter().map(|r| lowering.series(&r.prescribed_gap_rate)).collect(),
         friction: friction(lowering, motion),
     }
 }

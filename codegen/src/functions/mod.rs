@@ -43,7 +43,7 @@ pub struct Kernel {
     /// b.
     pub bias: Vec<Id>,
     /// ∂g/∂t.
-    pub drift: Vec<Id>,
+    pub prescribed_gap_rate: Vec<Id>,
     /// σμ of the slips of contacts with friction, zero of other rows.
     pub friction: Vec<Id>,
 }
@@ -60,7 +60,7 @@ pub enum Mass {
 impl Kernel {
     /// All that it is computed from.
     pub fn outputs(&self) -> Vec<Id> {
-        let Self { mass, force, gap, jacobian, bias, drift, friction } = self;
+        let Self { mass, force, gap, jacobian, bias, prescribed_gap_rate: drift, friction } = self;
         let rows = gap.iter().chain(jacobian.iter().flatten()).chain(bias).chain(drift).chain(friction);
         mass.outputs().iter().chain(force).chain(rows).copied().collect()
     }

@@ -46,7 +46,7 @@ pub(super) fn measure(
     let half = Rational::new(sign.into(), 2);
     let mut row = Row::from_gap(&(&bulge * &inverse).scale(half), n);
     // The opaque term of a length is a constant.
-    row.drift = Series::zero();
+    row.prescribed_gap_rate = Series::zero();
     row.bias = (&bias(&bulge, n) * &inverse).scale(half);
     let pair = |force: [Series; 2]| {
         let back = force.each_ref().map(|part| -part);

@@ -12,31 +12,36 @@ pub struct Row {
     /// b, what g̈ is without accelerations.
     pub bias: Series,
     /// ∂g/∂t, of prescribed motions.
-    pub drift: Series,
+    pub prescribed_gap_rate: Series,
 }
 
 impl Row {
     /// The row of a gap that is a series of the coordinates and of opaque terms that depend on time alone.
     pub(super) fn from_gap(gap: &Series, n: usize) -> Self {
         let jacobian = (0..n).map(|i| gap.derivative(Symbol::coordinate(i))).collect();
-        Self { gap: gap.clone(), jacobian, bias: bias(gap, n), drift: drift(gap) }
+        Self {
+            gap: gap.clone(),
+            jacobian,
+            bias: bias(gap, n),
+            prescribed_gap_rate: derive_prescribed_rate(gap),
+        }
     }
 
     /// A row of velocities alone.
     pub(super) fn tangential(jacobian: Vec<Series>, bias: Series) -> Self {
-        Self { gap: Series::zero(), jacobian, bias, drift: Series::zero() }
+        Self { gap: Series::zero(), jacobian, bias, prescribed_gap_rate: Series::zero() }
     }
 
     /// J u + ∂g/∂t.
     pub(crate) fn velocity(&self) -> Series {
         let along =
             self.jacobian.iter().enumerate().map(|(i, slope)| slope * &Series::symbol(Symbol::rate(i)));
-        along.sum::<Series>() + self.drift.clone()
+        along.sum::<Series>() + self.prescribed_gap_rate.clone()
     }
 
     /// The same relative to a surface with this velocity along the tangent.
     pub(super) fn move_with(&mut self, velocity: &Series) {
-        self.drift -= velocity;
+        self.prescribed_gap_rate -= velocity;
         self.bias -= &velocity.rate();
     }
 
@@ -48,7 +53,7 @@ impl Row {
 /// The second time derivative at zero accelerations: `Σ uᵢ ∂ẋ/∂qᵢ + ∂ẋ/∂t`.
 pub(crate) fn bias(x: &Series, n: usize) -> Series {
     let rate = x.rate();
-    let mut sum = drift(&rate);
+    let mut sum = derive_prescribed_rate(&rate);
     for i in 0..n {
         let slope = rate.derivative(Symbol::coordinate(i));
         if !slope.is_zero() {
@@ -59,7 +64,7 @@ pub(crate) fn bias(x: &Series, n: usize) -> Series {
 }
 
 /// ∂x/∂t through the opaque terms.
-fn drift(x: &Series) -> Series {
+fn derive_prescribed_rate(x: &Series) -> Series {
     let opaque_terms = x.symbols().into_iter().filter(|symbol| matches!(symbol, Symbol::Opaque { .. }));
     opaque_terms
         .filter_map(|opaque_term| {

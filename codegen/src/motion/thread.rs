@@ -78,7 +78,7 @@ fn polynomial(
     let gap = (&slack * &inverse).scale(Rational::new(1, 2));
     let mut row = Row::from_gap(&gap, scene.n());
     // The opaque terms of a thread are constants.
-    row.drift = Series::zero();
+    row.prescribed_gap_rate = Series::zero();
     row.bias = -(&bias(&dot(&segment.span, &segment.span), scene.n()) * &inverse).scale(Rational::new(1, 2));
     (row, segment.pull(scene, &inverse).into())
 }
@@ -107,5 +107,5 @@ fn rooted(
         curved -= opaque_terms.symbol(&format!("e{}_{name}", k + 1), segment.curvature(&rate, n));
         actions.extend(segment.pull(scene, &inverse));
     }
-    (Row { gap, jacobian, bias: curved, drift: Series::zero() }, actions)
+    (Row { gap, jacobian, bias: curved, prescribed_gap_rate: Series::zero() }, actions)
 }

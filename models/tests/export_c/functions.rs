@@ -36,9 +36,9 @@ pub fn compiled(model: &Model, set: ContactSet, state: &[f64]) -> Vec<Expected> 
 
 /// What it says of a contact set in closed form; nothing where it has none.
 pub fn in_closed_form(model: &Model, set: ContactSet, state: &[f64]) -> Vec<Expected> {
-    let phase = Arc::clone(&model.system).phase(set, Form::Closed);
+    let phase = Arc::clone(&model.system).phase(set, Form::Reduced);
     let info = phase.info();
-    if info.form != Form::Closed {
+    if info.form != Form::Reduced {
         return Vec::new();
     }
     let layout = model.layout();

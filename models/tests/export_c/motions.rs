@@ -55,7 +55,7 @@ fn its_motions_are_those_of_the_program_to_the_error_of_the_method() {
         let (from, to) = (segment.t0 + 0.01 * length, segment.t0 + 0.9 * length);
         let library = Library::build(&folder, name, layout);
         let state = whole(layout, &run, &segment, from);
-        let asked = library.question("from", &model(name).parameters, segment.bearing, &state);
+        let asked = library.question("from", &model(name).parameters, segment.active_basis, &state);
         let question = |steps: usize| format!("{asked} {:e} {steps}", to - from);
         let ask = |steps: usize| {
             let answers = library.ask(&[question(steps), question(2 * steps)]);

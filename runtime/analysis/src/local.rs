@@ -44,9 +44,9 @@ impl<'a> Local<'a> {
         set: ContactSet,
         state: &[DoubleDouble],
     ) -> Result<Self, AnalysisError> {
-        let closed = Arc::clone(&subject.system).phase(set, Form::Closed);
+        let closed = Arc::clone(&subject.system).phase(set, Form::Reduced);
         let info = closed.info();
-        if info.form == Form::Closed && info.coordinates == info.rates {
+        if info.form == Form::Reduced && info.coordinates == info.rates {
             let rest = restricted(&*closed, state);
             if let Some(local) = is_image(subject, &*closed, &rest, state)
                 .then(|| Self::in_closed_form(subject, &closed, &rest, state))
@@ -55,7 +55,7 @@ impl<'a> Local<'a> {
                 return Ok(local);
             }
         }
-        let phase = Arc::clone(&subject.system).phase(set, Form::Projected);
+        let phase = Arc::clone(&subject.system).phase(set, Form::Multipliers);
         let basis = null_space(subject, set, state).ok_or(AnalysisError::Massless)?;
         let onto = basis.transpose() * mass_of(subject, state);
         Ok(Self { subject, rest: restricted(&*phase, state), phase, into: basis.clone(), onto, basis })

@@ -67,7 +67,7 @@ impl<M: BarSystem> ForVector for Find<'_, M> {
     type Output = Option<Box<dyn Evaluate<M>>>;
 
     fn with<X: Vector>(self) -> Self::Output {
-        M::phase(self.set, Form::Closed, Select::<M, X>(&self, PhantomData))
+        M::phase(self.set, Form::Reduced, Select::<M, X>(&self, PhantomData))
     }
 }
 

@@ -71,7 +71,7 @@ pub fn flow<M: BarSystem>(
     let scales = Scales::natural(M::LAYOUT, measures.as_ref(), nominal.as_ref());
     M::phase(
         ContactSet::EMPTY,
-        Form::Closed,
+        Form::Reduced,
         Flow { model, constants: &constants, scales, state, duration, tolerance },
     )
 }

@@ -51,7 +51,7 @@ pub fn project_by<S: Scalar, K: KernelView<S>>(
     let rates = &state[n..2 * n];
     let drift = |row: usize| {
         let along = known.jacobian(row).iter().zip(rates);
-        along.fold(known.drift()[row], |sum, (&entry, &u)| entry.mul_add(u, sum))
+        along.fold(known.prescribed_gap_rate()[row], |sum, (&entry, &u)| entry.mul_add(u, sum))
     };
     known.correction(layout, set, &drift, work);
     add(work, &mut state[n..2 * n]);

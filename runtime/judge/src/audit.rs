@@ -20,7 +20,7 @@ struct Seen {
 /// The first thing that cannot be, or by how much all that must be zero is not.
 pub(crate) fn audit(scene: &Scenery, record: &Record) -> Verdict {
     let mut auditor = Auditor { scene, record, last: None, kinetic: 0.0, worst: 0.0 };
-    for stretch in &record.stretches {
+    for stretch in &record.segments {
         if let Err((t, what)) = auditor.stretch(stretch) {
             return Verdict::Disagrees { t, what };
         }

@@ -34,7 +34,7 @@ impl<S: Scalar> Scene<S> {
             .enumerate()
             .map(|(i, row)| {
                 let given = if i < m { public[m + i] } else { S::ZERO };
-                given - expansion.series.get(row.drift, 0)
+                given - expansion.series.get(row.prescribed_gap_rate, 0)
             })
             .collect();
         state.v = self.nearest(&expansion, &rows, &rates);

@@ -27,7 +27,7 @@ pub struct Record {
     /// What happened, in order of time; touches that nothing follows from left out.
     pub events: Vec<RecordedEvent>,
     /// Its parts between events, in order of time.
-    pub stretches: Vec<MotionSegment>,
+    pub segments: Vec<MotionSegment>,
     /// When it ends.
     pub end: f64,
     /// Natural size of each entry of a state.

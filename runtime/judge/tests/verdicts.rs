@@ -34,7 +34,7 @@ fn bounced(u: f64) -> Record {
             contacts: vec!["P".to_owned()],
             state: rising(1.0, u).1,
         }],
-        stretches: vec![
+        segments: vec![
             free([0.0, 0.3, 0.6, 1.0].map(falling).to_vec()),
             free([1.0, 1.2, 1.4].map(|t| rising(t, u)).to_vec()),
         ],
@@ -70,19 +70,19 @@ fn a_wrong_impact_does_not() {
 fn a_missed_contact_does_not() {
     let mut record = bounced(5.0);
     record.events.clear();
-    record.stretches.truncate(1);
-    record.stretches[0].samples.push(falling(1.4));
+    record.segments.truncate(1);
+    record.segments[0].samples.push(falling(1.4));
     record.end = 1.4;
     assert!(disagreement(&record).contains("the gap of P"), "{}", disagreement(&record));
     // Not seen in states, if none of those told is under the floor, but in what the judge finds.
-    record.stretches[0].samples.pop();
+    record.segments[0].samples.pop();
     assert!(disagreement(&record).contains("impact of P at t = 1 is missed"), "{}", disagreement(&record));
 }
 
 #[test]
 fn a_jump_does_not() {
     let mut record = bounced(5.0);
-    record.stretches[1].samples.iter_mut().for_each(|(_, state)| state[0] += 0.1);
+    record.segments[1].samples.iter_mut().for_each(|(_, state)| state[0] += 0.1);
     assert!(disagreement(&record).contains("jumps by"), "{}", disagreement(&record));
 }
 
@@ -96,7 +96,7 @@ fn a_contact_that_pulls_does_not() {
     let samples = [0.0, 0.5, 1.0].map(still).to_vec();
     let record = Record {
         start: vec![0.0; 4],
-        stretches: vec![MotionSegment { closed: vec!["P".to_owned()], samples }],
+        segments: vec![MotionSegment { closed: vec!["P".to_owned()], samples }],
         end: 1.0,
         units: vec![1.0; 4],
         time: 0.3,
@@ -127,7 +127,7 @@ fn a_lateness_that_errors_at_the_start_make_is_none() {
         let record = Record {
             start: start.clone(),
             events: vec![event],
-            stretches: vec![MotionSegment { closed: contacts, samples: vec![(0.0, start.clone())] }],
+            segments: vec![MotionSegment { closed: contacts, samples: vec![(0.0, start.clone())] }],
             end: t,
             units: vec![1.0; 4],
             time: 1.0,

@@ -128,7 +128,7 @@ impl<'a, S: Number> Collision<'a, S> {
     /// ġ of a row.
     pub(crate) fn speed(&self, row: usize, rates: &[S]) -> S {
         let along = self.equations.jacobian(row).iter().zip(rates);
-        along.fold(self.equations.drift()[row], |sum, (&entry, &u)| entry.mul_add(u, sum))
+        along.fold(self.equations.prescribed_gap_rate()[row], |sum, (&entry, &u)| entry.mul_add(u, sum))
     }
 
     /// Δu and P of M Δu − Σ columnᵀ P = p, J Δu = right.

@@ -94,7 +94,7 @@ impl<S: Number> ReplayPhase<S> {
     }
 
     fn is_projected(&self) -> bool {
-        self.phase.info().form == Form::Projected
+        self.phase.info().form == Form::Multipliers
     }
 
     fn project(&self, state: &mut [S]) {

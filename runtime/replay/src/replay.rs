@@ -139,7 +139,7 @@ impl<'a, S: Number> Replay<'a, S> {
     /// One phase to its end.
     fn follow(&mut self, k: usize, segment: &Segment) -> Result<(), ReplayError> {
         let model = self.model;
-        let phase = model.phase(segment.bearing, segment.form);
+        let phase = model.phase(segment.active_basis, segment.form);
         self.set_switches(&segment.acting);
         let mut reduced = phase.restrict(self.state.clone());
         if !self.is_here(&phase.embed(&reduced)) {

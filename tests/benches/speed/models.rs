@@ -39,7 +39,7 @@ fn rows_of<M: BarSystem>(model: M) -> Result<Vec<Value>> {
     };
     let row = |(contacts, set): (&str, ContactSet)| {
         let operations = operations(&analysis, set.iter().fold(0, |bits, contact| bits | 1 << contact));
-        let (form, ns) = M::phase(set, Form::Closed, Time(&model));
+        let (form, ns) = M::phase(set, Form::Reduced, Time(&model));
         json!({ "model": layout.name, "contacts": contacts, "form": format!("{form:?}"), "ns": ns, "operations": operations })
     };
     Ok(sets.into_iter().map(row).collect())

@@ -67,7 +67,7 @@ fn row<M: BarSystem, const K: usize>(
         analysis.functions.program.cost(&outputs)
     });
     let expansion = shortest(5, || drop(black_box(expand(declaration.clone()))));
-    let measured = M::phase(ContactSet::from_bits(set), Form::Closed, Measure { model, anchored, rates });
+    let measured = M::phase(ContactSet::from_bits(set), Form::Reduced, Measure { model, anchored, rates });
     let by_hand = format!("{scene}_by_hand");
     let (derived, compiled) = Binary::released(scene)?;
     let (written, compiled_by_hand) = Binary::released(&by_hand)?;

@@ -48,7 +48,7 @@ chain!(16);
 pub unsafe extern "C" fn rhs(q: *const f64, u: *const f64, a: *mut f64) {
     // SAFETY: by the contract above; both are copied before anything is written.
     let [q, u] = [q, u].map(|values| unsafe { values.cast::<[f64; BARS]>().read() });
-    let accelerations = <Chain as BarSystem>::phase(ContactSet::EMPTY, Form::Closed, Accelerations { q, u });
+    let accelerations = <Chain as BarSystem>::phase(ContactSet::EMPTY, Form::Reduced, Accelerations { q, u });
     // SAFETY: by the contract above.
     unsafe { a.cast::<[f64; BARS]>().write(accelerations) }
 }

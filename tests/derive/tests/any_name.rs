@@ -154,7 +154,7 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Size {
 }
 
 fn size<M: BarSystem>() -> usize {
-    M::phase::<f64, Size>(ContactSet::default(), Form::Closed, Size)
+    M::phase::<f64, Size>(ContactSet::default(), Form::Reduced, Size)
 }
 
 #[test]

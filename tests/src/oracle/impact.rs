@@ -45,7 +45,7 @@ impl Assembly {
             }
         }
         for (index, row) in rows.iter().enumerate() {
-            right[free + index] = wanted(index) - row.drift;
+            right[free + index] = wanted(index) - row.prescribed_gap_rate;
         }
         let solution = kkt::solve(&self.matrix(&rows), &right, free)?;
         let shares = self.shares(&-solution.values.rows(free, rows.len()), &closed);

@@ -42,7 +42,7 @@ fn alike(what: &str, compiled: &[f64], own: &[f64]) {
 
 fn columns<S: Scalar>(equations: &Equations<S>, layout: &Layout) -> Vec<f64> {
     let mut values: Vec<S> =
-        [equations.force(), equations.gap(), equations.bias(), equations.drift()].concat();
+        [equations.force(), equations.gap(), equations.bias(), equations.prescribed_gap_rate()].concat();
     (0..layout.coordinates.len()).for_each(|i| values.extend_from_slice(equations.mass(i)));
     (0..layout.rows()).for_each(|row| values.extend_from_slice(equations.jacobian(row)));
     values.into_iter().map(Scalar::to_f64).collect()

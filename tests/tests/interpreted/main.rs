@@ -44,4 +44,4 @@ fn state(model: &Model, layout: &Layout, noise: &mut impl FnMut() -> f64) -> Vec
     coordinates.into_iter().chain((n..layout.entries()).map(|_| noise())).collect()
 }
 
-const FORMS: [Form; 2] = [Form::Closed, Form::Projected];
+const FORMS: [Form; 2] = [Form::Reduced, Form::Multipliers];

@@ -26,7 +26,7 @@ impl Library<'_> {
             Mass::Paths(paths) => (path_places(n), by_paths(paths)),
         };
         let rest = kernel.force.iter().chain(&kernel.gap).chain(kernel.jacobian.iter().flatten());
-        let rest = rest.chain(&kernel.bias).chain(&kernel.drift).chain(&kernel.friction);
+        let rest = rest.chain(&kernel.bias).chain(&kernel.prescribed_gap_rate).chain(&kernel.friction);
         self.function(&Function {
             head: format!("void {}_equations_of", self.names.prefix),
             entries,

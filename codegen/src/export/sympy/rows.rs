@@ -38,7 +38,7 @@ impl Exported<'_> {
             series(&row.gap),
             matrix(&[jacobian], columns),
             series(&row.bias),
-            series(&row.drift),
+            series(&row.prescribed_gap_rate),
             friction.unwrap_or_else(|| "None".to_owned()),
             if always { "True" } else { "False" },
         )

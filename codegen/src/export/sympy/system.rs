@@ -31,8 +31,10 @@ impl Exported<'_> {
         let n = motion.n;
         let list = |series: &[Series]| series.iter().map(|s| formulas.series(s)).collect::<Vec<String>>();
         let mass: Vec<Vec<String>> = dense.mass.iter().map(|row| list(row)).collect();
-        let rows =
-            motion.rows.iter().flat_map(|row| row.jacobian.iter().chain([&row.gap, &row.bias, &row.drift]));
+        let rows = motion
+            .rows
+            .iter()
+            .flat_map(|row| row.jacobian.iter().chain([&row.gap, &row.bias, &row.prescribed_gap_rate]));
         let laws = motion.contacts.iter().filter_map(|contact| Some(&contact.friction.as_ref()?.kinetic));
         let symbols = dense.forces.iter().chain([&motion.potential]).chain(rows).chain(laws);
         let symbols = symbols.flat_map(Series::symbols).collect();

@@ -140,7 +140,7 @@ fn check<M: BarSystem>(model: &M) {
         kernel(&analysis, model, &full);
         for functions in &analysis.functions.phases {
             let compare = Compare { analysis: &analysis, functions, model, full: &full };
-            M::phase(ContactSet::from_bits(functions.set.closed), Form::Closed, compare);
+            M::phase(ContactSet::from_bits(functions.set.closed), Form::Reduced, compare);
         }
     }
 }

@@ -104,8 +104,8 @@ fn check<M: BarSystem>(model: &M) {
     for functions in &analysis.functions.phases {
         let state = M::State::from_fn(|_| source.range(-1.2, 1.2));
         let set = ContactSet::from_bits(functions.set.closed);
-        let series = M::phase(set, Form::Closed, Emitted { model, state: &state }).expect("a closed form");
-        let worst = M::phase(set, Form::Closed, ByJets { model, series: &series });
+        let series = M::phase(set, Form::Reduced, Emitted { model, state: &state }).expect("a closed form");
+        let worst = M::phase(set, Form::Reduced, ByJets { model, series: &series });
         assert!(worst < TOLERANCE, "{:b}: {worst:e}", functions.set.closed);
     }
 }
@@ -149,7 +149,7 @@ fn check_projected<M: BarSystem>(model: &M, sets: &[u64]) {
     for &set in sets {
         let set = ContactSet::from_bits(set);
         let state = M::State::from_fn(|_| source.range(-1.2, 1.2));
-        let phase = system.clone().phase(set, Form::Projected);
+        let phase = system.clone().phase(set, Form::Multipliers);
         let mut expansion = phase.series().expect("series");
         expansion.expand(state.as_ref(), 1.0, K - 1);
         let entries = state.as_ref().len();
@@ -164,7 +164,7 @@ fn check_projected<M: BarSystem>(model: &M, sets: &[u64]) {
             (0..2 * feet).map(|i| padded(guards.foot(i / 2, i % 2))).collect(),
         ];
         let series = Series { state, guards };
-        let worst = M::phase(set, Form::Projected, ByJets { model, series: &series });
+        let worst = M::phase(set, Form::Multipliers, ByJets { model, series: &series });
         assert!(worst < PROJECTED_TOLERANCE, "{} {set:?}: {worst:e}", M::LAYOUT.name);
     }
 }

@@ -182,7 +182,10 @@ impl Held {
             Self::Rate(row) => {
                 let jacobian = equations.jacobian(row);
                 let along = jacobian.iter().zip(&state[jacobian.len()..]);
-                Some(along.fold(equations.drift()[row], |sum, (entry, u)| entry.mul_add(*u, sum)))
+                Some(
+                    along
+                        .fold(equations.prescribed_gap_rate()[row], |sum, (entry, u)| entry.mul_add(*u, sum)),
+                )
             }
             Self::Section => None,
         }

@@ -20,8 +20,8 @@ impl<S: Real, const N: usize, const C: usize, const D: usize> KernelView<S> for 
     fn bias(&self) -> &[S] {
         &self.bias
     }
-    fn drift(&self) -> &[S] {
-        &self.drift
+    fn prescribed_gap_rate(&self) -> &[S] {
+        &self.prescribed_gap_rate
     }
     fn friction(&self) -> &[S] {
         &self.friction

@@ -19,7 +19,7 @@ pub struct Kernel<S, const N: usize, const C: usize, const D: usize> {
     /// b = J̇ u + ∂²g/∂t²: what g̈ is without accelerations.
     pub bias: [S; C],
     /// ∂g/∂t, so that ġ = J u + ∂g/∂t: not zero for prescribed motions.
-    pub drift: [S; C],
+    pub prescribed_gap_rate: [S; C],
     /// σμ of the slips of sliding contacts, zero elsewhere: the friction force is −σμ times the reaction.
     pub friction: [S; C],
 }
@@ -37,7 +37,7 @@ pub trait KernelView<S> {
     /// b.
     fn bias(&self) -> &[S];
     /// ∂g/∂t.
-    fn drift(&self) -> &[S];
+    fn prescribed_gap_rate(&self) -> &[S];
     /// σμ.
     fn friction(&self) -> &[S];
     /// Adds the force of a multiplier to f: `f + J_rowᵀ λ`.

@@ -7,9 +7,9 @@ use crate::scalar::{Real, Scalar};
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Form {
     /// The closed contacts are eliminated in closed form; the state is reduced and cannot drift.
-    Closed,
+    Reduced,
     /// All coordinates are kept; multipliers hold the contacts and each accepted step is projected.
-    Projected,
+    Multipliers,
 }
 
 /// A function of a reduced state in a contact set.

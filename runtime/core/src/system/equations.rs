@@ -18,7 +18,7 @@ impl<S: Copy> Equations<S> {
         let mut values = Vec::with_capacity(n * (n + 1) + rows * (n + 3));
         values.extend_from_slice(kernel.force());
         (0..n).for_each(|i| values.extend_from_slice(kernel.mass(i)));
-        [kernel.gap(), kernel.bias(), kernel.drift()]
+        [kernel.gap(), kernel.bias(), kernel.prescribed_gap_rate()]
             .iter()
             .for_each(|column| values.extend_from_slice(column));
         (0..rows).for_each(|row| values.extend_from_slice(kernel.jacobian(row)));
@@ -51,7 +51,7 @@ impl<S: Copy> Equations<S> {
     }
 
     /// ∂g/∂t, so that ġ = J u + ∂g/∂t.
-    pub fn drift(&self) -> &[S] {
+    pub fn prescribed_gap_rate(&self) -> &[S] {
         self.column(2)
     }
 
@@ -69,7 +69,7 @@ impl Equations<f64> {
     /// ġ of a row at these rates.
     pub fn gap_rate(&self, row: usize, rates: &[f64]) -> f64 {
         let along = self.jacobian(row).iter().zip(rates).map(|(entry, u)| entry * u);
-        along.sum::<f64>() + self.drift()[row]
+        along.sum::<f64>() + self.prescribed_gap_rate()[row]
     }
 
     /// Σ |Jᵢ xᵢ|, the size of the terms that J x of a row is made of: its rounding, however small it is.

@@ -81,7 +81,7 @@ impl<M: BarSystem> ForVector for Begin<'_, M> {
     type Output = Option<Box<dyn LaneGroup>>;
 
     fn with<X: Vector>(self) -> Self::Output {
-        M::phase(ContactSet::EMPTY, Form::Closed, BeginWith::<M, X>(self, PhantomData))
+        M::phase(ContactSet::EMPTY, Form::Reduced, BeginWith::<M, X>(self, PhantomData))
     }
 }
 

@@ -39,9 +39,9 @@ impl EnergyLevel<'_> {
     fn state(&self, phase: &dyn Phase) -> Result<Vec<f64>, StartError> {
         let (info, reduced) = (phase.info(), reduce(phase, &self.start.state));
         let (imposed, motion) = match (info.form, info.rates) {
-            (Form::Closed, 1) => (vec![0.0], vec![1.0]),
-            (Form::Closed, degrees) => return Err(StartError::Degrees { degrees }),
-            (Form::Projected, n) => (self.imposed(n), self.unit_motion(n)?),
+            (Form::Reduced, 1) => (vec![0.0], vec![1.0]),
+            (Form::Reduced, degrees) => return Err(StartError::Degrees { degrees }),
+            (Form::Multipliers, n) => (self.imposed(n), self.unit_motion(n)?),
         };
         let with_rates = |scale: f64| {
             let mut y = reduced.clone();
@@ -80,7 +80,12 @@ impl EnergyLevel<'_> {
         let system = self.context.system();
         let equations = system.equations(&self.start.state);
         let mut rates = vec![0.0; n];
-        system.correction(&self.start.state, self.start.touching, equations.drift(), &mut rates);
+        system.correction(
+            &self.start.state,
+            self.start.touching,
+            equations.prescribed_gap_rate(),
+            &mut rates,
+        );
         rates
     }
 

@@ -21,7 +21,7 @@ const SINGULAR: f64 = 1e-5;
 struct RateRows {
     mass: DMatrix<f64>,
     jacobian: DMatrix<f64>,
-    drift: DVector<f64>,
+    prescribed_gap_rate: DVector<f64>,
 }
 
 impl RateRows {
@@ -30,7 +30,7 @@ impl RateRows {
         Self {
             mass: DMatrix::from_fn(n, n, |i, j| equations.mass(i)[j]),
             jacobian: DMatrix::from_fn(count, n, |i, j| equations.jacobian(i)[j]),
-            drift: DVector::from_row_slice(equations.drift()),
+            prescribed_gap_rate: DVector::from_row_slice(equations.prescribed_gap_rate()),
         }
     }
 }
@@ -48,13 +48,14 @@ pub(super) fn rates(
         rate.unwrap_or(0.0).abs() * scales.length / scales.coordinate(coordinate)
     };
     let given_rates = given.iter().zip(assembly.layout().coordinates).map(size);
-    let driven = (0..rows.drift.len()).map(|row| rows.drift[row].abs() * scales.length / assembly.unit(row));
+    let driven = (0..rows.prescribed_gap_rate.len())
+        .map(|row| rows.prescribed_gap_rate[row].abs() * scales.length / assembly.unit(row));
     let fastest = given_rates.chain(driven).filter(|speed| speed.is_finite()).fold(scales.speed(), f64::max);
     // Speeds below this are rounding of the sums that they are, or of what a pose is given with.
     let small = |u: &DVector<f64>, row: usize| {
         let along = |j: usize| (rows.jacobian[(row, j)] * u[j]).abs();
         let fastest = fastest * assembly.unit(row) / scales.length;
-        CLOSED * (0..u.len()).map(along).fold(fastest.max(rows.drift[row].abs()), f64::max)
+        CLOSED * (0..u.len()).map(along).fold(fastest.max(rows.prescribed_gap_rate[row].abs()), f64::max)
     };
     let inertia = |c| scales.mass * (scales.length / scales.coordinate(c)).powi(2);
     let inertias: Vec<f64> = assembly.layout().coordinates.iter().map(inertia).collect();
@@ -62,7 +63,7 @@ pub(super) fn rates(
     for approaching in [false, true] {
         let found = largest(closed, |set| {
             let u = least(&rows, &holding(assembly, &rows, set, given), given, &inertias);
-            let speed = &rows.jacobian * &u + &rows.drift;
+            let speed = &rows.jacobian * &u + &rows.prescribed_gap_rate;
             let holds = |i: usize| match set.contains(i) {
                 true => speed[i].abs() <= small(&u, i),
                 // A drive holds from the start on, at the rates that it is given.
@@ -129,7 +130,7 @@ fn least(rows: &RateRows, closed: &[usize], given: &[Option<f64>], inertias: &[f
     let n = given.len();
     let free: Vec<usize> = (0..n).filter(|&i| given[i].is_none()).collect();
     let mut u = DVector::from_fn(n, |i, _| given[i].unwrap_or(0.0));
-    if free.is_empty() || u.iter().chain(&rows.drift).all(|rate| *rate == 0.0) {
+    if free.is_empty() || u.iter().chain(&rows.prescribed_gap_rate).all(|rate| *rate == 0.0) {
         return u;
     }
     let (f, c) = (free.len(), closed.len());
@@ -141,7 +142,7 @@ fn least(rows: &RateRows, closed: &[usize], given: &[Option<f64>], inertias: &[f
     matrix.view_mut((0, f), (f, c)).copy_from(&tied.transpose());
     let mut right = DVector::zeros(f + c);
     right.rows_mut(0, f).copy_from(&-(&rows.mass * &u).select_rows(&free));
-    right.rows_mut(f, c).copy_from(&-(jacobian * &u + rows.drift.select_rows(closed)));
+    right.rows_mut(f, c).copy_from(&-(jacobian * &u + rows.prescribed_gap_rate.select_rows(closed)));
     let inertias: Vec<f64> = free.iter().map(|&i| inertias[i]).collect();
     let balance = balance(&matrix, &inertias);
     let balanced = DMatrix::from_fn(f + c, f + c, |i, j| matrix[(i, j)] * balance[i] * balance[j]);

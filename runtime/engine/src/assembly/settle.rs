@@ -33,7 +33,7 @@ pub(super) fn settled(
     state: &[f64],
     given: &GivenPose,
 ) -> Option<Vec<f64>> {
-    let phase = context.phase(touching, Form::Closed);
+    let phase = context.phase(touching, Form::Reduced);
     let mut state = state.to_vec();
     let mut image = image_of(context, &*phase, &state)?;
     for _ in 0..CORRECTIONS {
@@ -48,7 +48,7 @@ pub(super) fn settled(
 
 /// embed(restrict(state)) where it satisfies the contacts: its pivots may be small, as they are where gaps are flat.
 fn image_of(context: &RunContext, phase: &dyn Phase, state: &[f64]) -> Option<Numbers> {
-    if phase.info().form == Form::Projected {
+    if phase.info().form == Form::Multipliers {
         return None;
     }
     let (_, image) = chart::image(phase, state);

@@ -123,7 +123,8 @@ impl Trajectory {
         seam.compare(from.state(), to.state()).into_iter().flatten().for_each(|finding| audit.note(finding));
         audit.note(Finding { t, quantity: Quantity::Order, value: before.t1 - t, bound: 0.0 });
         // Surfaces that move do work in an impact.
-        let moves = context.system().equations(to.state()).drift().iter().any(|drift| *drift != 0.0);
+        let moves =
+            context.system().equations(to.state()).prescribed_gap_rate().iter().any(|drift| *drift != 0.0);
         let is_driven = context.layout().timed || moves;
         if !is_driven && self.impulses.iter().all(|impulse| impulse.t != t) {
             // A spring that comes or goes takes its energy with it.

@@ -52,7 +52,7 @@ impl AuditPoint<'_> {
         let gap =
             |row: usize| equations.gap()[row].abs() / (layout.unit(row, length) + rounding(row) / bound);
         let rate = |row: usize| {
-            let terms = equations.terms(row, rates) + equations.drift()[row].abs();
+            let terms = equations.terms(row, rates) + equations.prescribed_gap_rate()[row].abs();
             let unit = layout.unit(row, context.scales.length);
             let flat = FLAT * unit * fastest;
             equations.gap_rate(row, rates).abs() / terms.max(flat).max(SMALL * unit / context.scales.time)

@@ -27,7 +27,7 @@ pub(crate) struct Solution {
     /// Candidates with neither a reaction nor an opening.
     pub(crate) degenerate: Vec<usize>,
     /// Candidates that bear.
-    pub(crate) bearing: Vec<usize>,
+    pub(crate) active_basis: Vec<usize>,
     /// Fixed rows with λ < 0.
     pub(crate) pulling: Vec<usize>,
     /// Fixed rows with λ > 0.
@@ -98,7 +98,7 @@ impl EquilibratedKkt {
     /// Smooth contacts by the principle of least constraint.
     fn bear(&self, choice: &LcpRows, least: &LeastConstraint) -> Result<ActiveSolution, LcpError> {
         let fixed = choice.rows(&[]);
-        let bearing = least.bearing(&fixed, choice.candidates)?;
+        let bearing = least.find_active_basis(&fixed, choice.candidates)?;
         let candidates: Vec<usize> =
             bearing.into_iter().filter(|row| choice.candidates.contains(row)).collect();
         self.checked(choice, choice.rows(&candidates))
@@ -110,7 +110,7 @@ impl EquilibratedKkt {
         loop {
             let held: Vec<usize> =
                 choice.rows(&closed).into_iter().filter(|row| !closed.contains(row)).collect();
-            let bearing = least.bearing(&held, &closed)?;
+            let bearing = least.find_active_basis(&held, &closed)?;
             let mut rows: Vec<usize> = held.iter().chain(&bearing).copied().collect();
             rows.sort_unstable();
             rows.dedup();
@@ -212,7 +212,7 @@ impl EquilibratedKkt {
         let all = choice.rows(&tight);
         Solution {
             accelerations: DVector::from_fn(self.n, |i, _| x[i] * self.scale[i]),
-            bearing,
+            active_basis: bearing,
             degenerate,
             reactions: DVector::from_fn(balanced.len(), |row, _| balanced[row] * self.scale[self.n + row]),
             pulling: choice.fixed.iter().copied().filter(pulls).collect(),

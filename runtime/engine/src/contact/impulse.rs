@@ -61,7 +61,7 @@ pub struct Collision {
     /// u⁻, n.
     pub rates: DVector<f64>,
     /// ∂g/∂t, r.
-    pub drift: DVector<f64>,
+    pub prescribed_gap_rate: DVector<f64>,
     /// I, the generalised impulse applied from outside, n.
     pub applied: DVector<f64>,
     /// The rows' parts, r.
@@ -145,12 +145,12 @@ impl Collision {
 
     /// ġ of every row at the rates `u`.
     pub fn speed(&self, u: &DVector<f64>) -> DVector<f64> {
-        &self.jacobian * u + &self.drift
+        &self.jacobian * u + &self.prescribed_gap_rate
     }
 
     /// The size of the terms that ġ⁻ is summed from.
     pub(super) fn speed_size(&self) -> DVector<f64> {
-        self.jacobian.abs() * self.rates.abs() + self.drift.abs()
+        self.jacobian.abs() * self.rates.abs() + self.prescribed_gap_rate.abs()
     }
 
     pub(super) fn check(&self) -> Result<(), CollisionError> {
@@ -158,7 +158,7 @@ impl Collision {
         let fits = self.mass.shape() == (n, n)
             && self.jacobian.shape() == (r, n)
             && self.applied.len() == n
-            && self.drift.len() == r;
+            && self.prescribed_gap_rate.len() == r;
         let contact = |row: usize| {
             matches!(self.rows.get(row), Some(Row::Contact { .. } | Row::TwoSided | Row::Guide | Row::Open))
         };
@@ -180,13 +180,16 @@ impl Collision {
     }
 
     fn is_known(&self, row: usize) -> bool {
-        self.drift[row].is_finite() && self.jacobian.row(row).iter().all(|entry| entry.is_finite())
+        self.prescribed_gap_rate[row].is_finite()
+            && self.jacobian.row(row).iter().all(|entry| entry.is_finite())
     }
 
     /// The same with zeros for open rows: that of a thread whose points meet has no number, or a rounding that would be taken for
     /// that of the others.
     pub(super) fn without_open_rows(&self) -> Option<Self> {
-        let is_zero = |row: usize| self.drift[row] == 0.0 && self.jacobian.row(row).iter().all(|x| *x == 0.0);
+        let is_zero = |row: usize| {
+            self.prescribed_gap_rate[row] == 0.0 && self.jacobian.row(row).iter().all(|x| *x == 0.0)
+        };
         let open: Vec<usize> = (0..self.rows.len())
             .filter(|&row| is_open(&self.rows, &self.rows[row]) && !is_zero(row))
             .collect();
@@ -194,7 +197,7 @@ impl Collision {
             let mut acting = self.clone();
             for row in open {
                 acting.jacobian.row_mut(row).fill(0.0);
-                acting.drift[row] = 0.0;
+                acting.prescribed_gap_rate[row] = 0.0;
             }
             acting
         })

@@ -71,7 +71,11 @@ impl LeastConstraint {
     }
 
     /// Independent rows that bear all of the load: of the `fixed` ones, which may pull, and of the candidates.
-    pub(super) fn bearing(&self, fixed: &[usize], candidates: &[usize]) -> Result<Vec<usize>, LcpError> {
+    pub(super) fn find_active_basis(
+        &self,
+        fixed: &[usize],
+        candidates: &[usize],
+    ) -> Result<Vec<usize>, LcpError> {
         let mut bearing = self.begin(fixed, candidates.len());
         let mut agreed = vec![false; candidates.len()];
         loop {

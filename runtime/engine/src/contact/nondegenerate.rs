@@ -58,7 +58,7 @@ pub(crate) fn decide(
         reactions[i] = 0.0;
     }
     let (bearing, reactions) = (closed, reactions.to_vec());
-    Some(ContactSolution { closed, bearing, reactions, unique: true, alternatives: None })
+    Some(ContactSolution { closed, active_basis: bearing, reactions, unique: true, alternatives: None })
 }
 
 /// Reactions of a closed form at `y + h ẏ`.

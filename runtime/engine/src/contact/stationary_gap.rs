@@ -166,6 +166,6 @@ impl Derivatives {
     fn is_constant(&self, row: usize) -> bool {
         let timed = self.along.last().expect("one along the time");
         let is_zero = |x: &TimeSeries| (0..TIME_ORDERS).all(|order| x.coefficient(order) == 0.0);
-        is_zero(&timed.drift()[row])
+        is_zero(&timed.prescribed_gap_rate()[row])
     }
 }

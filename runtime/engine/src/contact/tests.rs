@@ -113,8 +113,8 @@ fn an_eccentric_load_leaves_far_feet_without_reaction() {
         let feet: Vec<f64> = (0..count).map(f64::from).collect();
         let (problem, candidates) = plank(&feet, c);
         let found = problem.solve(&LcpRows { candidates: &candidates, ..LcpRows::default() }).unwrap();
-        assert!(found.accelerations.amax() < 1e-12 && !found.unique && found.bearing.len() <= 2);
-        assert_eq!(found.bearing.len() + found.degenerate.len(), feet.len());
+        assert!(found.accelerations.amax() < 1e-12 && !found.unique && found.active_basis.len() <= 2);
+        assert_eq!(found.active_basis.len() + found.degenerate.len(), feet.len());
         let shared = problem.share(&found, &|_| true);
         let moment: f64 = shared.iter().zip(&feet).map(|(share, x)| share * (x - c)).sum();
         assert!((shared.sum() - 1.0).abs() < 1e-11 && moment.abs() < 1e-9, "{} {moment:e}", shared.sum());
@@ -140,7 +140,7 @@ fn a_plank_described_by_its_end() {
             DMatrix::from_row_slice(3, 3, &[inertia + m * c * c, 0.0, m * c, 0.0, m, 0.0, m * c, 0.0, m]);
         let jacobian = DMatrix::from_fn(count, 3, |foot, j| [foot as f64, 0.0, 1.0][j]);
         let found = solve(&mass, &jacobian, &[-m * g * c, 0.0, -m * g], &vec![0.0; count]).unwrap();
-        assert!(found.accelerations.amax() < 1e-12 && found.bearing.len() == 2);
+        assert!(found.accelerations.amax() < 1e-12 && found.active_basis.len() == 2);
     }
 }
 
@@ -150,8 +150,8 @@ fn independent_parts_have_their_own_scales() {
     let mass = DMatrix::from_diagonal(&DVector::from_row_slice(&[1e12, 1e-12]));
     let jacobian = DMatrix::identity(2, 2);
     let found = solve(&mass, &jacobian, &[-1e25, -1e-13], &[0.0; 2]).unwrap();
-    assert_eq!(found.bearing, [0, 1]);
-    assert_eq!(solve(&mass, &jacobian, &[-1e25, 1e-13], &[0.0; 2]).unwrap().bearing, [0]);
+    assert_eq!(found.active_basis, [0, 1]);
+    assert_eq!(solve(&mass, &jacobian, &[-1e25, 1e-13], &[0.0; 2]).unwrap().active_basis, [0]);
 }
 
 /// A light bar's coordinate without any mass, driven by a constraint alone.
@@ -160,7 +160,7 @@ fn massless_rows_are_solved_where_constrained() {
     let mass = DMatrix::from_row_slice(2, 2, &[2.0, 0.0, 0.0, 0.0]);
     let tied = DMatrix::from_row_slice(1, 2, &[1.0, -1.0]);
     let found = solve(&mass, &tied, &[-1.0, 0.5], &[-0.25]).unwrap();
-    assert_eq!(found.bearing, [0]);
+    assert_eq!(found.active_basis, [0]);
     // Row 2 of M a = f + Jᵀ λ: 0 = 0.5 − λ.
     assert!((found.reactions[0] - 0.5).abs() < 1e-14);
     assert!((found.accelerations[0] + 0.25).abs() < 1e-14);
@@ -174,7 +174,7 @@ fn opening_set_is_not_the_set_of_negative_reactions() {
     // W = [1, −0.9; −0.9, 1] and b = −W (−1, −0.5).
     let jacobian = DMatrix::from_row_slice(2, 2, &[1.0, 0.0, -0.9, 0.19f64.sqrt()]);
     let found = solve(&DMatrix::identity(2, 2), &jacobian, &[0.0, 0.0], &[0.55, -0.4]).unwrap();
-    assert_eq!(found.bearing, [1]);
+    assert_eq!(found.active_basis, [1]);
     assert!((found.reactions[1] - 0.4).abs() < 1e-14);
 }
 
@@ -250,6 +250,6 @@ fn a_row_without_entries_leaves_its_reaction_open() {
     let problem =
         EquilibratedKkt::new(&DMatrix::identity(1, 1), &jacobian, (&force, &bias), (&force.abs(), &bias));
     let found = problem.solve(&LcpRows { fixed: &[0], candidates: &[1], ..LcpRows::default() }).unwrap();
-    assert_eq!((found.bearing, found.unique), (vec![1], false));
+    assert_eq!((found.active_basis, found.unique), (vec![1], false));
     assert!((found.reactions - DVector::from_row_slice(&[0.0, 2.0])).amax() < 1e-14);
 }

@@ -141,7 +141,7 @@ fn without_slip(model: &Model, entry: usize) -> Option<SlipState<f64>> {
     let at_rest = state(&vec![0.0; nominal.len()]);
     let equations = system.equations(&at_rest);
     let row = layout.frictions[entry].row;
-    let (along, drift) = (equations.jacobian(row), equations.drift()[row]);
+    let (along, drift) = (equations.jacobian(row), equations.prescribed_gap_rate()[row]);
     let square: f64 = along.iter().map(|entry| entry * entry).sum();
     let factor = if drift == 0.0 || square == 0.0 { 0.0 } else { -drift / square };
     let rates: Vec<f64> = along.iter().map(|entry| factor * entry).collect();

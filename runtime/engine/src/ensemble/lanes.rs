@@ -30,7 +30,7 @@ pub(super) fn is_smooth(simulation: &Simulation) -> bool {
         && ends.events.is_empty()
         && *budget == Budget::default()
         && cancel.is_none()
-        && *form == Form::Closed
+        && *form == Form::Reduced
         && method.takes_series()
         && *tolerance > 0.0
         && *tolerance < 1.0
@@ -78,10 +78,10 @@ impl MemberGroup {
         let Some(lane) = self.lanes.free() else { return Err(MemberError::NotRun) };
         let state = simulation.started()?.state;
         let context = &*simulation.context;
-        if is_equilibrium(context, &*context.phase(ContactSet::EMPTY, Form::Closed), &state) {
+        if is_equilibrium(context, &*context.phase(ContactSet::EMPTY, Form::Reduced), &state) {
             return Err(StartError::Equilibrium.into());
         }
-        let phase = context.phase(ContactSet::EMPTY, Form::Closed);
+        let phase = context.phase(ContactSet::EMPTY, Form::Reduced);
         let start = LaneStart {
             parameters: &context.model.parameters,
             state: &state,
@@ -117,7 +117,7 @@ impl MemberGroup {
 impl Entered {
     fn member(&self, end: &LaneEnd<'_>, outputs: &[Output]) -> Result<Member, MemberError> {
         let context = &*self.simulation.context;
-        let phase = context.phase(ContactSet::EMPTY, Form::Closed);
+        let phase = context.phase(ContactSet::EMPTY, Form::Reduced);
         let point = PhasePoint::new(phase, ContactSet::EMPTY, end.t, end.reduced.into());
         if !self.keeps_energy(end, point.state()) {
             return Member::alone(&self.simulation, outputs);

@@ -115,7 +115,7 @@ pub struct PreImpact {
     pub energy: Energy<f64>,
     /// The contacts that bear.
     #[cfg_attr(feature = "serde", serde(skip))]
-    pub(crate) bearing: ContactSet,
+    pub(crate) active_basis: ContactSet,
 }
 
 /// A coordinate, a rate or the time by its name: `event["phi'"]`; [`Event::get`] does not panic.

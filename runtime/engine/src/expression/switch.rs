@@ -99,7 +99,7 @@ impl Switches {
         if self.0.is_empty() {
             return Vec::new();
         }
-        let phase = context.phase(ContactSet::EMPTY, Form::Projected);
+        let phase = context.phase(ContactSet::EMPTY, Form::Multipliers);
         let reduced = reduce(&*phase, state);
         let point = PhasePoint::new(phase, ContactSet::EMPTY, t, reduced);
         let holds = |i: &usize| self.0[*i].conditions[0].holds(context, &point);

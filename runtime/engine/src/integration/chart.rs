@@ -41,7 +41,7 @@ pub(crate) fn choose_chart(
     state: &[f64],
     (bound, tolerance): (f64, f64),
 ) -> (Chart, Arc<dyn Phase>) {
-    let phase = context.phase(set, Form::Closed);
+    let phase = context.phase(set, Form::Reduced);
     let chart = match image_of(&*phase, state, tolerance) {
         Err(chart) => chart,
         Ok(image) if agree(context, state, &image, bound) => Chart::Valid,
@@ -49,13 +49,13 @@ pub(crate) fn choose_chart(
     };
     match chart {
         Chart::Valid | Chart::Absent => (chart, phase),
-        Chart::SmallPivot | Chart::OtherBranch => (chart, context.phase(set, Form::Projected)),
+        Chart::SmallPivot | Chart::OtherBranch => (chart, context.phase(set, Form::Multipliers)),
     }
 }
 
 /// embed(restrict(state)), or why the closed form is not to be used there.
 fn image_of(phase: &dyn Phase, state: &[f64], tolerance: f64) -> Result<Numbers, Chart> {
-    if phase.info().form == Form::Projected {
+    if phase.info().form == Form::Multipliers {
         return Err(Chart::Absent);
     }
     if !eliminates(phase) {

@@ -49,8 +49,8 @@ pub(crate) fn is_equilibrium(context: &RunContext, phase: &dyn Phase, state: &[f
         .kept()
         .iter()
         .map(|&entry| match info.form {
-            Form::Projected => roundoff(64.0) * context.scales.entry(layout, entry) / context.scales.time,
-            Form::Closed => 0.0,
+            Form::Multipliers => roundoff(64.0) * context.scales.entry(layout, entry) / context.scales.time,
+            Form::Reduced => 0.0,
         })
         .collect();
     // By how much coordinate j is moved in the arithmetic of doubles, and the change of the accelerations.

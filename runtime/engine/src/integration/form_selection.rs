@@ -12,7 +12,7 @@ const REGULAR: f64 = 0.3;
 
 /// Whether a phase is in closed form and has pivots: not one that keeps all entries of the state.
 pub(crate) fn eliminates(phase: &dyn Phase) -> bool {
-    phase.info().form == Form::Closed && phase.kept().len() < phase.system().layout().entries()
+    phase.info().form == Form::Reduced && phase.kept().len() < phase.system().layout().entries()
 }
 
 /// The least pivot for a tolerance.

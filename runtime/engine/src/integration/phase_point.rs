@@ -99,7 +99,7 @@ impl PhasePoint {
         self.accelerations.get_or_init(|| {
             let info = self.phase.info();
             let mut accelerations = self.solution().accelerations.clone();
-            if info.form == Form::Closed {
+            if info.form == Form::Reduced {
                 let mut own: Numbers = smallvec![0.0; info.entries];
                 self.phase.derivative(&self.reduced, &mut own);
                 for place in info.places_of_rates() {

@@ -48,7 +48,7 @@ impl Domain {
         let BoundedQuantity::Distance(entry, None) = self.of else { return Ok(()) };
         let (layout, nominal) = (context.layout(), &context.model.nominal);
         let at_rest: Vec<f64> = nominal.iter().copied().chain(nominal.iter().map(|_| 0.0)).collect();
-        let phase = context.phase(ContactSet::EMPTY, Form::Projected);
+        let phase = context.phase(ContactSet::EMPTY, Form::Multipliers);
         let reduced = reduce(&*phase, &layout.state_at(&at_rest, 0.0));
         let point = PhasePoint::new(phase, ContactSet::EMPTY, 0.0, reduced);
         match self.left.difference(context, &point).0 {

@@ -119,7 +119,7 @@ impl Simulation {
             rules: Arc::new(rules),
             parts,
             ends: Ends::default(),
-            form: Form::Closed,
+            form: Form::Reduced,
             method: Arc::new(Auto),
             cancel: None,
             budget: Budget::default(),
@@ -218,7 +218,7 @@ impl Simulation {
         for i in 0..self.layout().switches.len() {
             full[self.layout().switch(i)] = f64::from(u8::from(phase.acting.contains(&i)));
         }
-        let equations = self.context.phase(phase.bearing, phase.form);
+        let equations = self.context.phase(phase.active_basis, phase.form);
         let reduced = reduce(&*equations, &full);
         let point = PhasePoint::new(equations, phase.set, t, reduced);
         outputs.iter().map(|output| output.evaluate(&self.context, &point)).collect()
@@ -374,7 +374,7 @@ impl Simulation {
         self.ends.conditions.iter().filter_map(|condition| condition.time(&self.context.model.parameters))
     }
 
-    /// Integrates every phase in this form where it has it; [`Form::Projected`] exists for all.
+    /// Integrates every phase in this form where it has it; [`Form::Multipliers`] exists for all.
     #[must_use]
     pub fn form(mut self, form: Form) -> Self {
         self.form = form;

@@ -29,11 +29,11 @@ where
     for<'a> &'a T: Into<Model>,
 {
     fn phase(&self, closed: &[&str]) -> Result<PhaseHandle, NameError> {
-        PhaseHandle::new(&self.into(), closed, Form::Closed)
+        PhaseHandle::new(&self.into(), closed, Form::Reduced)
     }
 
     fn projected_phase(&self, closed: &[&str]) -> Result<PhaseHandle, NameError> {
-        PhaseHandle::new(&self.into(), closed, Form::Projected)
+        PhaseHandle::new(&self.into(), closed, Form::Multipliers)
     }
 }
 
@@ -114,7 +114,7 @@ impl PhaseHandle {
     /// Generalised forces less velocity terms. In closed form those of the kept coordinates, the product of mass matrix
     /// and accelerations; with multipliers the full ones without the reactions.
     pub fn forces(&self, state: &[f64]) -> Vec<f64> {
-        if self.form() == Form::Projected {
+        if self.form() == Form::Multipliers {
             return self.phase.system().equations(&self.full(state)).force().to_vec();
         }
         let accelerations = self.reduced_accelerations(state);

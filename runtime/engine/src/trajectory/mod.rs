@@ -93,7 +93,7 @@ pub struct Segment {
     /// The closed contacts.
     pub set: ContactSet,
     /// Independent ones among them, which hold the others too: those that were integrated.
-    pub bearing: ContactSet,
+    pub active_basis: ContactSet,
     /// Their supports.
     pub closed: Vec<&'static str>,
     /// The entries of [`Layout::switches`] whose springs and loads act.

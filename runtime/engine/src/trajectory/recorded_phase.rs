@@ -69,7 +69,7 @@ impl RecordedPhase {
         let acting = self.acting();
         Segment {
             set,
-            bearing,
+            active_basis: bearing,
             closed,
             acting,
             form: info.form,
@@ -108,7 +108,7 @@ impl RecordedPhase {
     /// too.
     pub(crate) fn interpolate_on_constraints(&self, context: &RunContext, t: f64) -> PhasePoint {
         let (point, info) = (self.interpolate(t), self.phase.info());
-        if info.form != Form::Projected || !self.is_within_step(t) {
+        if info.form != Form::Multipliers || !self.is_within_step(t) {
             return point;
         }
         let mut state = point.state().to_vec();

@@ -116,7 +116,8 @@ impl FullCode {
 /// The outputs of the kernel: f, g, b, ∂g/∂t, σμ, J, then what M is made of.
 fn kernel(functions: &Functions, n: usize) -> (MassForm, Vec<Id>) {
     let kernel = &functions.kernel;
-    let rows = kernel.gap.iter().chain(&kernel.bias).chain(&kernel.drift).chain(&kernel.friction);
+    let rows =
+        kernel.gap.iter().chain(&kernel.bias).chain(&kernel.prescribed_gap_rate).chain(&kernel.friction);
     let outputs = kernel.force.iter().chain(rows).chain(kernel.jacobian.iter().flatten());
     let form = match &kernel.mass {
         Mass::Entries(_) => MassForm::Entries,

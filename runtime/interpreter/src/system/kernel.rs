@@ -74,7 +74,7 @@ impl<S: Number> KernelView<S> for Kernel<S> {
     fn bias(&self) -> &[S] {
         self.column(1)
     }
-    fn drift(&self) -> &[S] {
+    fn prescribed_gap_rate(&self) -> &[S] {
         self.column(2)
     }
     fn friction(&self) -> &[S] {

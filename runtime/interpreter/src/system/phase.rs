@@ -102,7 +102,7 @@ impl<S: Number> InterpretedPhase<S> {
         let has_friction = !model.layout.frictions.is_empty();
         let wanted = if has_friction { set.bits_and_stick() } else { set.bits().map(|bits| (bits, 0)) };
         let is_it = |phase: &PhaseCode| Some(phase.set) == wanted;
-        let closed = model.phases.iter().position(is_it).filter(|_| form == Form::Closed);
+        let closed = model.phases.iter().position(is_it).filter(|_| form == Form::Reduced);
         let held = model.full.held.iter().position(|held| Some(held.set) == wanted);
         let held = held.filter(|_| closed.is_none());
         let (n, entries) = (model.full.coordinates, model.full.entries);
@@ -112,7 +112,7 @@ impl<S: Number> InterpretedPhase<S> {
                 (PhaseInfo { set, form, coordinates, rates, entries, affine: code.affine }, code.kept.clone())
             }
             None => {
-                let form = Form::Projected;
+                let form = Form::Multipliers;
                 (
                     PhaseInfo { set, form, coordinates: n, rates: n, entries, affine: false },
                     (0..entries).collect(),

@@ -104,7 +104,7 @@ impl<'a, S: Scalar> Expansion<'a, S> {
 
     /// Order k of g̈ without J₀ aₖ, and the size of what it is the sum of.
     pub fn bias(&self, row: &Row, k: usize) -> (S, f64) {
-        let mut sum = self.series.get(row.drift, k + 1);
+        let mut sum = self.series.get(row.prescribed_gap_rate, k + 1);
         let mut size = sum.abs().to_f64();
         for &(i, node) in &row.gradient {
             let entries = self.series.coefficients(node);
@@ -129,7 +129,7 @@ impl<'a, S: Scalar> Expansion<'a, S> {
     /// ġ of a row.
     pub fn rate(&self, row: &Row) -> S {
         let v: Vec<S> = self.inputs.rates.iter().map(|rate| rate[0]).collect();
-        self.along(row, &v).0 + self.series.get(row.drift, 0)
+        self.along(row, &v).0 + self.series.get(row.prescribed_gap_rate, 0)
     }
 
     /// Takes in order k.

@@ -36,7 +36,7 @@ pub(super) fn rough<S: Scalar>(
         let v: Vec<S> = state.v.iter().zip(&response.a).map(|(&v, &change)| v + change).collect();
         let after = |i: usize| {
             expansion.along(&scene.contacts[i].row, &v).0
-                + expansion.series.get(scene.contacts[i].row.drift, 0)
+                + expansion.series.get(scene.contacts[i].row.prescribed_gap_rate, 0)
         };
         let normal = &response.multipliers[joints..joints + closed.len()];
         let free = &normal[held.len()..];

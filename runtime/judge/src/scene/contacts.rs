@@ -67,7 +67,7 @@ impl<S: Scalar> Builder<'_, S> {
             }
             (entry != Self::NOTHING).then_some((i, entry))
         });
-        Row { value: None, gradient: gradient.collect(), drift: Self::NOTHING }
+        Row { value: None, gradient: gradient.collect(), prescribed_gap_rate: Self::NOTHING }
     }
 
     /// ± n · (A − K); e · Ċ − ω n · (K − C); e · (K − A) and what is left of the bar.
@@ -88,7 +88,7 @@ impl<S: Scalar> Builder<'_, S> {
         let lever = self.tape.dot(across, arm);
         let lever = self.tape.negate(lever);
         let gradient = vec![(3 * body, along[0]), (3 * body + 1, along[1]), (3 * body + 2, lever)];
-        let slip = Row { value: None, gradient, drift: Self::NOTHING };
+        let slip = Row { value: None, gradient, prescribed_gap_rate: Self::NOTHING };
         (gap, Some(slip), Some([from_first, from_last]))
     }
 

@@ -26,7 +26,7 @@ pub struct Row {
     /// Its derivatives by positions.
     pub gradient: Vec<(usize, Node)>,
     /// Its derivative by time alone.
-    pub drift: Node,
+    pub prescribed_gap_rate: Node,
 }
 
 /// A one-sided constraint.
@@ -199,7 +199,7 @@ impl<S: Scalar> Builder<'_, S> {
     /// The row of a value.
     fn row(&mut self, value: Node) -> Row {
         let drift = self.tape.derivative(value, crate::tape::Variable::Time);
-        Row { value: Some(value), gradient: self.tape.gradient(value), drift }
+        Row { value: Some(value), gradient: self.tape.gradient(value), prescribed_gap_rate: drift }
     }
 }
 

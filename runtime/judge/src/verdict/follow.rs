@@ -67,7 +67,7 @@ impl Comparison<'_> {
     /// States between events; not of the flights that the end of infinitely many impacts sums up.
     pub(super) fn samples(&self) -> impl Iterator<Item = &(f64, Vec<f64>)> {
         let summed = self.summed();
-        let inside = self.record.stretches.iter().flat_map(|stretch| {
+        let inside = self.record.segments.iter().flat_map(|stretch| {
             let last = stretch.samples.len().saturating_sub(1);
             stretch.samples.get(1..last).unwrap_or_default()
         });

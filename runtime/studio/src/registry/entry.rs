@@ -217,7 +217,7 @@ impl Entry {
         state: &[f64],
     ) -> Result<f64, MotionError> {
         let simulation = self.simulation(spec)?;
-        let phase = Arc::clone(&simulation.model().system).phase(set, Form::Projected);
+        let phase = Arc::clone(&simulation.model().system).phase(set, Form::Multipliers);
         Ok(energy_rate(&*phase, &self.layout().state_at(state, t), simulation.scales().time))
     }
 

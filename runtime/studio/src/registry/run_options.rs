@@ -50,6 +50,6 @@ impl RunOptions {
 impl Default for RunOptions {
     /// As the product chooses, to the end.
     fn default() -> Self {
-        Self { method: MethodId::Auto, form: Form::Closed, cancel: None, budget: Budget::default() }
+        Self { method: MethodId::Auto, form: Form::Reduced, cancel: None, budget: Budget::default() }
     }
 }

@@ -38,8 +38,8 @@ pub(super) fn record(run: &Trajectory, held: &[&str]) -> Option<Record> {
             .filter(|event| event.is_undecided())
             .map(|event| (event.t, names(event)))
             .collect(),
-        events: run.events().iter().filter_map(|event| happening(run, event)).collect(),
-        stretches: run.segments().iter().map(|segment| convert_segment(run, segment)).collect(),
+        events: run.events().iter().filter_map(|event| convert_event(run, event)).collect(),
+        segments: run.segments().iter().map(|segment| convert_segment(run, segment)).collect(),
         end: run.end_time(),
         units: run.scales().state(layout),
         time,
@@ -113,7 +113,7 @@ fn action(run: &Trajectory, event: &Event) -> Option<(f64, Action)> {
     }
 }
 
-fn happening(run: &Trajectory, event: &Event) -> Option<RecordedEvent> {
+fn convert_event(run: &Trajectory, event: &Event) -> Option<RecordedEvent> {
     let change = change_of(run, event)?;
     let state = run.layout().public_state(&event.state).to_vec();
     Some(RecordedEvent { t: event.t, change, contacts: names(event), state })

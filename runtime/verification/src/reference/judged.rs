@@ -45,7 +45,7 @@ fn kept(run: &Trajectory, system: &Arc<dyn System<DoubleDouble>>) -> Vec<usize> 
     let entries = 2 * run.layout().coordinates.len();
     let segments = run.segments();
     let Some(first) = segments.first() else { return Vec::new() };
-    let phase = Arc::clone(system).phase(first.bearing, first.form);
+    let phase = Arc::clone(system).phase(first.active_basis, first.form);
     phase.kept().iter().copied().filter(|&entry| entry < entries).collect()
 }
 

@@ -32,7 +32,7 @@ fn a_double_pendulum() -> Outcome {
 #[test]
 fn a_falling_pair() -> Outcome {
     let model = PairOnCorners { m: 1.0, l: 1.0, g: 9.81 };
-    for form in [Form::Closed, Form::Projected] {
+    for form in [Form::Reduced, Form::Multipliers] {
         let run = Simulation::new(&model)?.start(Pose::new("phi", 0.1))?.until("phi = pi/2")?;
         assert_agrees(&run.form(form).run()?);
     }

@@ -70,7 +70,7 @@ fn assert_falls_as_quadrature_says(form: Form) -> Outcome {
 
 #[test]
 fn lift_off_and_end_of_the_falling_pair() -> Outcome {
-    assert_falls_as_quadrature_says(Form::Closed)
+    assert_falls_as_quadrature_says(Form::Reduced)
 }
 
 /// By multipliers and projection the motion is the same but for the rounding of its start.
@@ -81,7 +81,7 @@ fn the_same_without_closed_forms() -> Outcome {
         let start = Simulation::new(&model)?.start(Pose::new("phi", 0.1))?;
         Ok(Reference::compute(&start.until("phi = pi/2")?.form(form).run()?, &[], precise::<PairOnCorners>)?)
     };
-    let (closed, projected) = (run(Form::Closed)?, run(Form::Projected)?);
+    let (closed, projected) = (run(Form::Reduced)?, run(Form::Multipliers)?);
     for (a, b) in times(&closed).iter().zip(times(&projected)) {
         let (a, b) = (a.expect("no touch"), b.expect("no touch"));
         assert!((a - b).abs().to_f64() < 4.0 * f64::EPSILON, "{a:?} {b:?}");

@@ -29,6 +29,6 @@ impl Rhs {
 
     #[inline(never)]
     pub fn rhs(&self, q: &[f64; N], u: &[f64; N], a: &mut [f64; N]) {
-        Chain::phase(ContactSet::EMPTY, Form::Closed, Call { rhs: self, q, u, a })
+        Chain::phase(ContactSet::EMPTY, Form::Reduced, Call { rhs: self, q, u, a })
     }
 }

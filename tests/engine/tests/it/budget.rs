@@ -72,7 +72,7 @@ fn a_decision_tries_no_more_sets_than_it_may() {
         mass: DMatrix::identity(2, 2),
         jacobian: DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.9, 1.0]),
         rates: DVector::from_row_slice(&[-1.0, -10.0]),
-        drift: DVector::zeros(2),
+        prescribed_gap_rate: DVector::zeros(2),
         applied: DVector::zeros(2),
         rows: vec![contact, Row::Tangent { of: 0 }],
     };

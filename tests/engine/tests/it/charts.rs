@@ -36,7 +36,7 @@ fn a_bar_comes_to_rest_on_its_other_side() {
         let end = run.final_state();
         assert!((end[0] - PI).abs() < 1e-9, "{end:?}");
         let forms: Vec<_> = run.segments().iter().map(|segment| segment.form).collect();
-        assert_eq!(forms.last(), Some(&Form::Projected));
+        assert_eq!(forms.last(), Some(&Form::Multipliers));
         assert!(
             run.log().iter().any(|entry| entry.decision == LoggedDecision::OtherBranch),
             "{:?}",
@@ -51,7 +51,7 @@ fn a_bar_comes_to_rest_on_the_side_of_the_figure() {
     let bar = BouncingBar { m: 1.0, l: 1.0, g: 9.81, e: 0.0 };
     let run = run(&bar, Pose::new("phi", 0.3).with("x", 0.0).with("y", 1.0), 2.0);
     let last = run.segments().pop().unwrap();
-    assert_eq!((last.form, last.set.len()), (Form::Closed, 2));
+    assert_eq!((last.form, last.set.len()), (Form::Reduced, 2));
     assert_eq!(run.final_state()[0], 0.0);
     assert!(run.log().iter().all(|entry| entry.decision != LoggedDecision::OtherBranch), "{:?}", run.log());
 }
@@ -72,7 +72,7 @@ fn a_start_on_the_other_branch_is_kept() {
         let pose = Pose::new("phi_inner", inner).with("phi_outer", PI - inner);
         let run = run(&ZIGZAG, pose, 0.3);
         starts_as_given(&run, &[inner, PI - inner, 0.0, 0.0, 0.0, 0.0]);
-        assert_eq!(run.segments()[0].form, Form::Projected);
+        assert_eq!(run.segments()[0].form, Form::Multipliers);
     }
 }
 

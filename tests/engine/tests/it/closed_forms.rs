@@ -47,9 +47,9 @@ fn a_small_pivot_goes_over_to_multipliers_in_mid_run() {
         let simulation = Simulation::new(&model).unwrap().form(form).start(start).unwrap();
         simulation.hold("P").unwrap().limit(1.0).run().unwrap()
     };
-    let (run, reference) = (run(Form::Closed), run(Form::Projected));
+    let (run, reference) = (run(Form::Reduced), run(Form::Multipliers));
     let forms: Vec<_> = run.segments().iter().map(|segment| segment.form).collect();
-    assert_eq!(forms[..2], [Form::Closed, Form::Projected]);
+    assert_eq!(forms[..2], [Form::Reduced, Form::Multipliers]);
     assert_eq!(run.log().len(), 1);
     // The corner is at the bars' ends where cos φ = w / 2l.
     let [last, expected] = [&run, &reference].map(|run| &run.events()[1]);
@@ -81,7 +81,7 @@ fn a_vanishing_pivot_is_no_singularity_of_the_motion() {
     assert_eq!(*run.unwrap_err().cause(), liftoff::RunCause::Start(liftoff::StartError::Equilibrium));
     let sliding = Simulation::new(&WholePair { m: 1.0, l: 1.0, g: 1.0 }).unwrap();
     let run = sliding.start(Pose::new("x'", 0.1)).unwrap().limit(0.5).run().unwrap();
-    assert_eq!(run.segments()[0].form, Form::Projected);
+    assert_eq!(run.segments()[0].form, Form::Multipliers);
     let value = |text: &str, t: f64| run.value(&Output::parse(WholePair::LAYOUT, text).unwrap(), t);
     assert!((value("E", 0.5) - value("E", 0.0)).abs() < 1e-12);
     assert!(value("gap(P)", 0.5).abs() + value("gap(Q)", 0.5).abs() < 1e-15);

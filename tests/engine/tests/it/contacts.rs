@@ -5,7 +5,7 @@ use liftoff_fixtures::AFrame;
 use liftoff_fixtures::Ladder;
 use liftoff_fixtures::RodOnSupports;
 
-const FORMS: [Form; 2] = [Form::Closed, Form::Projected];
+const FORMS: [Form; 2] = [Form::Reduced, Form::Multipliers];
 
 /// Catalogue 1.
 #[test]

@@ -97,7 +97,7 @@ fn starts() {
 /// Contacts that the given coordinates contradict are open; those that they do not mention stay closed.
 #[test]
 fn poses_are_completed() {
-    for form in [Form::Closed, Form::Projected] {
+    for form in [Form::Reduced, Form::Multipliers] {
         let start = |pose| {
             let run =
                 Simulation::new(&Ladder { m: 1.0, l: 1.0, g: 1.0 }).unwrap().form(form).start(pose).unwrap();

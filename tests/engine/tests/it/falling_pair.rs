@@ -30,7 +30,7 @@ fn fall(form: Form, tolerance: f64) -> Trajectory {
 #[test]
 fn lifts_off_on_the_limiting_energy_level() {
     for (form, tolerance, close) in
-        [(Form::Closed, 1e-12, 1e-10), (Form::Closed, 1e-14, 1e-12), (Form::Projected, 1e-12, 1e-10)]
+        [(Form::Reduced, 1e-12, 1e-10), (Form::Reduced, 1e-14, 1e-12), (Form::Multipliers, 1e-12, 1e-10)]
     {
         let run = fall(form, tolerance);
         let [start, open, stop] = run.events() else { panic!("{:?}", run.events()) };
@@ -83,7 +83,7 @@ fn degenerate_equilibrium_is_said() {
 
 #[test]
 fn forms_agree_through_the_lift_off() {
-    let [closed, projected] = [Form::Closed, Form::Projected].map(|form| fall(form, 1e-13));
+    let [closed, projected] = [Form::Reduced, Form::Multipliers].map(|form| fall(form, 1e-13));
     let end = closed.end_time();
     for k in 0..=20 {
         let t = end * f64::from(k) / 20.0;

@@ -8,7 +8,7 @@ use liftoff_fixtures::Ladder;
 use liftoff_fixtures::RodOnSupports;
 use liftoff_fixtures::StruckChain;
 
-const FORMS: [Form; 2] = [Form::Closed, Form::Projected];
+const FORMS: [Form; 2] = [Form::Reduced, Form::Multipliers];
 
 /// Catalogue 6, plastic: a bar at θ to the floor falls without spin; J = m v/(1 + 3 cos² θ).
 #[test]

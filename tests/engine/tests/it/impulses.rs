@@ -28,7 +28,7 @@ fn collision(
         mass: &root * root.transpose() + DMatrix::identity(5, 5) * 0.1,
         jacobian,
         rates: u,
-        drift: DVector::zeros(7),
+        prescribed_gap_rate: DVector::zeros(7),
         applied: DVector::zeros(5),
         rows,
     }
@@ -108,7 +108,7 @@ fn a_bar_end_strikes_the_floor() {
             mass: DMatrix::from_diagonal(&DVector::from_row_slice(&[1.0, 1.0, 1.0 / 12.0])),
             jacobian: DMatrix::from_row_slice(1, 3, &[0.0, 1.0, -0.5 * theta.cos()]),
             rates: DVector::from_row_slice(&[0.0, -2.0, 0.0]),
-            drift: DVector::zeros(1),
+            prescribed_gap_rate: DVector::zeros(1),
             applied: DVector::zeros(3),
             rows: vec![Row::Contact { restitution: e, law: Law::Newton }],
         };
@@ -125,7 +125,7 @@ fn massless_coordinates_follow() {
         mass: DMatrix::from_row_slice(2, 2, &[2.0, 0.0, 0.0, 0.0]),
         jacobian: DMatrix::from_row_slice(2, 2, &[0.0, 1.0, 1.0, -1.0]),
         rates: DVector::from_row_slice(&[-1.0, -1.0]),
-        drift: DVector::zeros(2),
+        prescribed_gap_rate: DVector::zeros(2),
         applied: DVector::zeros(2),
         rows: vec![Row::Contact { restitution: 0.5, law: Law::Newton }, Row::TwoSided],
     };
@@ -134,7 +134,7 @@ fn massless_coordinates_follow() {
     assert!((outcome.impulses[0] - 3.0).abs() < 1e-14);
     let loose = Collision { rows: vec![Row::Open, Row::Open], ..collision.clone() };
     assert_eq!(loose.solve().unwrap_err(), CollisionError::Singular);
-    let wedged = Collision { drift: DVector::from_row_slice(&[0.0, f64::NAN]), ..collision };
+    let wedged = Collision { prescribed_gap_rate: DVector::from_row_slice(&[0.0, f64::NAN]), ..collision };
     assert!(wedged.solve().is_err());
 }
 
@@ -146,7 +146,7 @@ fn opposed_walls_jam() {
         mass: DMatrix::identity(1, 1),
         jacobian: DMatrix::from_row_slice(2, 1, &[1.0, -1.0]),
         rates: DVector::zeros(1),
-        drift: DVector::from_row_slice(&[-1.0, -0.5]),
+        prescribed_gap_rate: DVector::from_row_slice(&[-1.0, -0.5]),
         applied: DVector::zeros(1),
         rows: vec![contact, contact],
     };
@@ -161,7 +161,7 @@ fn kinetic_angle_of_a_bars_ends() {
         mass: DMatrix::from_diagonal(&DVector::from_row_slice(&[1.0, inertia])),
         jacobian: DMatrix::from_row_slice(2, 2, &[1.0, 0.5, 1.0, -0.5]),
         rates: DVector::from_row_slice(&[-1.0, 0.0]),
-        drift: DVector::zeros(2),
+        prescribed_gap_rate: DVector::zeros(2),
         applied: DVector::zeros(2),
         rows: vec![contact, contact],
     };

@@ -113,11 +113,11 @@ fn compare<M: BarSystem>(model: &M, closed: &[&str], form: Form, state: &[f64]) 
 fn of_closed_and_projected_forms() {
     let pair = SprungPair { m: 2.0, l: 0.5, g: 9.81, k: 300.0, c: 7.0 };
     let state = [0.6, -0.17, 1.7, -0.6];
-    assert_eq!(compare(&pair, &["P", "Q"], Form::Closed, &state), 2);
-    assert_eq!(compare(&pair, &["P", "Q"], Form::Projected, &state), 4);
-    assert_eq!(compare(&pair, &[], Form::Projected, &state), 4);
+    assert_eq!(compare(&pair, &["P", "Q"], Form::Reduced, &state), 2);
+    assert_eq!(compare(&pair, &["P", "Q"], Form::Multipliers, &state), 4);
+    assert_eq!(compare(&pair, &[], Form::Multipliers, &state), 4);
     let block = SprungBlock { m: 2.0, b: 0.3, h: 0.5, g: 9.81, k: 50.0, c: 3.0 };
-    assert_eq!(compare(&block, &["A"], Form::Projected, &[0.1, 0.5, 0.2, -0.3, 0.4, 1.1]), 6);
+    assert_eq!(compare(&block, &["A"], Form::Multipliers, &[0.1, 0.5, 0.2, -0.3, 0.4, 1.1]), 6);
 }
 
 /// Without mass in the outer bars M is singular, and definite only on what the closed contacts leave free.
@@ -126,8 +126,8 @@ fn of_massless_bars() {
     let zigzag = SprungZigzag { m1: 1.0, m2: 0.0, l: 1.0, g: 9.81, k: 2.0, c: 0.3 };
     let state = [0.7, 0.5, 0.1, 0.4, -0.3, 0.2];
     for labels in [&["C", "A", "E"][..], &["A", "E"]] {
-        assert_eq!(compare(&zigzag, labels, Form::Projected, &state), 6);
-        compare(&zigzag, labels, Form::Closed, &state);
+        assert_eq!(compare(&zigzag, labels, Form::Multipliers, &state), 6);
+        compare(&zigzag, labels, Form::Reduced, &state);
     }
 }
 
@@ -137,7 +137,7 @@ fn rigid_bars_have_none_and_need_none() {
     let pair = FallingPair { m: 2.0, l: 0.5, g: 9.81 };
     let lifted = Model::new(&pair);
     let set = contact_set(FallingPair::LAYOUT, &["P", "Q"]).unwrap();
-    assert!(Arc::clone(&lifted.system).phase(set, Form::Closed).jacobian().is_none());
+    assert!(Arc::clone(&lifted.system).phase(set, Form::Reduced).jacobian().is_none());
     let run = |simulation: Simulation| {
         let start = Pose::new("phi", 0.1);
         simulation.tolerance(1e-9).start(start).unwrap().until("phi = pi/2").unwrap().run().unwrap()
@@ -153,5 +153,5 @@ fn rigid_bars_have_none_and_need_none() {
 #[test]
 fn of_springs() {
     let pendulum = SpringPendulum { m: 2.0, k: 1e6, l: 1.0, c: 2e3, g: 9.81 };
-    assert_eq!(compare(&pendulum, &[], Form::Closed, &[0.8, 0.6001, 1.2, -1.6]), 4);
+    assert_eq!(compare(&pendulum, &[], Form::Reduced, &[0.8, 0.6001, 1.2, -1.6]), 4);
 }

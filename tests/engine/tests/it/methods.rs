@@ -23,7 +23,7 @@ fn falls(method: impl Method, form: Form) {
 
 #[test]
 fn each_method_finds_the_lift_off() {
-    for form in [Form::Closed, Form::Projected] {
+    for form in [Form::Reduced, Form::Multipliers] {
         falls(Dop853, form);
         falls(Tsit5, form);
         falls(Gauss, form);
@@ -41,12 +41,12 @@ fn find_method(method: impl Method, form: Form, tolerance: f64) -> &'static str 
 
 #[test]
 fn a_segment_tells_what_integrates_it() {
-    assert_eq!(find_method(Taylor, Form::Closed, 1e-8), "taylor");
-    assert_eq!(find_method(Taylor, Form::Projected, 1e-8), "dop853");
-    assert_eq!(find_method(Auto, Form::Closed, 1e-8), "taylor");
-    assert_eq!(find_method(Auto, Form::Projected, 1e-8), "dop853");
-    assert_eq!(find_method(Auto, Form::Projected, 1e-4), "tsit5");
-    assert_eq!(find_method(Gauss, Form::Projected, 1e-8), "gauss");
+    assert_eq!(find_method(Taylor, Form::Reduced, 1e-8), "taylor");
+    assert_eq!(find_method(Taylor, Form::Multipliers, 1e-8), "dop853");
+    assert_eq!(find_method(Auto, Form::Reduced, 1e-8), "taylor");
+    assert_eq!(find_method(Auto, Form::Multipliers, 1e-8), "dop853");
+    assert_eq!(find_method(Auto, Form::Multipliers, 1e-4), "tsit5");
+    assert_eq!(find_method(Gauss, Form::Multipliers, 1e-8), "gauss");
     let damped = SpringPendulum { m: 1.0, k: 1e6, l: 1.0, c: 2e3, g: 1.0 };
     let run = Simulation::new(&damped).unwrap().limit(1e-3).run().unwrap();
     assert_eq!(run.segments()[0].choice.method, "radau");

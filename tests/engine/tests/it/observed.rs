@@ -56,7 +56,7 @@ fn an_observer_sees_what_is_kept() {
     let pair = Simulation::new(&PairOnCorners { m: 1.0, l: 1.0, g: 9.81 }).unwrap();
     let pair = pair.start(Pose::new("phi", 0.1)).unwrap().until("phi = pi/2").unwrap();
     agree(&pair, &["phi", "N(P)", "gap(P)"]);
-    agree(&pair.form(Form::Projected), &["phi", "N(P)", "gap(P)"]);
+    agree(&pair.form(Form::Multipliers), &["phi", "N(P)", "gap(P)"]);
     let bar = Simulation::new(&BouncingBar { m: 1.0, l: 1.0, g: 9.81, e: 0.5 }).unwrap();
     agree(&bar.start(Pose::new("y", 0.5).with("phi", 0.4)).unwrap().limit(1.0), &["phi", "x(B)", "N(A)"]);
 }

@@ -27,7 +27,7 @@ pub(super) fn task(source: &mut Source) -> Task {
     }
     plan(model.layout(), &mut spec, units, source);
     spec.tolerance = digits(10f64.powf(source.range(-13.0, -4.0)));
-    let form = if source.chance(0.15) { Form::Projected } else { Form::Closed };
+    let form = if source.chance(0.15) { Form::Multipliers } else { Form::Reduced };
     let mut task =
         Task { model, spec, method: source.choose(&MethodId::ALL), form, relation: Relation::None };
     task.relation = relation::draw(&task, source);

@@ -184,8 +184,8 @@ fn course(task: &Task, run: &Trajectory) -> Course {
 /// The motion by the other way, in the times of the run.
 fn other_way(task: &Task, run: &Trajectory) -> Option<Course> {
     let form = match task.form {
-        Form::Closed => Form::Projected,
-        Form::Projected => Form::Closed,
+        Form::Reduced => Form::Multipliers,
+        Form::Multipliers => Form::Reduced,
     };
     match task.relation {
         Relation::None => None,

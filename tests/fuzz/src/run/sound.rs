@@ -149,7 +149,7 @@ fn gaps(task: &Task, run: &Trajectory) -> Result<(), Finding> {
 fn carried(run: &Trajectory) -> f64 {
     let (layout, [start, _]) = (run.layout(), run.interval());
     let equations = run.model().system.equations(&layout.state_at(&run.state(start), start));
-    equations.drift().iter().fold(0.0, |most, drift| most.max(drift.abs()))
+    equations.prescribed_gap_rate().iter().fold(0.0, |most, drift| most.max(drift.abs()))
 }
 
 /// Without drives, loads, moving surfaces and impulses the energy does not grow, beyond what the laws of impact tell and what the

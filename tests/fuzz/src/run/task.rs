@@ -109,7 +109,7 @@ impl fmt::Display for Task {
             write!(f, " --limit {limit:?}")?;
         }
         write!(f, " --tol {:?} --method {}", spec.tolerance, method.name())?;
-        if *form == Form::Projected {
+        if *form == Form::Multipliers {
             write!(f, " # projected form")?;
         }
         write!(f, " # {relation:?}")

@@ -42,7 +42,7 @@ impl Assembly {
         let [value, rate, second] = drive.value.jet(self, state);
         let mut row = self.reading(state, &drive.reading);
         row.value -= value;
-        row.drift -= rate;
+        row.prescribed_gap_rate -= rate;
         row.bias -= second;
         row
     }

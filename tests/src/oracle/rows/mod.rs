@@ -15,7 +15,7 @@ pub struct Row {
     /// g.
     pub value: f64,
     /// ∂g/∂t.
-    pub drift: f64,
+    pub prescribed_gap_rate: f64,
     /// b.
     pub bias: f64,
     /// Non-zero entries of J (an index may occur twice: its entries add).
@@ -32,7 +32,7 @@ impl Row {
 
     /// ġ.
     pub fn rate(&self, rates: &DVector<f64>) -> f64 {
-        self.along(rates) + self.drift
+        self.along(rates) + self.prescribed_gap_rate
     }
 
     /// Σ cᵢ θᵢ, of this value.
@@ -43,7 +43,7 @@ impl Row {
 
     fn plus(mut self, other: Self) -> Self {
         self.value += other.value;
-        self.drift += other.drift;
+        self.prescribed_gap_rate += other.prescribed_gap_rate;
         self.bias += other.bias;
         self.gradient.extend(other.gradient);
         self.forces.extend(other.forces);
@@ -51,7 +51,7 @@ impl Row {
     }
 
     fn scaled(mut self, factor: f64) -> Self {
-        for x in [&mut self.value, &mut self.drift, &mut self.bias] {
+        for x in [&mut self.value, &mut self.prescribed_gap_rate, &mut self.bias] {
             *x *= factor;
         }
         self.gradient.iter_mut().for_each(|(_, entry)| *entry *= factor);

@@ -22,7 +22,7 @@ impl Assembly {
             Place::Ground(_) => (Vec::new(), 0.0),
         };
         let value = d.dot(&self.position(state, place));
-        Row { value, drift: 0.0, bias, gradient, forces: vec![(place, d)] }
+        Row { value, prescribed_gap_rate: 0.0, bias, gradient, forces: vec![(place, d)] }
     }
 
     /// g = |B − A| = r: J = e·∂(B − A), b = e·(B̈ − Ä) + (|v|² − (e·v)²)/r with e = (B − A)/r, v = Ḃ − Ȧ.

@@ -103,7 +103,7 @@ impl Pair {
             mass: self.mass(&full),
             jacobian: DMatrix::from_row_slice(rows, n, &entries),
             rates: DVector::from_column_slice(&full.0[n..2 * n]),
-            drift: DVector::from_vec(self.values(&kernel.drift, &full)),
+            prescribed_gap_rate: DVector::from_vec(self.values(&kernel.prescribed_gap_rate, &full)),
             applied: DVector::zeros(n),
             rows: (0..rows).map(|row| self.part(row, set)).collect(),
         }

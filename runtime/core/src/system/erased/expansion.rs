@@ -56,7 +56,7 @@ impl<'a, const N: usize> Padded<'a, N> {
     /// None where the phase has no series.
     pub(super) fn from_problem(problem: &InitialValueProblem<'a>) -> Option<Self> {
         let mut inner = problem.phase.series()?;
-        if problem.phase.info().form == Form::Projected {
+        if problem.phase.info().form == Form::Multipliers {
             let mut rates = vec![0.0; problem.len()];
             inner.rates(problem.start, &mut rates);
             // Rows that repeat each other leave no factors.

@@ -63,7 +63,7 @@ pub(crate) struct ContactSolution {
     /// Closed contacts, held ones among them.
     pub(crate) closed: ContactSet,
     /// Independent ones among them that hold the others too.
-    pub(crate) bearing: ContactSet,
+    pub(crate) active_basis: ContactSet,
     /// Reactions of all contacts, the shortest where they are not unique.
     pub(crate) reactions: Vec<f64>,
     /// Whether the reactions are the only ones possible.
@@ -267,7 +267,7 @@ impl OrderLadder {
                 let shared = (order == 0).then(|| self.share_rough(&problem, &found)).flatten();
                 if let Some(shared) = &shared {
                     let question = FrictionProblem { rows: choice, contacts: &[] };
-                    first_to_bear = problem.order_bearing(&question, &[], shared);
+                    first_to_bear = problem.order_active_basis(&question, &[], shared);
                 }
                 shared.unwrap_or(found)
             }
@@ -281,7 +281,7 @@ impl OrderLadder {
                 }
                 if order == 0 && !found.solution.unique {
                     found.solution.reactions = problem.share_with_friction(&question, &found);
-                    first_to_bear = problem.order_bearing(&question, &found.modes, &found.solution);
+                    first_to_bear = problem.order_active_basis(&question, &found.modes, &found.solution);
                 }
                 for ((rubbing, mode), next) in self.rubbing.iter_mut().zip(found.modes).zip(found.next) {
                     rubbing.mode = mode;
@@ -296,7 +296,8 @@ impl OrderLadder {
         if order == 0 {
             self.lowest = Some(Lowest { problem, solution: solution.clone(), first_to_bear, alternatives });
         }
-        let Solution { accelerations, reactions, bearing, degenerate, pushing, unique, .. } = solution;
+        let Solution { accelerations, reactions, active_basis: bearing, degenerate, pushing, unique, .. } =
+            solution;
         let (kept, pledged): (Vec<_>, Vec<_>) =
             self.pledged.iter().partition(|row| order > 0 && pushing.contains(row));
         let (rough, smooth): (Vec<_>, Vec<_>) = degenerate.into_iter().partition(|row| self.is_rough(*row));
@@ -343,15 +344,15 @@ impl OrderLadder {
         if found.unique || !found.degenerate.iter().any(|row| self.is_rough(*row)) {
             return None;
         }
-        let one_sided = |row: usize| found.degenerate.contains(&row) || found.bearing.contains(&row);
+        let one_sided = |row: usize| found.degenerate.contains(&row) || found.active_basis.contains(&row);
         let reactions = problem.share(found, &one_sided);
         let bears = |row: &usize| {
             self.is_rough(*row) && reactions[*row] > problem.scale[problem.n + row] * problem.slack(*row)
         };
         let (borne, degenerate): (Vec<usize>, Vec<usize>) =
             found.degenerate.iter().partition(|row| bears(row));
-        let bearing = [&found.bearing[..], &borne[..]].concat();
-        Some(Solution { reactions, bearing, degenerate, ..found.clone() })
+        let bearing = [&found.active_basis[..], &borne[..]].concat();
+        Some(Solution { reactions, active_basis: bearing, degenerate, ..found.clone() })
     }
 
     /// Pledged contacts whose reaction falls below zero.
@@ -436,7 +437,9 @@ impl OrderLadder {
         let slipping = |set: ContactSet| self.rubbing.iter().fold(set, |set, rubbing| rubbing.slip(set));
         ContactSolution {
             closed: slipping(rows.iter().copied().filter(is_contact).collect()),
-            bearing: slipping(self.find_bearing(&held, &undecided).into_iter().filter(is_contact).collect()),
+            active_basis: slipping(
+                self.find_active_basis(&held, &undecided).into_iter().filter(is_contact).collect(),
+            ),
             reactions: self.shared(&rows, layout),
             unique: self.unique,
             alternatives: self.lowest.as_ref().and_then(|lowest| lowest.alternatives.clone()),
@@ -445,7 +448,7 @@ impl OrderLadder {
 
     /// Rows that bear: independent ones, joints and those that bear at the lowest order first. A
     /// rough contact whose normal joints hold bears across.
-    fn find_bearing(&self, held: &[usize], undecided: &[usize]) -> Vec<usize> {
+    fn find_active_basis(&self, held: &[usize], undecided: &[usize]) -> Vec<usize> {
         let rows = || held.iter().chain(undecided).copied();
         let is_shared = !self.unique || !(self.rubbing.is_empty() || self.open_question.is_empty());
         let Some(lowest) = self.lowest.as_ref().filter(|_| is_shared) else { return rows().collect() };
@@ -472,7 +475,7 @@ impl OrderLadder {
         let shares = self.lowest.as_ref().filter(|_| !self.unique && self.rubbing.is_empty());
         let shared = shares.map(|Lowest { problem, solution, .. }| {
             let one_sided =
-                |row: usize| solution.degenerate.contains(&row) || solution.bearing.contains(&row);
+                |row: usize| solution.degenerate.contains(&row) || solution.active_basis.contains(&row);
             let tight = solution.tight.iter().copied().filter(|row| *row >= contacts || rows.contains(row));
             problem.share(&Solution { tight: tight.collect(), ..solution.clone() }, &one_sided)
         });

@@ -35,7 +35,7 @@ struct Column {
 impl EquilibratedKkt {
     /// The closed rows of a motion whose reactions are shared, those that bear it alone first.
     /// `modes` are those of the contacts with friction.
-    pub(in crate::contact) fn order_bearing(
+    pub(in crate::contact) fn order_active_basis(
         &self,
         question: &FrictionProblem,
         modes: &[ContactMode],

@@ -366,7 +366,7 @@ impl BalancedProblem<'_> {
         Solution {
             accelerations: trial.a.component_mul(&kkt.scale.rows(0, kkt.n)),
             reactions: trial.reactions.component_mul(&kkt.scale.rows(kkt.n, trial.reactions.len())),
-            bearing,
+            active_basis: bearing,
             degenerate,
             pulling: two_sided().filter(pulls).collect(),
             pushing: two_sided().filter(bears).collect(),

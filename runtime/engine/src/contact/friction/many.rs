@@ -70,7 +70,8 @@ impl BalancedProblem<'_> {
         }
         let normals: Vec<usize> = open.iter().map(|&at| self.units[at].normal).collect();
         let two_sided = self.held(shapes, &[]).rows;
-        let bearing = self.kkt.least_constraint().and_then(|least| least.bearing(&two_sided, &normals));
+        let bearing =
+            self.kkt.least_constraint().and_then(|least| least.find_active_basis(&two_sided, &normals));
         let Ok(bearing) = bearing else { return open };
         let acts = |at: usize| matches!(shapes[at], Some(Shape::Brink(_))) || self.units[at].given.is_some();
         open.into_iter().filter(|&at| acts(at) || bearing.contains(&self.units[at].normal)).collect()

@@ -85,7 +85,7 @@ impl HingeProblem<'_> {
         });
         Some(ContactSolution {
             closed: taken.set,
-            bearing: taken.set,
+            active_basis: taken.set,
             reactions: taken.reactions.to_vec(),
             unique: taken.unique,
             alternatives,

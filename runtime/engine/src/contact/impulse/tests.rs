@@ -9,7 +9,7 @@ fn collision() -> Collision {
         mass: DMatrix::identity(3, 3),
         jacobian: DMatrix::from_row_slice(3, 3, &[0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0]),
         rates: DVector::from_row_slice(&[0.5, -1.0, -2.0]),
-        drift: DVector::zeros(3),
+        prescribed_gap_rate: DVector::zeros(3),
         applied: DVector::zeros(3),
         rows: vec![
             Row::Contact { restitution: 0.5, law },
@@ -35,7 +35,7 @@ fn what_does_not_fit_is_refused() {
         |it| it.jacobian = DMatrix::zeros(2, 3),
         |it| it.jacobian = DMatrix::zeros(3, 2),
         |it| it.rates = DVector::zeros(2),
-        |it| it.drift = DVector::zeros(2),
+        |it| it.prescribed_gap_rate = DVector::zeros(2),
         |it| it.applied = DVector::zeros(2),
         |it| it.rows[1] = Row::Tangent { of: 3 },
         |it| it.rows[1] = Row::Friction { of: 1, mu: 0.2, restitution: 0.0 },
@@ -54,7 +54,7 @@ fn what_is_not_finite_is_refused_but_in_open_rows() {
         |it| it.mass[(2, 2)] = f64::INFINITY,
         |it| it.rates[0] = f64::NAN,
         |it| it.applied[0] = f64::INFINITY,
-        |it| it.drift[2] = f64::NAN,
+        |it| it.prescribed_gap_rate[2] = f64::NAN,
         |it| it.jacobian[(2, 0)] = f64::NAN,
     ];
     for (k, change) in wrong.into_iter().enumerate() {
@@ -71,7 +71,7 @@ fn what_is_not_finite_is_refused_but_in_open_rows() {
 #[test]
 fn open_rows_take_no_part() {
     let mut open = collision();
-    (open.rows[0], open.drift[0], open.drift[1]) = (Row::Open, 7.0, 7.0);
+    (open.rows[0], open.prescribed_gap_rate[0], open.prescribed_gap_rate[1]) = (Row::Open, 7.0, 7.0);
     let outcome = open.solve().unwrap();
     // The unit roundoff of some terms.
     assert!((outcome.rates - DVector::from_row_slice(&[0.5, -1.0, 1.0])).amax() < 1e-14);
@@ -79,7 +79,7 @@ fn open_rows_take_no_part() {
     assert_eq!(outcome.acting, [2]);
     let acting = open.without_open_rows().unwrap();
     assert_eq!(acting.jacobian, DMatrix::from_fn(3, 3, |i, j| f64::from(u8::from(i == 2 && j == 2))));
-    assert!(acting.drift == DVector::zeros(3) && acting.without_open_rows().is_none());
+    assert!(acting.prescribed_gap_rate == DVector::zeros(3) && acting.without_open_rows().is_none());
     assert!(collision().without_open_rows().is_none());
 }
 
@@ -90,7 +90,8 @@ fn an_approach_is_zero_up_to_the_rounding_of_its_terms() {
         let mut it = collision();
         it.jacobian = DMatrix::from_row_slice(3, 3, &[0.1, 0.2, 0.0, 0.1, 0.2, 0.0, 0.0, 0.0, -1.0]);
         it.rates = DVector::from_row_slice(&[3.0, 3.0, 1.0]) * unit;
-        it.drift = DVector::from_row_slice(&[-0.9 * (1.0 + 1e-13), -0.9 * (1.0 + 1e-11), 1.0]) * unit;
+        it.prescribed_gap_rate =
+            DVector::from_row_slice(&[-0.9 * (1.0 + 1e-13), -0.9 * (1.0 + 1e-11), 1.0]) * unit;
         let approach = it.approach();
         // The drift is −0.9e-11 more than the two terms of 0.3 and 0.6.
         assert_eq!((approach[0], approach[2]), (0.0, 0.0));

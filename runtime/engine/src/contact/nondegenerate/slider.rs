@@ -71,7 +71,7 @@ pub(crate) fn decide(
     };
     let (closed, reactions) = found.map_or((ContactSet::EMPTY, open), |it| (it.set, it.reactions));
     let (bearing, reactions) = (closed, reactions.to_vec());
-    Some(ContactSolution { closed, bearing, reactions, unique: true, alternatives: None })
+    Some(ContactSolution { closed, active_basis: bearing, reactions, unique: true, alternatives: None })
 }
 
 impl Contact<'_> {

@@ -39,7 +39,7 @@ impl Case {
             mass: DMatrix::identity(2, 2) * mass,
             jacobian: DMatrix::from_row_slice(2, 2, &[0.0, lengths[0], lengths[1], 0.0]),
             rates: rates(self.before),
-            drift: DVector::zeros(2),
+            prescribed_gap_rate: DVector::zeros(2),
             applied: DVector::zeros(2),
             rows: self.rows.map(bent).to_vec(),
         };

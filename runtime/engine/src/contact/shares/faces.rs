@@ -79,7 +79,7 @@ impl Conditions {
     /// Those that hold the shortest λ, the faces it is on among them.
     fn closed(&self) -> Option<Vec<usize>> {
         let slack = known(&self.rows.select_rows(&self.held)).max(SOLVED) * self.solve(&self.held)?.norm();
-        let bearing = self.least_constraint(slack)?.bearing(&self.held, &self.above).ok()?;
+        let bearing = self.least_constraint(slack)?.find_active_basis(&self.held, &self.above).ok()?;
         let mut closed = self.held.clone();
         closed.extend(bearing.into_iter().filter(|row| self.above.contains(row)));
         // What is beyond a face but for rounding is on it.

@@ -27,7 +27,7 @@ pub(crate) struct ReducedCollision<'a, M, J> {
     /// J, row and column.
     pub(crate) jacobian: J,
     /// ∂g/∂t.
-    pub(crate) drift: &'a [f64],
+    pub(crate) prescribed_gap_rate: &'a [f64],
     /// u⁻.
     pub(crate) rates: &'a [f64],
 }
@@ -99,7 +99,7 @@ impl<M: Fn(usize, usize) -> f64, J: Fn(usize, usize) -> f64> ReducedCollision<'_
     /// ġ⁻ of a row.
     fn speed(&self, row: usize) -> Sum {
         let Sum { value, size } = self.along(row, self.rates);
-        Sum { value: value + self.drift[row], size: size + self.drift[row].abs() }
+        Sum { value: value + self.prescribed_gap_rate[row], size: size + self.prescribed_gap_rate[row].abs() }
     }
 
     /// J u of a row.
@@ -112,10 +112,15 @@ impl<M: Fn(usize, usize) -> f64, J: Fn(usize, usize) -> f64> ReducedCollision<'_
 impl Collision {
     /// The outcome, if this is such an impact.
     pub(super) fn of_single(&self) -> Option<Outcome> {
-        let Self { mass, jacobian, rates, drift, applied, rows } = self;
+        let Self { mass, jacobian, rates, prescribed_gap_rate: drift, applied, rows } = self;
         let (mass, jacobian) = (|i, j| mass[(i, j)], |i, j| jacobian[(i, j)]);
-        let struck =
-            ReducedCollision { rows, mass, jacobian, drift: drift.as_slice(), rates: rates.as_slice() };
+        let struck = ReducedCollision {
+            rows,
+            mass,
+            jacobian,
+            prescribed_gap_rate: drift.as_slice(),
+            rates: rates.as_slice(),
+        };
         (applied.amax() == 0.0).then(|| struck.outcome())?
     }
 }

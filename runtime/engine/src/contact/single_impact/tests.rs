@@ -13,7 +13,7 @@ fn bar(law: Law, e: f64) -> Collision {
         mass: DMatrix::from_diagonal(&DVector::from_row_slice(&[m, m, m * l * l / 12.0])),
         jacobian: DMatrix::from_row_slice(2, 3, &[f64::NAN, 1.0, 0.0, 0.0, 1.0, -0.5 * l]),
         rates: DVector::from_row_slice(&[0.3, -v, 0.0]),
-        drift: DVector::zeros(2),
+        prescribed_gap_rate: DVector::zeros(2),
         applied: DVector::zeros(3),
         rows: vec![Row::Open, Row::Contact { restitution: e, law }],
     }
@@ -70,7 +70,7 @@ fn rates_beyond_all_numbers_are_left_to_the_search() {
         mass: DMatrix::from_diagonal(&DVector::from_row_slice(&[1.0, 1e-40])),
         jacobian: DMatrix::from_row_slice(1, 2, &[1.0, 1e-20]),
         rates: DVector::from_row_slice(&[-speed, 0.0]),
-        drift: DVector::zeros(1),
+        prescribed_gap_rate: DVector::zeros(1),
         applied: DVector::zeros(2),
         rows: vec![Row::Contact { restitution: 0.5, law: Law::Newton }],
     };
@@ -89,7 +89,14 @@ fn drawn(n: usize, numbers: &[f64], rows: Vec<Row>) -> Collision {
         jacobian.set_row(1, &(at_rest - along * &rates).transpose());
     }
     let mass = &root * root.transpose() + DMatrix::identity(n, n);
-    Collision { mass, jacobian, rates, drift: DVector::zeros(rows.len()), applied: DVector::zeros(n), rows }
+    Collision {
+        mass,
+        jacobian,
+        rates,
+        prescribed_gap_rate: DVector::zeros(rows.len()),
+        applied: DVector::zeros(n),
+        rows,
+    }
 }
 
 /// Numbers differ by less than `part` of the largest of their kind.

@@ -14,7 +14,7 @@ fn particles(rates: [f64; 2], laws: [Law; 2], coupling: f64) -> Result<Outcome, 
         mass: DMatrix::from_row_slice(2, 2, &[1.0, coupling, coupling, 1.0]),
         jacobian: DMatrix::identity(2, 2),
         rates: DVector::from_row_slice(&rates),
-        drift: DVector::zeros(2),
+        prescribed_gap_rate: DVector::zeros(2),
         applied: DVector::zeros(2),
         rows: laws.map(|law| Row::Contact { restitution: E, law }).to_vec(),
     }
@@ -95,7 +95,7 @@ fn rough_contacts_have_stronge_s_law_alone() {
             mass: DMatrix::from_row_slice(3, 3, &[1.0, 0.0, 0.0, 0.0, 1.0, coupling, 0.0, coupling, 1.0]),
             jacobian: DMatrix::from_row_slice(3, 3, &[0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0]),
             rates: DVector::from_row_slice(&[0.3, -1.0, -2.0]),
-            drift: DVector::zeros(3),
+            prescribed_gap_rate: DVector::zeros(3),
             applied: DVector::zeros(3),
             rows: vec![Row::Contact { restitution: E, law }, Row::Tangent { of: 0 }, second],
         }
@@ -123,7 +123,7 @@ fn shared_impulses_are_told_by_either_law() {
                 mass: DMatrix::identity(2, 2),
                 jacobian: DMatrix::from_row_slice(3, 2, &[1.0, -1.0, 1.0, 0.0, 1.0, 1.0]),
                 rates: DVector::from_row_slice(&[-1.0, 0.0]),
-                drift: DVector::zeros(3),
+                prescribed_gap_rate: DVector::zeros(3),
                 applied: DVector::zeros(2),
                 rows: (0..3).map(row).collect(),
             }
@@ -161,7 +161,7 @@ fn contacts_gain_what_the_kinetic_energy_gains() {
         let contact = Row::Contact { restitution: random.between(0.0, 1.0), law };
         let rows = (0..r).map(|row| if row < held { Row::TwoSided } else { contact }).collect();
         let before = &rates + left(&inverse * &applied);
-        let it = Collision { mass, jacobian, rates, drift: DVector::zeros(r), applied, rows };
+        let it = Collision { mass, jacobian, rates, prescribed_gap_rate: DVector::zeros(r), applied, rows };
         let found = it.solve().unwrap();
         let kinetic = |u: &DVector<f64>| 0.5 * u.dot(&(&it.mass * u));
         let change = kinetic(&found.rates) - kinetic(&before);

@@ -50,7 +50,7 @@ fn what_bears_holds_all_others() {
         let slack = DVector::repeat(r, 1e-12);
         let least = LeastConstraint::new(&mass, &jacobian, (&force, &bias), &slack).unwrap();
         let (held, asked): (Vec<usize>, Vec<usize>) = (0..r).partition(|row| *row < fixed);
-        let rows = least.bearing(&held, &asked).unwrap();
+        let rows = least.find_active_basis(&held, &asked).unwrap();
         let (a, multipliers) = closed(&mass, &jacobian, (&force, &bias), &rows);
         let openings = &jacobian * &a + &bias;
         for row in 0..r {
@@ -74,7 +74,9 @@ fn contacts_contradict_each_other_beyond_rounding() {
             let (force, bias) = (DVector::zeros(1), DVector::from_row_slice(&[-size, size * (1.0 - excess)]));
             let slack = DVector::repeat(2, 1e-12 * size);
             let mass = DMatrix::identity(1, 1);
-            LeastConstraint::new(&mass, &jacobian, (&force, &bias), &slack).unwrap().bearing(&[], &[0, 1])
+            LeastConstraint::new(&mass, &jacobian, (&force, &bias), &slack)
+                .unwrap()
+                .find_active_basis(&[], &[0, 1])
         };
         assert_eq!(bearing(0.0), Ok(vec![0]));
         assert_eq!(bearing(1e-10), Ok(vec![0]));
@@ -130,13 +132,13 @@ fn lengths_of_rows_do_not_matter() {
         let pressed = least(0.0, &force, 1e-12);
         assert_eq!(pressed.independent(&[0, 1, 2]), [0, 1], "{unit}");
         assert_eq!(pressed.independent(&[2, 0]), [2, 0], "{unit}");
-        let bearing = pressed.bearing(&[], &[0, 1, 2]).unwrap();
+        let bearing = pressed.find_active_basis(&[], &[0, 1, 2]).unwrap();
         let (a, multipliers) = closed(&mass, &(&rows * unit), (&force, &DVector::zeros(3)), &bearing);
         assert!(a.amax() < 1e-14 && multipliers.min() > 0.0 && bearing.len() == 2, "{unit}: {bearing:?}");
         // What nothing presses on does not bear.
         let still = least(0.0, &DVector::zeros(2), 0.0);
-        assert!(still.bearing(&[], &[0, 1, 2]).unwrap().is_empty(), "{unit}");
-        assert!(least(1.0, &DVector::zeros(2), 0.0).bearing(&[], &[0, 1, 2]).unwrap().is_empty());
+        assert!(still.find_active_basis(&[], &[0, 1, 2]).unwrap().is_empty(), "{unit}");
+        assert!(least(1.0, &DVector::zeros(2), 0.0).find_active_basis(&[], &[0, 1, 2]).unwrap().is_empty());
     }
 }
 
@@ -150,7 +152,7 @@ fn without_inertia_forces_decide() {
         for opening in [1.0, -1.0, 0.0] {
             let bias = DVector::from_element(1, opening);
             let least = LeastConstraint::new(&mass, &jacobian, (&force, &bias), &slack).unwrap();
-            assert_eq!(!least.bearing(&[], &[0]).unwrap().is_empty(), bears, "{push} {opening}");
+            assert_eq!(!least.find_active_basis(&[], &[0]).unwrap().is_empty(), bears, "{push} {opening}");
         }
     }
 }

@@ -13,7 +13,7 @@ fn what_is_drawn_away_without_mass_has_no_motion() {
     let jacobian = DMatrix::from_row_slice(1, 2, &[0.0, 1.0]);
     let found = |force: f64| solve(&mass, &jacobian, &[-1.0, force], &[0.0]);
     let pressed = found(-0.5).unwrap();
-    assert_eq!(pressed.bearing, [0]);
+    assert_eq!(pressed.active_basis, [0]);
     assert!((pressed.reactions[0] - 0.5).abs() < 1e-14 && (pressed.accelerations[0] + 0.5).abs() < 1e-14);
     assert_eq!(found(0.5).unwrap_err(), LcpError::Singular);
     // Tied to a mass it has that one's, and is still drawn away.
@@ -31,7 +31,7 @@ fn massless_bodies_rest_on_their_contacts_unpressed() {
         for (push, bearing) in [(1.0, vec![]), (-1.0, vec![0])] {
             let force: Vec<f64> = (0..count).map(|j| if j == 0 { push } else { 0.0 }).collect();
             let found = solve(&mass, &jacobian, &force, &vec![0.0; count]).unwrap();
-            assert_eq!((found.bearing, found.degenerate), (bearing, (1..count).collect()), "{count}");
+            assert_eq!((found.active_basis, found.degenerate), (bearing, (1..count).collect()), "{count}");
             assert!((found.accelerations[0] - f64::max(push, 0.0)).abs() < 1e-14, "{count}");
             assert!((found.reactions[0] - f64::max(-push, 0.0)).abs() < 1e-14, "{count}");
             assert!(found.unique && found.accelerations.rows(1, count - 1).iter().all(|a| a.abs() < 1e-14));

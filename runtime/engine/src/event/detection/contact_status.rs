@@ -15,9 +15,9 @@ pub(crate) struct ContactStatus<'a> {
     pub(crate) below: ContactSet,
     /// Closed contacts whose reaction or slip velocity is zero, or whose friction force is at its
     /// limit, and that have just been decided to go on as they are.
-    pub(crate) kept: ContactSet,
+    pub(crate) suppressed: ContactSet,
     /// Closed contacts with friction that share their load.
-    pub(crate) grip: SharedFriction,
+    pub(crate) shared_friction: SharedFriction,
     /// Heights that bouncing contacts are to reach.
     pub(crate) heights: &'a [(usize, f64)],
     /// Gaps that are zero at the start, each with the order of its first nonzero derivative.

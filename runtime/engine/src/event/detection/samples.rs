@@ -70,7 +70,7 @@ impl Samples {
         if self.at_nodes == Quantities::NONE {
             return;
         }
-        if step.form() == Form::Projected {
+        if step.form() == Form::Multipliers {
             let mut sharing = asked.filter(|asked| is_shared(*asked));
             if let (Some(first), Some(second)) = (sharing.next(), sharing.next()) {
                 self.between_nodes = sharing.fold(first.and(second), Quantities::and);

@@ -65,7 +65,7 @@ fn explicit<'a>(problem: &Problem<'a>) -> Option<StartedStepper<'a>> {
 /// Whether Taylor's method is the faster one, if there are series: those of the full equations, where there is nothing to watch, are
 /// only at tight tolerances.
 fn series_pay(Problem { problem, .. }: &Problem) -> bool {
-    let is_closed_form = problem.phase.info().form == Form::Closed;
+    let is_closed_form = problem.phase.info().form == Form::Reduced;
     let has_contacts = !problem.phase.system().layout().contacts.is_empty();
     is_closed_form || has_contacts || problem.relative < TIGHT
 }

@@ -113,7 +113,7 @@ impl BarSystem for Driven {
             gap: [*x - f],
             jacobian: [[n(1.0), n(0.0)]],
             bias: [-acceleration],
-            drift: [-rate],
+            prescribed_gap_rate: [-rate],
             friction: [S::ratio(0, 1)],
         }
     }
@@ -143,7 +143,7 @@ impl BarSystem for Driven {
     }
 
     fn phase<S: Scalar, V: PhaseVisitor<Self, S>>(set: ContactSet, form: Form, visitor: V) -> V::Output {
-        if form == Form::Closed {
+        if form == Form::Reduced {
             return visitor.visit::<3>(Phase {
                 set,
                 form,
@@ -180,7 +180,7 @@ fn both_forms_follow_the_drive_and_agree() {
         let run = Simulation::new(&Driven { a: 0.2 }).unwrap().form(form).tolerance(1e-13);
         run.limit(2.0).run().unwrap()
     };
-    let runs = [Form::Closed, Form::Projected].map(motion);
+    let runs = [Form::Reduced, Form::Multipliers].map(motion);
     for run in &runs {
         let state = run.state(1.3);
         assert_eq!((state.len(), run.final_state().len(), run.events()[1].state.len()), (4, 4, 4));
@@ -218,7 +218,7 @@ fn a_phase_is_asked_at_a_time() {
 /// T = ½ M l² s² at rest of the drive; the level of 0.5 rad seen from 0.3 rad.
 #[test]
 fn an_energy_level_gives_the_free_rate() {
-    for form in [Form::Closed, Form::Projected] {
+    for form in [Form::Reduced, Form::Multipliers] {
         let start = Simulation::new(&Driven { a: 0.2 }).unwrap().form(form);
         let start = start.start(Pose::new("phi", 0.3)).unwrap().on_energy_of(Pose::new("phi", 0.5)).unwrap();
         let run = start.limit(1e-3).run().unwrap();

@@ -33,8 +33,8 @@ impl Snapshot<'_> {
     pub(in crate::simulation) fn is_blurred(&self) -> bool {
         let (context, layout) = (&self.setup.context, self.layout());
         let rows: Vec<usize> =
-            (0..layout.rows()).filter(|&row| layout.is_closed(row, &self.bearing())).collect();
-        if self.phase.info().form == Form::Closed || rows.len() < 2 {
+            (0..layout.rows()).filter(|&row| layout.is_closed(row, &self.active_basis())).collect();
+        if self.phase.info().form == Form::Reduced || rows.len() < 2 {
             return false;
         }
         let equations = context.system().equations(&self.state);
@@ -48,7 +48,7 @@ impl Snapshot<'_> {
 
     /// Closed contacts that may open, and depend on those that bear.
     fn dependent(&self) -> ContactSet {
-        let dependent = self.closed().difference(self.bearing()).difference(self.contacts.held());
+        let dependent = self.closed().difference(self.active_basis()).difference(self.contacts.held());
         let kind = |i: &usize| self.layout().contacts[*i].kind;
         dependent.iter().filter(|i| matches!(kind(i), ContactKind::Support | ContactKind::Thread)).collect()
     }
@@ -76,7 +76,7 @@ impl Snapshot<'_> {
         for (i, q) in aside.iter_mut().enumerate().take(self.layout().coordinates.len()) {
             *q += ASIDE * scales.entry(self.layout(), i) * (1.0 + i as f64).cos();
         }
-        context.system().project(self.bearing(), &mut aside, scales.length);
+        context.system().project(self.active_basis(), &mut aside, scales.length);
         dependent.iter().any(|contact| self.parts(&aside, contact).1 > SLIGHT * ASIDE)
     }
 
@@ -88,7 +88,8 @@ impl Snapshot<'_> {
         let entry = |row: usize, i: usize| {
             equations.jacobian(row)[i] * context.scales.entry(layout, i) / context.scales.length
         };
-        let rows: Vec<usize> = self.bearing().iter().chain(layout.contacts.len()..layout.rows()).collect();
+        let rows: Vec<usize> =
+            self.active_basis().iter().chain(layout.contacts.len()..layout.rows()).collect();
         let n = layout.coordinates.len();
         let columns = DMatrix::from_fn(n, rows.len(), |i, k| entry(rows[k], i));
         let own = DVector::from_fn(n, |i, _| entry(contact, i));
@@ -105,10 +106,10 @@ impl Snapshot<'_> {
     /// Those that bear, with one that sinks in place of the one that it depends on most; none if
     /// one of them would pull then.
     pub(in crate::simulation) fn exchanged(&self, sunk: usize) -> Option<ContactSet> {
-        let bearing: Vec<usize> = self.bearing().iter().collect();
+        let bearing: Vec<usize> = self.active_basis().iter().collect();
         let (parts, _) = self.parts(&self.state, sunk);
         let replaced = (0..bearing.len()).max_by(|&a, &b| parts[a].abs().total_cmp(&parts[b].abs()))?;
-        let set = self.bearing().difference(ContactSet::EMPTY.with(bearing[replaced])).with(sunk);
+        let set = self.active_basis().difference(ContactSet::EMPTY.with(bearing[replaced])).with(sunk);
         let (reactions, bound) = self.reactions_at(&self.state, set);
         set.iter().all(|i| reactions[i] >= -bound).then_some(set)
     }

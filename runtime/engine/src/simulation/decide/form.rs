@@ -16,8 +16,8 @@ impl Snapshot<'_> {
     /// Of closed contacts those that bear, given what a decision says. All do where their closed
     /// form holds: they depend on each other at this position at most, such as those of sin α = sin
     /// β at cos α = 0, and hold the motion that follows together.
-    pub(super) fn choose_bearing(&self, closed: ContactSet, decided: ContactSet) -> ContactSet {
-        if decided == closed || self.setup.form == Form::Projected {
+    pub(super) fn choose_active_basis(&self, closed: ContactSet, decided: ContactSet) -> ContactSet {
+        if decided == closed || self.setup.form == Form::Multipliers {
             return decided;
         }
         self.valid_chart(closed).map_or(decided, |_| closed)
@@ -62,7 +62,7 @@ impl Snapshot<'_> {
 
     fn chart(&self, bearing: ContactSet, state: &[f64]) -> (Chart, Arc<dyn Phase>) {
         let Simulation { context, form, tolerance, .. } = self.setup;
-        if *form == Form::Projected {
+        if *form == Form::Multipliers {
             return (Chart::Absent, context.phase(bearing, *form));
         }
         chart::choose_chart(context, bearing, state, (self.bound_with(bearing), *tolerance))

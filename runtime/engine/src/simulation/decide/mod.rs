@@ -101,7 +101,7 @@ impl Snapshot<'_> {
         let (touching, greatest) = (question.touching, stationary.greatest());
         let mut decided = self.solve(question, touching.difference(greatest));
         if let (Ok(free), false) = (&decided, greatest.is_empty()) {
-            self.refuse_jam(&stationary, free.bearing)?;
+            self.refuse_jam(&stationary, free.active_basis)?;
             decided = self.solve(question, touching.difference(stationary.flat));
         }
         match decided {
@@ -147,18 +147,18 @@ impl Snapshot<'_> {
         flat: ContactSet,
         is_given: bool,
     ) -> Result<Decision, Refusal> {
-        let ContactSolution { closed, bearing, reactions, unique, alternatives } = decided;
+        let ContactSolution { closed, active_basis: bearing, reactions, unique, alternatives } = decided;
         let closed = closed.union(flat);
         let mut log = alternatives.map_or_else(Vec::new, log_alternatives);
         log.extend((!unique).then_some(LoggedDecision::ReactionsNotUnique));
-        let entry = self.enter(self.choose_bearing(closed, bearing), is_given)?;
+        let entry = self.enter(self.choose_active_basis(closed, bearing), is_given)?;
         Ok(Decision { closed, reactions, entry, log })
     }
 
     /// Contacts that did depend on those that bear and have come off: their gaps were zero only
     /// where the phase began.
     fn find_parted(&self) -> ContactSet {
-        let dependent = self.closed().difference(self.bearing());
+        let dependent = self.closed().difference(self.active_basis());
         if dependent.is_empty() {
             return ContactSet::EMPTY;
         }

@@ -76,7 +76,7 @@ impl Snapshot<'_> {
         if located.leaving.is_empty() {
             return ContactSet::EMPTY;
         }
-        let (reactions, bound) = self.reactions_at(&self.state, self.bearing());
+        let (reactions, bound) = self.reactions_at(&self.state, self.active_basis());
         let (contacts, layout) = (self.layout().contacts.len(), self.layout());
         let rubs = |contact: &usize| {
             layout.contacts[*contact].friction.is_some_and(|entry| reactions[contacts + entry].abs() > bound)
@@ -87,7 +87,7 @@ impl Snapshot<'_> {
     /// How far the contacts that share their load are from slipping, however they share it.
     pub(in crate::simulation) fn shared_margin(&self) -> SharedFrictionMargin {
         let Some(rough) = self.setup.parts.laws.rough else { return SharedFrictionMargin::default() };
-        let (mut reactions, bound) = self.reactions_at(&self.state, self.bearing());
+        let (mut reactions, bound) = self.reactions_at(&self.state, self.active_basis());
         reactions.iter_mut().filter(|load| load.abs() <= bound).for_each(|load| *load = 0.0);
         (rough.margin)(self.setup.context.system(), &self.state, &self.closed(), &reactions)
     }

@@ -27,11 +27,11 @@ fn sliding(l: f64) -> Simulation {
 /// Contacts that depend on each other here alone all bear a phase that is reduced to them.
 #[test]
 fn all_contacts_bear_where_their_reduced_form_holds() {
-    for (form, all_bear) in [(Form::Closed, true), (Form::Projected, false)] {
+    for (form, all_bear) in [(Form::Reduced, true), (Form::Multipliers, false)] {
         with_begun(&folded(1.0, form), |now, _| {
             let (closed, one) = (now.closed(), set(0));
             assert_eq!(closed.len(), 2);
-            assert_eq!(now.choose_bearing(closed, one), if all_bear { closed } else { one });
+            assert_eq!(now.choose_active_basis(closed, one), if all_bear { closed } else { one });
         });
     }
 }
@@ -40,7 +40,7 @@ fn all_contacts_bear_where_their_reduced_form_holds() {
 #[test]
 fn a_position_is_singular_in_any_unit_of_length() {
     for l in [1e-3, 1.0, 1e3] {
-        with_begun(&folded(l, Form::Projected), |mut now, _| {
+        with_begun(&folded(l, Form::Multipliers), |mut now, _| {
             now.bear(set(0)).unwrap();
             assert!(now.is_singular(), "{l}");
         });
@@ -56,7 +56,7 @@ fn a_position_is_singular_in_any_unit_of_length() {
     }
     // Three feet of a rod depend on each other everywhere.
     with_begun(&sliding(1.0), |now, _| {
-        assert!(now.bearing() != now.closed() && !now.is_singular());
+        assert!(now.active_basis() != now.closed() && !now.is_singular());
     });
 }
 
@@ -65,7 +65,7 @@ fn a_position_is_singular_in_any_unit_of_length() {
 #[test]
 fn contacts_part_by_more_than_the_bound_of_their_gaps() {
     with_begun(&sliding(1e3), |mut now, _| {
-        let dependent = now.closed().difference(now.bearing());
+        let dependent = now.closed().difference(now.active_basis());
         assert_eq!(dependent.len(), 1);
         for (gap, parted) in [(1e-9, ContactSet::EMPTY), (1e-7, dependent)] {
             now.state[2] = gap;

@@ -9,8 +9,8 @@ impl Driver<'_> {
     /// Takes contacts to bear with which none of the others sinks, if there are such.
     pub(super) fn bear_what_sinks(&mut self) -> Result<(), RunCause> {
         let mut tried = Vec::new();
-        while !tried.contains(&self.now.bearing()) && self.now.is_singular() {
-            tried.push(self.now.bearing());
+        while !tried.contains(&self.now.active_basis()) && self.now.is_singular() {
+            tried.push(self.now.active_basis());
             let PhaseOutcome { end, counts, state, .. } = self.integrate(true);
             self.trajectory.statistics.add(counts);
             self.spend(counts, 0)?;

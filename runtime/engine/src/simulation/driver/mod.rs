@@ -311,7 +311,7 @@ impl<'a> Driver<'a> {
     fn keep_end(&mut self) {
         if self.trajectory.phases.is_empty() && self.trajectory.last_phase.is_none() {
             let now = &self.now;
-            let phase = self.setup.context.phase(now.bearing(), Form::Projected);
+            let phase = self.setup.context.phase(now.active_basis(), Form::Multipliers);
             self.keep(RecordedPhase::still((phase, now.closed()), now.t, &now.state), Vec::new());
         }
     }
@@ -333,8 +333,8 @@ impl<'a> Driver<'a> {
         let before = match phases.last().or(last_phase.as_ref()) {
             Some(phase) => Some(phase).filter(|phase| phase.t0 < now.t),
             None => Some(&*before_start.get_or_insert_with(|| {
-                let bearing = found.bearing.union(context.layout().guides());
-                let phase = context.phase(bearing, Form::Projected);
+                let bearing = found.active_basis.union(context.layout().guides());
+                let phase = context.phase(bearing, Form::Multipliers);
                 let mut state = now.state.clone();
                 state[..found.state.len()].copy_from_slice(&found.state);
                 RecordedPhase::still((phase, bearing), now.t, &state)

@@ -18,14 +18,14 @@ impl Driver<'_> {
         let horizon = if self.has_seen_enough() { self.now.t } else { self.now.next_time() };
         let (now, mut nobody) = (&self.now, ());
         let bounds = GuardBounds { relative: now.relative_bound(), length: context.scales.length };
-        let orders: Vec<_> = now.onset.lifted.iter().map(|i| (i, LIFTOFF_ORDER)).collect();
+        let orders: Vec<_> = now.onset.opened_at_zero_reaction.iter().map(|i| (i, LIFTOFF_ORDER)).collect();
         let contacts = ContactStatus {
             closed: now.closed(),
             held: now.contacts.held(),
             removed: now.contacts.absent(),
             below: now.contacts.below().union(now.find_beyond_end()),
-            kept: now.onset.kept,
-            grip: parts.laws.rough.map_or_else(SharedFriction::default, |rough| {
+            suppressed: now.onset.suppressed,
+            shared_friction: parts.laws.rough.map_or_else(SharedFriction::default, |rough| {
                 (rough.grip)(context.system(), &now.state, &now.closed())
             }),
             heights: &now.find_low_flights(),
@@ -43,7 +43,7 @@ impl Driver<'_> {
             .map(|k| (k, matches!(now.awaited.role(k), Role::Switch { .. })))
             .collect();
         let located = (&conditions[..], &located[..]);
-        let detector = EventDetector::new(now.layout(), now.bearing(), contacts, located, bounds);
+        let detector = EventDetector::new(now.layout(), now.active_basis(), contacts, located, bounds);
         let run = PhaseRun {
             context,
             phase: now.phase.clone(),

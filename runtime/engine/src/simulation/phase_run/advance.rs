@@ -243,7 +243,7 @@ impl<'a> PhaseRun<'a> {
         stepper.allow_step(recording.phase.t1 - recording.phase.t0);
         stepper.step()?;
         let (info, mut jump) = (self.phase.info(), None);
-        if info.form == Form::Projected {
+        if info.form == Form::Multipliers {
             self.phase.embed(stepper.state(), &mut self.state);
             let ahead = Numbers::from_slice(&self.state);
             self.context.system().project(info.set, &mut self.state, self.context.scales.length);

@@ -149,7 +149,7 @@ impl PhaseRun<'_> {
         let phase = Arc::clone(&self.phase);
         let mut start = reduce(&*phase, &self.state);
         self.detector.begin(&StepView::new(&phase, self.context, &DenseOutput::still(self.t, &start)));
-        let mut loops = (phase.info().form == Form::Projected)
+        let mut loops = (phase.info().form == Form::Multipliers)
             .then(|| SingularityMonitor::new(phase.info().set, self.context, self.tolerance))
             .flatten();
         let keeps = self.observer.records();
@@ -287,7 +287,7 @@ impl PhaseRun<'_> {
 
     /// Brings the state of a projected phase back on its constraints.
     fn project(&self, phase: &dyn Phase, state: &mut [f64]) {
-        if phase.info().form == Form::Projected {
+        if phase.info().form == Form::Multipliers {
             self.context.system().project(phase.info().set, state, self.context.scales.length);
         }
     }

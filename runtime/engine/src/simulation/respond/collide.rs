@@ -58,17 +58,27 @@ impl Snapshot<'_> {
         let (rows, rates) = (self.rows(present), self.known_rates());
         if let Some(mut outcome) = self.single(&rows, equations, &rates) {
             self.follow_impact(&rates, &mut outcome, present)?;
-            return Ok(Impact { allowed: allowed_gain(equations.drift(), &outcome), outcome, order: None });
+            return Ok(Impact {
+                allowed: allowed_gain(equations.prescribed_gap_rate(), &outcome),
+                outcome,
+                order: None,
+            });
         }
         let collision = collision(equations, (&rates, DVector::zeros(rates.len())), rows);
         let outcome = self.collide(&collision, present)?;
         let order = impact_order(self.layout(), &collision, &outcome);
-        Ok(Impact { allowed: allowed_gain(equations.drift(), &outcome), outcome, order })
+        Ok(Impact { allowed: allowed_gain(equations.prescribed_gap_rate(), &outcome), outcome, order })
     }
 
     fn single(&self, rows: &[Row], equations: &Equations<f64>, rates: &[f64]) -> Option<Outcome> {
         let (mass, jacobian) = (|i, j| equations.mass(i)[j], |i, j| equations.jacobian(i)[j]);
-        let struck = ReducedCollision { rows, mass, jacobian, drift: equations.drift(), rates };
+        let struck = ReducedCollision {
+            rows,
+            mass,
+            jacobian,
+            prescribed_gap_rate: equations.prescribed_gap_rate(),
+            rates,
+        };
         if self.layout().has_hinges() { None } else { struck.outcome() }
     }
 
@@ -231,7 +241,7 @@ impl Snapshot<'_> {
         }
         let (context, layout) = (&self.setup.context, self.layout());
         let scales = context.scales.moving_at(layout, self.rates());
-        let a = self.accelerations(&self.state, self.bearing());
+        let a = self.accelerations(&self.state, self.active_basis());
         let equations = context.system().equations(&self.state);
         let rounded = |i: usize| {
             let unit = scales.acceleration() * layout.unit(i, scales.length) / scales.length;
@@ -281,7 +291,7 @@ fn collision(
         mass: DMatrix::from_fn(n, n, |i, j| equations.mass(i)[j]),
         jacobian: DMatrix::from_fn(r, n, |i, j| equations.jacobian(i)[j]),
         rates: DVector::from_row_slice(rates),
-        drift: DVector::from_row_slice(equations.drift()),
+        prescribed_gap_rate: DVector::from_row_slice(equations.prescribed_gap_rate()),
         applied,
         rows,
     }

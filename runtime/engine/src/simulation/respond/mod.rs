@@ -136,14 +136,15 @@ impl Snapshot<'_> {
             if blurred {
                 self.mark_undecided(recorded);
             }
-            self.onset.lifted = if slipping { opened.intersection(unloaded) } else { opened };
-        } else if !unloaded.is_empty() && !unloaded.difference(self.bearing()).is_empty() {
+            self.onset.opened_at_zero_reaction =
+                if slipping { opened.intersection(unloaded) } else { opened };
+        } else if !unloaded.is_empty() && !unloaded.difference(self.active_basis()).is_empty() {
             self.log(LoggedDecision::BearingChanged);
         } else {
             // The guard has crossed, and what follows says that it has not.
             let located = unloaded.union(slips);
             self.record(EventKind::Touch, located, Some(Note::Undecided));
-            self.onset.kept = located;
+            self.onset.suppressed = located;
         }
         Ok(())
     }
@@ -187,20 +188,20 @@ impl Snapshot<'_> {
         };
         let sticking: ContactSet = self.closed().iter().filter(sticks).collect();
         self.record(EventKind::Touch, sticking, Some(Note::LimitTouches));
-        self.onset.kept = sticking;
+        self.onset.suppressed = sticking;
     }
 
     /// Contacts that only depended on those that bear where the phase began, and have parted since:
     /// they opened there.
     pub(in crate::simulation) fn part(&mut self, parted: ContactSet) {
         self.contacts.open(parted);
-        self.reactions = self.reactions_at(&self.state, self.bearing()).0;
+        self.reactions = self.reactions_at(&self.state, self.active_basis()).0;
         self.record_opened(parted);
     }
 
     /// Integrates the phase in its projected form from here on.
     pub(in crate::simulation) fn leave_chart(&mut self) {
-        self.phase = self.setup.context.phase(self.bearing(), Form::Projected);
+        self.phase = self.setup.context.phase(self.active_basis(), Form::Multipliers);
         self.log(LoggedDecision::SmallPivot);
     }
 

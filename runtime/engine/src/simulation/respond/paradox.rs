@@ -17,7 +17,7 @@ impl Snapshot<'_> {
     /// Ends a slip at the border of Painlevé's region, where the reaction grows beyond all bounds.
     pub(in crate::simulation) fn cross_border(&mut self) -> Result<(), RunCause> {
         let contacts = labels(self.layout(), self.closed());
-        let holds = self.find_holds(&self.bearing());
+        let holds = self.find_holds(&self.active_basis());
         self.end_slip(self.closed(), ContactError::Jammed { contacts }, &holds)
     }
 
@@ -76,7 +76,7 @@ impl Snapshot<'_> {
         };
         let touching = touching.iter().filter(|i| outcome.opening[*i] == 0.0).collect();
         self.proceed(&outcome.rates, touching)?;
-        self.refuse_gain(&found.energy, allowed_gain(collision.drift.as_slice(), &outcome))?;
+        self.refuse_gain(&found.energy, allowed_gain(collision.prescribed_gap_rate.as_slice(), &outcome))?;
         let acting: ContactSet = outcome.acting.iter().copied().collect();
         let acting = acting.union(self.both_ways_struck(&outcome));
         let note = Some(Note::WithoutCollision);

@@ -69,7 +69,7 @@ impl Snapshot<'_> {
     /// on.
     fn margins_along(&self, condition: &Condition) -> [f64; 3] {
         let context = &self.setup.context;
-        let phase = context.phase(self.bearing(), Form::Projected);
+        let phase = context.phase(self.active_basis(), Form::Multipliers);
         let mut rates: Numbers = smallvec![0.0; self.state.len()];
         phase.derivative(&self.state, &mut rates);
         let moment = MOMENT * context.scales.time;

@@ -41,10 +41,10 @@ fn a_decision_changes_nothing_until_it_is_adopted() {
         |mut ball| {
             let question = DecisionInput::about(set(FLOOR));
             let decision = ball.decide(&question).ok().unwrap();
-            assert!(ball.bearing().is_empty() && ball.reactions == [0.0, 0.0, 0.0]);
+            assert!(ball.active_basis().is_empty() && ball.reactions == [0.0, 0.0, 0.0]);
             ball.adopt(decision);
             // N = m g, and friction against the slip.
-            assert!(ball.bearing().contains(FLOOR));
+            assert!(ball.active_basis().contains(FLOOR));
             assert_eq!(ball.reactions, [20.0, 0.0, -5.0]);
         },
     );
@@ -97,7 +97,7 @@ fn a_reaction_that_is_zero_and_stays_is_a_touch_that_is_kept() {
             // The weight presses all the same.
             ball.handle(&[Guard::Reaction(FLOOR)], start).unwrap();
             assert_eq!(kinds(&ball), [EventKind::Start, EventKind::Touch]);
-            assert!(ball.onset.kept.contains(FLOOR) && ball.onset.lifted.is_empty());
+            assert!(ball.onset.suppressed.contains(FLOOR) && ball.onset.opened_at_zero_reaction.is_empty());
         },
     );
 }
@@ -142,7 +142,7 @@ fn conditions_arm_contacts_and_loads() {
                 let Some(Note::Condition(condition)) = &event.note else { panic!("{event:?}") };
                 assert_eq!(condition.to_string(), label);
             }
-            let a = ball.accelerations(&ball.state, ball.bearing());
+            let a = ball.accelerations(&ball.state, ball.active_basis());
             assert!((a[0] - (3.0 - 5.0) / 2.0).abs() < 1e-15, "{a:?}");
         },
     );
@@ -177,7 +177,7 @@ fn what_has_just_lifted_off_does_not_settle() {
         [0.0, 0.0, 0.0, 1e-8],
         |mut ball| {
             ball.begin().unwrap();
-            ball.onset.lifted = set(FLOOR);
+            ball.onset.opened_at_zero_reaction = set(FLOOR);
             ball.settle_unseen().unwrap();
             assert!(ball.closed().is_empty() && ball.bounces.settling.is_empty());
         },
@@ -268,7 +268,7 @@ fn contacts_that_part_open() {
     let rod = Simulation::new(&RodOnSupports { m: 2.0, l: 3.0, g: 10.0 }).unwrap();
     let rod = rod.start(Pose::new("theta", 0.0).with("x'", 1.0).with("y", 0.0)).unwrap();
     with_begun(&rod, |mut now, _| {
-        let (bearing, parted) = (now.bearing(), now.closed().difference(now.bearing()));
+        let (bearing, parted) = (now.active_basis(), now.closed().difference(now.active_basis()));
         now.part(parted);
         assert_eq!((kinds(&now), now.closed()), (vec![EventKind::Start, EventKind::Open], bearing));
         let opened = now.layout().contacts[parted.iter().next().unwrap()].supports;

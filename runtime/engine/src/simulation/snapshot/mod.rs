@@ -59,10 +59,10 @@ pub(crate) struct Snapshot<'a> {
 #[derive(Default)]
 pub(crate) struct Onset {
     /// Contacts that have just opened with their reaction at zero.
-    pub(super) lifted: ContactSet,
+    pub(super) opened_at_zero_reaction: ContactSet,
     /// Contacts whose reaction or slip velocity has been located at zero, or whose friction force
     /// at its limit, and that the decision has kept as they were.
-    pub(super) kept: ContactSet,
+    pub(super) suppressed: ContactSet,
     /// Contacts that rise where these bear.
     pub(super) risen: Option<(ContactSet, Vec<PendingFlight>)>,
     /// Whether an impulse has acted since the phase before.
@@ -93,7 +93,7 @@ impl<'a> Snapshot<'a> {
             t: setup.begin,
             state: start.state,
             contacts: Contacts::new(layout, start.touching, setup.held, absent),
-            phase: setup.context.phase(ContactSet::EMPTY, Form::Projected),
+            phase: setup.context.phase(ContactSet::EMPTY, Form::Multipliers),
             reactions: vec![0.0; layout.reactions()],
             onset: Onset::default(),
             done: vec![false; setup.plan.len()],
@@ -117,7 +117,7 @@ impl<'a> Snapshot<'a> {
     }
 
     /// The independent ones among them, which are integrated and watched.
-    pub(super) fn bearing(&self) -> ContactSet {
+    pub(super) fn active_basis(&self) -> ContactSet {
         self.phase.info().set
     }
 
@@ -132,7 +132,7 @@ impl<'a> Snapshot<'a> {
 
     /// The motion as it is, for conditions to be evaluated at.
     pub(super) fn point(&self) -> PhasePoint {
-        let phase = self.setup.context.phase(self.bearing(), Form::Projected);
+        let phase = self.setup.context.phase(self.active_basis(), Form::Multipliers);
         RecordedPhase::still((phase, self.closed()), self.t, &self.state).interpolate(self.t)
     }
 

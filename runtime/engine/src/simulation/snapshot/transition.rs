@@ -137,7 +137,7 @@ impl Snapshot<'_> {
     pub(in crate::simulation) fn pre_impact(&self) -> PreImpact {
         let bears = |i: &usize| self.reactions[*i] != 0.0;
         let bearing = self.closed().iter().filter(bears).collect();
-        PreImpact { state: self.public_state().to_vec(), energy: self.energy(), bearing }
+        PreImpact { state: self.public_state().to_vec(), energy: self.energy(), active_basis: bearing }
     }
 
     pub(in crate::simulation) fn energy(&self) -> Energy<f64> {

@@ -26,7 +26,7 @@ fn an_impact_within_its_bound_of_the_end_belongs_to_the_run() {
 #[test]
 fn a_phase_with_multipliers_ends_on_its_contacts() {
     let bob = Simulation::new(&Bob { m: 2.0, l: 1.0, g: 1.0 }).unwrap().tolerance(1e-5);
-    let bob = bob.start(Pose::new("x", -1.0).with("y", 0.0)).unwrap().form(Form::Projected);
+    let bob = bob.start(Pose::new("x", -1.0).with("y", 0.0)).unwrap().form(Form::Multipliers);
     let run = bob.until("x = 0.1").unwrap().run().unwrap();
     let [x, y, u, v] = run.final_state()[..] else { panic!() };
     assert!((x * x + y * y - 1.0).abs() < 1e-15 && (x * u + y * v).abs() < 1e-15, "{x} {y} {u} {v}");

@@ -44,14 +44,15 @@ fn carried(record: &Trajectory, at: &PhasePoint, is_impact: impl Fn(f64) -> bool
     let equations = record.context.system().equations(at.state());
     let of_friction = |row: usize| layout.frictions.iter().any(|friction| friction.row == row);
     let others = (layout.contacts.len()..layout.rows()).filter(|&row| !of_friction(row));
-    if others.clone().any(|row| equations.drift()[row] != 0.0) {
+    if others.clone().any(|row| equations.prescribed_gap_rate()[row] != 0.0) {
         return f64::NAN;
     }
     let impulses = record.events.iter().filter(|event| is_impact(event.t)).flat_map(|event| &event.impulses);
     let work = impulses.map(|impulse| {
         let friction = layout.contacts[impulse.contact].friction.zip(impulse.friction);
-        let along = friction.map_or(0.0, |(k, force)| force * equations.drift()[layout.frictions[k].row]);
-        -impulse.value * equations.drift()[impulse.contact] - along
+        let along = friction
+            .map_or(0.0, |(k, force)| force * equations.prescribed_gap_rate()[layout.frictions[k].row]);
+        -impulse.value * equations.prescribed_gap_rate()[impulse.contact] - along
     });
     work.sum()
 }

@@ -82,7 +82,7 @@ impl Decision {
         if resting.is_empty() {
             return Ok(self);
         }
-        let set = resting.iter().fold(self.phase.bearing, ContactSet::with);
+        let set = resting.iter().fold(self.phase.active_basis, ContactSet::with);
         let settled = decide(simulation, t, &projected(simulation, set, t, &self.state))?;
         Ok(Self { events: self.events + settled.events + 1, ..settled })
     }

@@ -35,7 +35,7 @@ pub(crate) fn land(
     let closing = of(|guard| matches!(guard, Guard::Normal(_))).union(below(simulation, place));
     let closing = closing.difference(before.closed());
     let stopping = of(|guard| matches!(guard, Guard::Friction(_)));
-    let kept = place.phase.bearing.difference(leaving);
+    let kept = place.phase.active_basis.difference(leaving);
     let touching = closing.iter().fold(kept, ContactSet::with);
     let struck = taken_back(simulation, place, closing);
     let mut state = projected(simulation, touching, place.t, &struck);
@@ -73,7 +73,7 @@ fn taken_back(simulation: &Simulation, place: &Instant, closing: ContactSet) -> 
     let (layout, system, n) = (simulation.layout(), &simulation.model().system, place.state.len() / 2);
     let full = layout.state_at(&place.state, place.t);
     let (mut a, mut multipliers) = (vec![0.0; n], vec![0.0; layout.rows()]);
-    system.solve(&full, place.phase.bearing, &mut a, &mut multipliers);
+    system.solve(&full, place.phase.active_basis, &mut a, &mut multipliers);
     let equations = system.equations(&full);
     let since = |i: usize| {
         let [gap, rate] = [equations.gap()[i], equations.gap_rate(i, &place.state[n..])];

@@ -145,17 +145,17 @@ impl Exchange {
 
 /// The state of a phase that a state stands for.
 fn seen(simulation: &Simulation, place: &Instant) -> Vec<f64> {
-    let Segment { form, bearing, .. } = place.phase;
+    let Segment { form, active_basis: bearing, .. } = place.phase;
     match form {
-        Form::Closed => embedded(simulation, bearing, place),
-        Form::Projected => projected(simulation, bearing, place.t, &place.state),
+        Form::Reduced => embedded(simulation, bearing, place),
+        Form::Multipliers => projected(simulation, bearing, place.t, &place.state),
     }
 }
 
 /// embed(restrict(x)) of a contact set.
 fn embedded(simulation: &Simulation, set: ContactSet, place: &Instant) -> Vec<f64> {
     let layout = simulation.layout();
-    let phase = Arc::clone(&simulation.model().system).phase(set, Form::Closed);
+    let phase = Arc::clone(&simulation.model().system).phase(set, Form::Reduced);
     let (mut reduced, mut full) = (vec![0.0; phase.info().entries], layout.state_at(&place.state, place.t));
     phase.restrict(&full, &mut reduced);
     phase.embed(&reduced, &mut full);

@@ -22,7 +22,7 @@ pub(super) fn cases(model: &'static Entry, _: Effort) -> Vec<Case> {
 fn compared(model: &Entry) -> Result<Answer, MotionError> {
     let spec = with_tolerance(model, TOLERANCE);
     let pair = Pair { model, natural: model.units(&spec)?, units: [1.0; 3] };
-    let projected = RunOptions { form: Form::Projected, ..RunOptions::default() };
+    let projected = RunOptions { form: Form::Multipliers, ..RunOptions::default() };
     let other = shown(&spec, model.run_by(projected, &spec)?);
     Ok(pair.compare(&model.run(&spec)?, &other))
 }

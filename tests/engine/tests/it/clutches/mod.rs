@@ -102,8 +102,8 @@ fn a_gripper_carries_what_it_meets_until_it_lets_go() {
             *(if far(middle) * far(0.0) > 0.0 { &mut low } else { &mut high }) = middle;
         }
         for method in METHODS {
-            for form in [Form::Closed, Form::Projected] {
-                if method == MethodId::Taylor && form == Form::Projected {
+            for form in [Form::Reduced, Form::Multipliers] {
+                if method == MethodId::Taylor && form == Form::Multipliers {
                     continue;
                 }
                 let simulation = Simulation::new(&GRIPPER).unwrap().start(Pose::new("x", x).with("x'", v));
@@ -206,8 +206,8 @@ fn a_crane_that_lets_go_throws_its_load() {
     let crane = Crane { m, l, c, w: 1.0, a: core::f64::consts::PI - gone, g };
     let start = Pose::new("x", l).with("y", 0.0).with("x'", c).with("y'", 0.0);
     for method in [MethodId::Auto, MethodId::Taylor, MethodId::Dop853, MethodId::Gauss] {
-        for form in [Form::Closed, Form::Projected] {
-            if method == MethodId::Taylor && form == Form::Projected {
+        for form in [Form::Reduced, Form::Multipliers] {
+            if method == MethodId::Taylor && form == Form::Multipliers {
                 continue;
             }
             let run = Simulation::new(&crane).unwrap().start(start.clone()).unwrap();

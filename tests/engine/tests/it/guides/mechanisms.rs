@@ -66,7 +66,7 @@ fn all_methods_and_forms_agree_on_guides() {
     let start = || Pose::new("theta", 0.9).with("theta'", 0.0);
     let simulation = || Simulation::new(&model).unwrap().start(start()).unwrap().limit(6.0).tolerance(1e-11);
     let expected = run(simulation());
-    let forms = [Form::Closed, Form::Projected].map(|form| simulation().form(form));
+    let forms = [Form::Reduced, Form::Multipliers].map(|form| simulation().form(form));
     let methods = MethodId::ALL.map(|method| simulation().method(method));
     for record in forms.into_iter().chain(methods).map(run) {
         assert_eq!(record.events().len(), expected.events().len());

@@ -156,7 +156,7 @@ pub(super) fn examine(linkage: &Linkage, motion: &Motion, found: &Solution, labe
     let [_, unloaded, bearing] = by_sign(&candidates, motion);
     let openings = &linkage.jacobian * &motion.a + &linkage.bias;
     let touching = unloaded.into_iter().filter(|&row| openings[row] < 1e-3 * LITTLE).collect::<Vec<_>>();
-    assert_eq!((&found.bearing, &found.degenerate), (&bearing, &touching), "{label}");
+    assert_eq!((&found.active_basis, &found.degenerate), (&bearing, &touching), "{label}");
 }
 
 pub(super) fn is_the_drawn_one(found: &FrictionSolution, motion: &Motion) -> bool {

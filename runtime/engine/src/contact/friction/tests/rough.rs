@@ -24,14 +24,15 @@ fn rough_contacts_have_one_of_their_motions() {
         let found = kkt(&linkage).solve(&rows);
         for units in [(1e7, 1e-4, 3e-3), (2e-9, 7e3, 1e5)] {
             let other = kkt(&in_units(&linkage, units)).solve(&rows);
-            let closed = |it: &Result<Solution, LcpError>| it.clone().map(|it| it.bearing);
+            let closed = |it: &Result<Solution, LcpError>| it.clone().map(|it| it.active_basis);
             assert_eq!(closed(&other), closed(&found), "{k}");
         }
         let Ok(found) = found else {
             assert!(expected.is_empty(), "{k} {expected:?}");
             continue;
         };
-        let closed = |normal: usize| found.bearing.contains(&normal) || found.degenerate.contains(&normal);
+        let closed =
+            |normal: usize| found.active_basis.contains(&normal) || found.degenerate.contains(&normal);
         let modes: Vec<ContactMode> = linkage
             .contacts
             .iter()
@@ -60,7 +61,7 @@ fn a_contact_that_bears_is_not_released() {
     let others: Vec<_> = (0..40).map(|_| (unit(), unit(), unit())).collect();
     for units in [(2e-9, 7e3, 1e5)].into_iter().chain(others) {
         let found = kkt(&in_units(&linkage, units)).solve(&sorted.question(&linkage).rows);
-        assert_eq!(found.unwrap().bearing, [linkage.contacts[1].normal], "{units:?}");
+        assert_eq!(found.unwrap().active_basis, [linkage.contacts[1].normal], "{units:?}");
     }
 }
 
@@ -88,7 +89,7 @@ fn sets_of_rough_contacts_are_counted() {
             let closed =
                 |modes: &Vec<ContactMode>| modes.iter().filter(|mode| **mode == ContactMode::Stick).count();
             let most = linkage.solutions().iter().map(closed).max();
-            assert_eq!(Some(found.bearing.len() + found.degenerate.len()), most, "{k}");
+            assert_eq!(Some(found.active_basis.len() + found.degenerate.len()), most, "{k}");
         }
         for (most, is_enough) in [(tried, true), (tried - 1, false)] {
             let again = Trials::up_to(most);

@@ -62,7 +62,7 @@ fn collision(model: &Model, state: &[f64], mu: f64, support: Row) -> Collision {
         mass: DMatrix::from_fn(n, n, |i, j| equations.mass(i)[j]),
         jacobian: DMatrix::from_fn(r, n, |i, j| equations.jacobian(i)[j]),
         rates: DVector::from_row_slice(&state[n..]),
-        drift: DVector::zeros(r),
+        prescribed_gap_rate: DVector::zeros(r),
         applied: DVector::zeros(n),
         rows: (0..r).map(part).collect(),
     }

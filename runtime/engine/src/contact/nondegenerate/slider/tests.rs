@@ -76,8 +76,8 @@ fn a_single_contact_is_decided_alike() {
             };
             let expected = expected.unwrap();
             assert_eq!(
-                (found.closed, found.bearing),
-                (expected.closed, expected.bearing),
+                (found.closed, found.active_basis),
+                (expected.closed, expected.active_basis),
                 "{slips:?} {state:?}"
             );
             assert!(expected.unique && expected.alternatives.is_none(), "{slips:?} {state:?}");

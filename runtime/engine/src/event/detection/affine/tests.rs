@@ -62,7 +62,7 @@ fn by_hand(slip: Slip, [x, _, u, _]: [f64; 4]) -> [f64; 4] {
 fn guards_of_a_block_follow_from_its_dense_output() {
     let simulation = Simulation::new(&BLOCK).expect("a block");
     for slip in [Slip::Stick, Slip::Forward, Slip::Backward] {
-        let phase = simulation.context.phase(ContactSet::EMPTY.slipping(0, slip), Form::Closed);
+        let phase = simulation.context.phase(ContactSet::EMPTY.slipping(0, slip), Form::Reduced);
         assert!(phase.info().affine, "{slip:?}");
         let kept: Vec<&[f64; 4]> = phase.kept().iter().map(|&entry| &MOTION[entry]).collect();
         let end: Vec<f64> = kept.iter().map(|c| evaluate(&c[..], 1.0)).collect();
@@ -91,7 +91,7 @@ fn guards_of_a_bar_are_affine_in_flight_only() {
     let simulation = Simulation::new(&Bar { m: 1.0, l: 1.0, g: 9.81, mu: 0.1 }).expect("a bar");
     let sliding = ContactSet::EMPTY.slipping(0, Slip::Forward);
     for (set, affine) in [(ContactSet::EMPTY, true), (sliding, false)] {
-        assert_eq!(simulation.context.phase(set, Form::Closed).info().affine, affine, "{set:?}");
+        assert_eq!(simulation.context.phase(set, Form::Reduced).info().affine, affine, "{set:?}");
     }
 }
 
@@ -101,7 +101,7 @@ fn the_work_of_friction_follows_from_its_series() {
     let Block { m, g, mu, w, .. } = BLOCK;
     let simulation = Simulation::new(&BLOCK).expect("a block");
     for slip in [Slip::Forward, Slip::Backward] {
-        let phase = simulation.context.phase(ContactSet::EMPTY.slipping(0, slip), Form::Closed);
+        let phase = simulation.context.phase(ContactSet::EMPTY.slipping(0, slip), Form::Reduced);
         let kept: Vec<&[f64; 4]> = phase.kept().iter().map(|&entry| &MOTION[entry]).collect();
         let end: Vec<f64> = kept.iter().map(|c| evaluate(&c[..], 1.0)).collect();
         let coefficients = (0..4).flat_map(|k| kept.iter().map(move |c| c[k]));
@@ -123,7 +123,7 @@ fn the_work_of_friction_follows_from_its_series() {
 #[test]
 fn guards_have_series_where_there_is_room() {
     let simulation = Simulation::new(&BLOCK).expect("a block");
-    let phase = simulation.context.phase(ContactSet::EMPTY.slipping(0, Slip::Forward), Form::Closed);
+    let phase = simulation.context.phase(ContactSet::EMPTY.slipping(0, Slip::Forward), Form::Reduced);
     let entries = phase.info().entries;
     let step = |terms: usize| {
         DenseOutput::series([0.0, 0.5], &vec![0.0; entries], core::iter::repeat_n(0.0, entries * terms))

@@ -36,10 +36,10 @@ pub(crate) fn list_guards<'a>(
         // same.
         let is_watched = bears || closed && slip != Slip::Stick;
         if let Some(friction) =
-            description.friction.filter(|_| is_watched && !status.grip.sticking.contains(contact))
+            description.friction.filter(|_| is_watched && !status.shared_friction.sticking.contains(contact))
         {
             let rub = |slip| FrictionGuard { contact, friction, slip, side };
-            let (row, kept) = (layout.contacts.len() + friction, status.kept.contains(contact));
+            let (row, kept) = (layout.contacts.len() + friction, status.suppressed.contains(contact));
             match slip {
                 Slip::Stick => {
                     list.extend(
@@ -53,8 +53,10 @@ pub(crate) fn list_guards<'a>(
             list.extend([2 * foot, 2 * foot + 1].map(|entry| FootGuard::watch(contact, entry)));
         }
     }
-    if !status.grip.is_empty() {
-        list.push(GripGuard::watch(!status.kept.intersection(status.grip.sticking).is_empty()));
+    if !status.shared_friction.is_empty() {
+        list.push(GripGuard::watch(
+            !status.suppressed.intersection(status.shared_friction.sticking).is_empty(),
+        ));
     }
     list.extend(located.iter().map(|&(k, is_state)| ConditionGuard::watch(k, &conditions[k], is_state)));
     list
@@ -68,7 +70,7 @@ fn own_guard<'a>(
     status: &ContactStatus<'_>,
 ) -> Option<Watch<'a>> {
     let kind = layout.contacts[contact].kind;
-    let kept = status.kept.contains(contact);
+    let kept = status.suppressed.contains(contact);
     match (kind, bears) {
         // That of a hinge has no sign to watch.
         (ContactKind::Hinge { .. }, _) => None,
@@ -77,7 +79,7 @@ fn own_guard<'a>(
         (_, false) if status.removed.contains(contact) => None,
         (_, false) if kind.is_drive() => Some(DriveGuard::watch(contact, status)),
         (_, false) => Some(GapGuard::watch(contact, layout.contacts[contact].foot, status)),
-        _ if status.grip.normals.contains(contact) => None,
+        _ if status.shared_friction.normals.contains(contact) => None,
         (ContactKind::Guide, true) => {
             Some(ReactionGuard::watch(contact, Some(status.closed.side(contact)), kept))
         }

@@ -19,7 +19,7 @@ fn affine_guards_of_every_kind_have_their_series() {
     let slides = set(&[PLAIN]).slipping(RUBBING, Slip::Stick).slipping(GUIDE, Slip::Backward);
     let mut known = KnownAffineGuards::default();
     for closed in [slides.pressing(GUIDE, Side::Negative), ContactSet::EMPTY, set(&[CORNER, THREAD])] {
-        let scene = Scene::new((closed, Form::Closed), shown);
+        let scene = Scene::new((closed, Form::Reduced), shown);
         for _ in 0..2 {
             let (from, to) = (0.25, 1.75);
             let dense = scene.dense([from, to]);

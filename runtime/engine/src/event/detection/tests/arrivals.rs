@@ -129,9 +129,10 @@ fn a_touch_at_the_first_event_is_part_of_it() {
 #[test]
 fn a_touch_is_undecided_where_it_is_not_at_zero() {
     let closed = set(&[THREAD, CORNER]).slipping(GUIDE, Slip::Forward).pressing(GUIDE, Side::Negative);
-    let scene = Scene::new((closed, Form::Closed), |_| Shown::default());
+    let scene = Scene::new((closed, Form::Reduced), |_| Shown::default());
     let grip = SharedFriction { sticking: set(&[GUIDE]), normals: ContactSet::EMPTY };
-    let detector = scene.begun(ContactStatus { grip, ..roles(closed.with(PLAIN)) }, (&[], false));
+    let detector =
+        scene.begun(ContactStatus { shared_friction: grip, ..roles(closed.with(PLAIN)) }, (&[], false));
     for (guard, size) in [
         (Guard::Reaction(THREAD), FORCES[THREAD]),
         (Guard::Side(GUIDE, Side::Negative), FORCES[GUIDE]),

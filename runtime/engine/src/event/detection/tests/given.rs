@@ -124,7 +124,7 @@ impl System for Given {
             gap: [0.0; ROWS],
             jacobian: [[0.0; 2]; ROWS],
             bias,
-            drift: [0.0; ROWS],
+            prescribed_gap_rate: [0.0; ROWS],
             friction: [0.0; ROWS],
         })
     }
@@ -255,7 +255,7 @@ impl Scene {
 
     /// Of guards that are evaluated one by one, with some contacts closed.
     pub(crate) fn closed(set: ContactSet, at: impl Fn(f64) -> Shown + Send + Sync + 'static) -> Self {
-        Self::new((set, Form::Closed), at)
+        Self::new((set, Form::Reduced), at)
     }
 
     pub(crate) fn dense(&self, [from, to]: [f64; 2]) -> DenseOutput {

@@ -20,7 +20,7 @@ fn of_reaction(g: impl Fn(f64) -> f64 + Copy + Send + Sync + 'static) -> Scene {
 fn vanishes(g: impl Fn(f64) -> f64 + Copy + Send + Sync + 'static, kept: bool) -> Option<f64> {
     let scene = of_reaction(move |t| BOUND * g(t));
     let kept = if kept { set(&[PLAIN]) } else { ContactSet::EMPTY };
-    scene.first(ContactStatus { kept, ..roles(set(&[PLAIN])) }, &[1.0])
+    scene.first(ContactStatus { suppressed: kept, ..roles(set(&[PLAIN])) }, &[1.0])
 }
 
 #[test]
@@ -73,7 +73,7 @@ fn a_limit_that_is_not_reached_at_the_start_is_located() {
                 shown.reactions[CONTACTS] = sign * (1.0 - bound * (first - 8.0 * t));
                 shown
             });
-            let at = scene.first(ContactStatus { kept: closed, ..roles(closed) }, &[1.0]).unwrap();
+            let at = scene.first(ContactStatus { suppressed: closed, ..roles(closed) }, &[1.0]).unwrap();
             assert!((at - expected).abs() < 1e-8, "{sign} {first} {at}");
         }
     }
@@ -103,11 +103,12 @@ fn a_slip_vanishes_in_its_sense() {
 #[test]
 fn what_is_kept() {
     let closed = set(&[PLAIN, CORNER, THREAD]).slipping(RUBBING, Slip::Stick).slipping(GUIDE, Slip::Forward);
-    let scene = Scene::new((closed, Form::Closed), |_| Shown::default());
+    let scene = Scene::new((closed, Form::Reduced), |_| Shown::default());
     let conditions = [scene.condition("z > 1")];
     for kept in [set(&[PLAIN]), set(&[RUBBING]), set(&[GUIDE]), set(&[CORNER, THREAD])] {
         let depends = closed.with(DRIVE);
-        let detector = scene.begun(ContactStatus { kept, ..roles(depends) }, (&conditions, false));
+        let detector =
+            scene.begun(ContactStatus { suppressed: kept, ..roles(depends) }, (&conditions, false));
         for watch in &detector.list {
             let name = watch.tracking.guard;
             let (is_kept, suppression) = match name {
@@ -122,14 +123,15 @@ fn what_is_kept() {
             assert_eq!(watch.tracking.suppression, expected, "{name:?}");
         }
     }
-    let depends = Scene::new((ContactSet::EMPTY, Form::Closed), |_| Shown::default());
+    let depends = Scene::new((ContactSet::EMPTY, Form::Reduced), |_| Shown::default());
     let detector = depends.begun(roles(set(&[PLAIN])), (&[], false));
     assert_eq!(detector.find(Guard::RedundantGap(PLAIN)).tracking.suppression, Suppression::ToBound);
     for (kept, expected) in
         [(set(&[PLAIN]), Suppression::None), (set(&[PLAIN, RUBBING]), Suppression::ToZero)]
     {
         let grip = SharedFriction { sticking: set(&[RUBBING]), normals: ContactSet::EMPTY };
-        let detector = scene.begun(ContactStatus { kept, grip, ..roles(closed) }, (&[], false));
+        let detector = scene
+            .begun(ContactStatus { suppressed: kept, shared_friction: grip, ..roles(closed) }, (&[], false));
         assert_eq!(detector.find(Guard::SharedFriction).tracking.suppression, expected);
     }
 }

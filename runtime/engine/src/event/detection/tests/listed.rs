@@ -93,7 +93,7 @@ fn contacts_that_share_a_load_have_one_margin() {
     let limit = |guard: &Guard| matches!(guard, Guard::Limit(_));
     for normals in [ContactSet::EMPTY, set(&[RUBBING])] {
         let grip = SharedFriction { sticking: set(&[RUBBING]), normals };
-        let status = ContactStatus { grip, ..roles(stick) };
+        let status = ContactStatus { shared_friction: grip, ..roles(stick) };
         let gone =
             |guard: &Guard| limit(guard) || *guard == Guard::Reaction(RUBBING) && normals.contains(RUBBING);
         let kept = own.iter().copied().filter(|guard| !gone(guard));
@@ -109,7 +109,7 @@ fn each_guard_is_evaluated_from_what_it_follows_from() {
     let scene = Scene::closed(ContactSet::EMPTY, |_| Shown::default());
     let conditions = [scene.condition("z < 4")];
     for (bearing, closed) in [(stick, stick), (ContactSet::EMPTY, all(Slip::Forward))] {
-        let status = ContactStatus { grip, ..roles(closed) };
+        let status = ContactStatus { shared_friction: grip, ..roles(closed) };
         for watch in list_guards(&LAYOUT, &bearing, &status, (&conditions, &[(0, false)])) {
             let expected = match watch.tracking.guard {
                 Guard::Reaction(_) | Guard::Side(..) => Quantities::REACTIONS,
@@ -130,10 +130,10 @@ fn each_guard_is_evaluated_from_what_it_follows_from() {
 fn what_counts_as_zero() {
     let closed = set(&[PLAIN, CORNER]).slipping(RUBBING, Slip::Stick).slipping(GUIDE, Slip::Backward);
     let grip = SharedFriction { sticking: set(&[RUBBING]), normals: ContactSet::EMPTY };
-    let scene = Scene::new((closed, Form::Closed), |_| Shown::default());
+    let scene = Scene::new((closed, Form::Reduced), |_| Shown::default());
     let heights = [(THREAD, 1e-6), (DRIVE, 1.0)];
     for grip in [SharedFriction::default(), grip] {
-        let roles = ContactStatus { grip, heights: &heights, ..roles(closed) };
+        let roles = ContactStatus { shared_friction: grip, heights: &heights, ..roles(closed) };
         let located = [(0, false)];
         let conditions = [scene.condition("z < 4")];
         let detector = EventDetector::new(&LAYOUT, closed, roles, (&conditions, &located), BOUNDS);

@@ -46,7 +46,7 @@ fn expected(guard: Guard, t: f64) -> f64 {
 /// At nodes and between, in steps that continue each other and in others.
 #[test]
 fn guards_have_their_values_in_every_step() {
-    for form in [Form::Closed, Form::Projected] {
+    for form in [Form::Reduced, Form::Multipliers] {
         let scene = Scene::new((all(), form), different);
         let mut detector = scene.begun(roles(all().with(THREAD)), (&[], false));
         assert!(detector.list.len() > 12);
@@ -71,7 +71,7 @@ fn guards_have_their_values_in_every_step() {
 #[test]
 fn each_place_is_evaluated_once() {
     let closed = set(&[PLAIN, CORNER, THREAD]);
-    for (form, between) in [(Form::Closed, 3), (Form::Projected, 1)] {
+    for (form, between) in [(Form::Reduced, 3), (Form::Multipliers, 1)] {
         let scene = Scene::new((closed, form), different);
         let mut detector = scene.begun(roles(closed), (&[], false));
         scene.asked();
@@ -99,7 +99,7 @@ fn each_place_is_evaluated_once() {
 fn places_are_kept_as_long_as_there_is_room() {
     const ROOM: usize = 4096;
     let closed = set(&[PLAIN, CORNER]);
-    let scene = Scene::new((closed, Form::Projected), different);
+    let scene = Scene::new((closed, Form::Multipliers), different);
     let mut detector = scene.begun(roles(closed), (&[], false));
     let dense = scene.dense([0.0, 1.0]);
     let view = scene.view(&dense);
@@ -128,7 +128,7 @@ fn places_are_kept_as_long_as_there_is_room() {
 /// One guard alone has nothing to share.
 #[test]
 fn what_only_one_guard_follows_from_is_not_kept() {
-    let scene = Scene::new((set(&[PLAIN]), Form::Projected), different);
+    let scene = Scene::new((set(&[PLAIN]), Form::Multipliers), different);
     let mut detector = scene.begun(roles(set(&[PLAIN])), (&[], false));
     let dense = scene.dense([0.0, 1.0]);
     let view = scene.view(&dense);

@@ -74,7 +74,8 @@ impl Snapshot<'_> {
 
     fn fate(&mut self, contact: usize, speed: f64, factor: f64) -> BounceOutcome {
         let equations = self.setup.context.system().equations(&self.state);
-        let fall = -equations.gap_acceleration(contact, &self.accelerations(&self.state, self.bearing()));
+        let fall =
+            -equations.gap_acceleration(contact, &self.accelerations(&self.state, self.active_basis()));
         if fall <= 0.0 {
             self.bounces.sequences[contact] = Sequence::default();
             return BounceOutcome::Flies;
@@ -149,7 +150,7 @@ impl Snapshot<'_> {
         if !low.is_empty() {
             return self.settle(low);
         }
-        self.onset.risen = Some((self.bearing(), rising));
+        self.onset.risen = Some((self.active_basis(), rising));
         Ok(())
     }
 }

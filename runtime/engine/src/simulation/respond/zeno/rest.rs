@@ -52,7 +52,7 @@ impl Snapshot<'_> {
         let struck = stay.collect::<ContactSet>().difference(closed);
         let energy = self.setup.context.system().energy(&self.state);
         self.proceed(&outcome.rates, closed.union(struck))?;
-        self.refuse_gain(&energy, allowed_gain(collision.drift.as_slice(), &outcome))?;
+        self.refuse_gain(&energy, allowed_gain(collision.prescribed_gap_rate.as_slice(), &outcome))?;
         if let Some(gained) = self.gained(&outcome) {
             self.log(LoggedDecision::FrictionAhead(gained));
         }

@@ -92,7 +92,7 @@ impl Snapshot<'_> {
     /// Open contacts with the heights that they are to reach: those that bounce, and those that
     /// rise within the bound of their gap, where their fall would be lost.
     pub(in crate::simulation) fn find_low_flights(&self) -> Vec<(usize, f64)> {
-        let known = self.onset.risen.as_ref().filter(|(bearing, _)| *bearing == self.bearing());
+        let known = self.onset.risen.as_ref().filter(|(bearing, _)| *bearing == self.active_basis());
         let found = if known.is_none() { self.find_rising() } else { Vec::new() };
         let rising = known.map_or(&found, |(_, rising)| rising);
         let mut flights = self.bounces.heights.clone();
@@ -128,12 +128,13 @@ impl Snapshot<'_> {
     /// known as the place of that zero, and grows.
     pub(in crate::simulation) fn find_rising(&self) -> Vec<PendingFlight> {
         let gaps = self.gaps();
-        let near = self.find_near(&gaps).difference(self.closed()).difference(self.onset.lifted);
+        let near =
+            self.find_near(&gaps).difference(self.closed()).difference(self.onset.opened_at_zero_reaction);
         if near.is_empty() {
             return Vec::new();
         }
         let equations = self.setup.context.system().equations(&self.state);
-        let a = self.accelerations(&self.state, self.bearing());
+        let a = self.accelerations(&self.state, self.active_basis());
         let rise = |contact: usize| {
             let rate = equations.gap_rate(contact, self.rates());
             let fall = -equations.gap_acceleration(contact, &a);

@@ -37,7 +37,8 @@ fn kinetic_angles_are_those_of_the_delassus_matrix() {
         let contact = Row::Contact { restitution: 0.5, law: Law::Newton };
         let rows = (0..r).map(|row| if row < held { Row::TwoSided } else { contact }).collect();
         let (rates, drift) = (DVector::zeros(n), DVector::zeros(r));
-        let it = Collision { mass, jacobian, applied: rates.clone(), rates, drift, rows };
+        let it =
+            Collision { mass, jacobian, applied: rates.clone(), rates, prescribed_gap_rate: drift, rows };
         let held: Vec<usize> = (0..held).collect();
         let w = delassus(&it, &held);
         let all: Vec<usize> = (held.len()..r).collect();

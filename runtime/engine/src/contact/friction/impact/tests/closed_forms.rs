@@ -19,7 +19,7 @@ fn rod(degrees: f64, (slip, normal): (f64, f64), mu: f64, (e, law): (f64, Law)) 
         mass: DMatrix::from_diagonal(&DVector::from_row_slice(&[1.0, 1.0, 1.0 / 12.0])),
         jacobian: DMatrix::from_row_slice(2, 3, &[0.0, 1.0, -0.5 * cosine, 1.0, 0.0, 0.5 * sine]),
         rates: DVector::from_row_slice(&[slip, normal, 0.0]),
-        drift: DVector::zeros(2),
+        prescribed_gap_rate: DVector::zeros(2),
         applied: DVector::zeros(3),
         rows: vec![Row::Contact { restitution: e, law }, Row::Friction { of: 0, mu, restitution: 0.0 }],
     }
@@ -164,7 +164,7 @@ fn newton_s_cradle() {
                 mass: DMatrix::identity(balls, balls),
                 jacobian: jacobian.clone(),
                 rates: DVector::from_fn(balls, |k, _| if k == 0 { 1.0 } else { 0.0 }),
-                drift: DVector::zeros(contacts),
+                prescribed_gap_rate: DVector::zeros(contacts),
                 applied: DVector::zeros(balls),
                 rows: vec![Row::Contact { restitution: 1.0, law }; contacts],
             };
@@ -186,7 +186,7 @@ fn tangential_restitution_reverses_the_slip() {
         mass: DMatrix::from_diagonal(&DVector::from_row_slice(&[1.0, 1.0, 0.5])),
         jacobian: DMatrix::from_row_slice(2, 3, &[0.0, 1.0, 0.0, 1.0, 0.0, 1.0]),
         rates: DVector::from_row_slice(&[0.3, -1.0, 0.3]),
-        drift: DVector::zeros(2),
+        prescribed_gap_rate: DVector::zeros(2),
         applied: DVector::zeros(3),
         rows: vec![Row::Contact { restitution: 0.8, law }, Row::Friction { of: 0, mu, restitution: e_t }],
     };
@@ -213,7 +213,7 @@ fn a_plank_falls_flat() {
             &[0.0, 1.0, -1.0, 0.0, 1.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0],
         ),
         rates: DVector::from_row_slice(&[0.5, -1.0, 0.0]),
-        drift: DVector::zeros(4),
+        prescribed_gap_rate: DVector::zeros(4),
         applied: DVector::zeros(3),
         rows: vec![
             Row::Contact { restitution: 0.5, law },
@@ -282,7 +282,7 @@ fn the_slip_deepest_in_the_paradox_ends_first() {
         let rates = DVector::from_iterator(6, one.rates.iter().chain(other.rates.iter()).copied());
         let (drift, applied) = (DVector::zeros(4), DVector::zeros(6));
         let rows = vec![contact, contact, friction(0), friction(1)];
-        Collision { mass, jacobian, rates, drift, applied, rows }
+        Collision { mass, jacobian, rates, prescribed_gap_rate: drift, applied, rows }
     };
     for masses in [[1.0, 1.0], [1.0, 50.0], [50.0, 1.0]] {
         for (mu, deeper) in [([2.0, 3.0], 1), ([3.0, 2.0], 0)] {
@@ -314,7 +314,7 @@ fn an_applied_impulse_passes_through_joints() {
             mass: DMatrix::from_diagonal(&DVector::from_row_slice(&[1.0, 1.0, 3.0])),
             jacobian: DMatrix::from_row_slice(3, 3, &[0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, -1.0]),
             rates: DVector::zeros(3),
-            drift: DVector::zeros(3),
+            prescribed_gap_rate: DVector::zeros(3),
             applied: DVector::from_row_slice(&[0.0, 0.0, -2.0]),
             rows: vec![
                 Row::Contact { restitution: 0.0, law },
@@ -344,7 +344,8 @@ fn rounding_does_not_strike() {
             [Row::Contact { restitution: e, law }, Row::Friction { of: 2, mu: 0.8, restitution: 0.0 }];
         let rows = [&alone.rows[..], &block].concat();
         let (rates, rest) = (alone.rates.resize_vertically(4, noise), DVector::zeros(4));
-        let collision = Collision { mass, jacobian, rates, rows, drift: rest.clone(), applied: rest };
+        let collision =
+            Collision { mass, jacobian, rates, rows, prescribed_gap_rate: rest.clone(), applied: rest };
         collision.solve().unwrap()
     };
     let [up, still, down] = [1e-33, 0.0, -1e-33].map(struck);

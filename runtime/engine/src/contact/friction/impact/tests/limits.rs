@@ -34,7 +34,7 @@ fn another_contact_is_pressed_beyond_rounding() {
         }
         let size = change.abs() + parts[0].abs() + parts[1].abs();
         for (part, pressed) in [(1e-11, true), (1e-13, false), (-1e-13, false), (-1e-11, false)] {
-            it.drift[1] = -(&it.jacobian * &it.rates)[1] - change - part * size;
+            it.prescribed_gap_rate[1] = -(&it.jacobian * &it.rates)[1] - change - part * size;
             let method = it.solve().unwrap().method;
             assert_eq!(method == ImpulseMethod::AtOnce, pressed, "{k} {part} {parts:?}");
         }
@@ -111,7 +111,7 @@ fn impulses_are_not_unique_where_those_of_a_stage_are_not() {
             mass: DMatrix::identity(4, 4),
             jacobian: jacobian.clone(),
             rates: DVector::from_row_slice(&[-1.0, 0.0, 1.0, -1.0]),
-            drift: DVector::zeros(5),
+            prescribed_gap_rate: DVector::zeros(5),
             applied: DVector::zeros(4),
             rows,
         };
@@ -146,7 +146,7 @@ fn what_is_applied_acts_before_a_contact_strikes() {
         let drift = -joint.dot(&it.rates);
         it.jacobian = it.jacobian.insert_row(2, 0.0);
         it.jacobian.set_row(2, &joint.transpose());
-        it.drift = it.drift.insert_row(2, drift);
+        it.prescribed_gap_rate = it.prescribed_gap_rate.insert_row(2, drift);
         it.rows.push(Row::TwoSided);
         it.applied = DVector::from_fn(n, |_, _| random.between(-1.0, 1.0));
         let outcome = it.solve().unwrap_or_else(|error| panic!("{k}: {error}"));

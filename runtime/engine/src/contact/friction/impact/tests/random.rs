@@ -35,7 +35,7 @@ pub(super) fn collision(random: &mut Random, contacts: usize, (e, law): (f64, La
     let mass = DVector::from_fn(n, |k, _| if k % 3 == 2 { random.between(0.05, 1.0) } else { 1.0 });
     Collision {
         mass: DMatrix::from_diagonal(&mass),
-        drift: DVector::zeros(2 * contacts),
+        prescribed_gap_rate: DVector::zeros(2 * contacts),
         applied: DVector::zeros(n),
         jacobian,
         rates,
@@ -324,7 +324,7 @@ fn another_contact_ends_the_path_only_where_it_is_pressed() {
         let inverse = it.mass.clone().try_inverse().unwrap();
         let part = row.dot(&it.rates) / row.dot(&(&inverse * &row));
         it.rates -= &inverse * row * part;
-        it.drift[1] = -(&it.jacobian * &it.rates)[1];
+        it.prescribed_gap_rate[1] = -(&it.jacobian * &it.rates)[1];
         if it.approach()[0] >= 0.0 {
             continue;
         }
@@ -369,7 +369,7 @@ fn a_paradox_ends_in_an_impact() {
         let law = [Law::Newton, Law::Poisson, Law::Stronge][k % 3];
         let mut it = collision(&mut random, 2, (0.4, law));
         for row in 0..2 {
-            it.drift[row] = -(&it.jacobian * &it.rates)[row];
+            it.prescribed_gap_rate[row] = -(&it.jacobian * &it.rates)[row];
         }
         let force = DVector::from_fn(it.rates.len(), |_, _| random.between(-1.0, 1.0));
         if !is_inconsistent(&it, &force) {

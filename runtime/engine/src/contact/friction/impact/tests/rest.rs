@@ -24,7 +24,7 @@ fn one_closes_beside_another_whose_rows_are_one() {
             mass,
             jacobian: DMatrix::from_fn(2 * count, count, |i, j| rows[i][j]),
             rates,
-            drift: DVector::zeros(2 * count),
+            prescribed_gap_rate: DVector::zeros(2 * count),
             applied: DVector::zeros(count),
             rows: (0..count).map(|_| contact).chain((0..count).map(friction)).collect(),
         };
@@ -55,7 +55,7 @@ fn one_stops_beside_what_is_held_at_rest() {
             mass,
             jacobian: DMatrix::from_fn(3, 3, |i, j| rows[i][j]),
             rates: DVector::from_row_slice(&[rate, 0.0, 0.0]),
-            drift: DVector::zeros(3),
+            prescribed_gap_rate: DVector::zeros(3),
             applied: DVector::zeros(3),
             rows: vec![
                 Row::Contact { restitution: 0.5, law: Law::Newton },
