@@ -38,4 +38,4 @@ pub use rational::Rational;
 pub use series::Series;
 pub use symbol::Symbol;
 pub use term::{Monomial, Term, Wave};
-pub use text::{Names, Shorthand, lead, lettered, printed, rank};
+pub use text::{Shorthand, SymbolNames, lead, lettered, printed, rank};

@@ -5,7 +5,7 @@ mod products;
 mod shorter;
 mod sums;
 
-pub use names::{Names, lettered, printed};
+pub use names::{SymbolNames, lettered, printed};
 pub use products::lead;
 pub use shorter::Shorthand;
 pub use sums::rank;

@@ -7,14 +7,14 @@ use crate::algebra::Rational;
 
 /// Σ cᵢ dᵢ + D, the dᵢ being the dimensions of parameters.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Affine {
+pub(super) struct AffineDimension {
     /// cᵢ ≠ 0 by parameter.
     pub sought: BTreeMap<usize, Rational>,
     /// D.
     pub known: Dimension,
 }
 
-impl Affine {
+impl AffineDimension {
     /// What is known.
     pub const fn known(known: Dimension) -> Self {
         Self { sought: BTreeMap::new(), known }

@@ -3,11 +3,11 @@
 use syn::{Expr, Ident};
 
 use super::Dimension;
-use super::equation::{Equation, Place};
-use super::reader::{LENGTH, NONE, Reader, VELOCITY, powers};
+use super::equation::{DimensionEquation, Place};
+use super::reader::{DimensionReader, LENGTH, NONE, VELOCITY, powers};
 use crate::syntax::{
-    Beam, Centre, ContactLaw, Description, FrictionLaw, MassProperties, Pair, Resistance, Shape, Switch,
-    Target, Track,
+    Beam, CentreDeclaration, ContactLaw, Description, FrictionLaw, MassProperties, Pair, Resistance,
+    ShapeDeclaration, SwitchDeclaration, Target, Track,
 };
 
 const MASS: Dimension = powers(0, 0, 1);
@@ -21,8 +21,8 @@ const LINEAR: [Dimension; 2] = [powers(0, -2, 1), powers(0, -1, 1)];
 const TORSIONAL: [Dimension; 2] = [TORQUE, powers(2, -1, 1)];
 
 /// What all expressions demand, in the order of the description.
-pub(super) fn equations(description: &Description) -> Vec<Equation<'_>> {
-    let mut reader = Reader::new(description);
+pub(super) fn equations(description: &Description) -> Vec<DimensionEquation<'_>> {
+    let mut reader = DimensionReader::new(description);
     reader.mass_properties(description);
     reader.places(description);
     reader.contacts(description);
@@ -31,7 +31,7 @@ pub(super) fn equations(description: &Description) -> Vec<Equation<'_>> {
     reader.equations
 }
 
-impl<'d> Reader<'d> {
+impl<'d> DimensionReader<'d> {
     fn mass_properties(&mut self, d: &'d Description) {
         for beam in &d.beams {
             match beam {
@@ -118,20 +118,25 @@ impl<'d> Reader<'d> {
         }
     }
 
-    fn shape(&mut self, name: &'d Ident, shape: &'d Shape) {
+    fn shape(&mut self, name: &'d Ident, shape: &'d ShapeDeclaration) {
         let (angle, lengths): (Option<&Expr>, Vec<&Expr>) = match shape {
-            Shape::Floor(height) => (None, height.iter().collect()),
-            Shape::Wall(x) => (None, vec![x]),
-            Shape::Slope(angle, through) => {
+            ShapeDeclaration::Floor(height) => (None, height.iter().collect()),
+            ShapeDeclaration::Wall(x) => (None, vec![x]),
+            ShapeDeclaration::Slope(angle, through) => {
                 (Some(angle), through.iter().flat_map(|pair| pair.iter()).collect())
             }
-            Shape::Corner(at) => (None, at.iter().collect()),
-            Shape::Circle(Centre::Ground(centre), r) | Shape::Bowl(Centre::Ground(centre), r) => {
+            ShapeDeclaration::Corner(at) => (None, at.iter().collect()),
+            ShapeDeclaration::Circle(CentreDeclaration::Ground(centre), r)
+            | ShapeDeclaration::Bowl(CentreDeclaration::Ground(centre), r) => {
                 (None, centre.iter().chain([r]).collect())
             }
-            Shape::Circle(_, r) | Shape::Bowl(_, r) => (None, vec![r]),
-            Shape::Bar(_) | Shape::Edge(_) | Shape::Disc(_) => (None, Vec::new()),
-            Shape::Slot(angle, through, width) => (Some(angle), through.iter().chain([width]).collect()),
+            ShapeDeclaration::Circle(_, r) | ShapeDeclaration::Bowl(_, r) => (None, vec![r]),
+            ShapeDeclaration::Bar(_) | ShapeDeclaration::Edge(_) | ShapeDeclaration::Disc(_) => {
+                (None, Vec::new())
+            }
+            ShapeDeclaration::Slot(angle, through, width) => {
+                (Some(angle), through.iter().chain([width]).collect())
+            }
         };
         self.expect_each("the angle of support", name, angle, NONE);
         self.expect_each("the place of support", name, lengths, LENGTH);
@@ -150,7 +155,7 @@ impl<'d> Reader<'d> {
         self.expect_each("the friction of", name, coefficients, NONE);
     }
 
-    fn switch(&mut self, name: &'d Ident, armed: &'d Option<Switch>) {
+    fn switch(&mut self, name: &'d Ident, armed: &'d Option<SwitchDeclaration>) {
         if let Some([greater, less]) = armed.as_ref().and_then(|switch| switch.sides.as_ref()) {
             self.compared("the condition of", name, [greater, less]);
         }

@@ -5,13 +5,13 @@ use std::fmt;
 use syn::{Expr, Ident};
 
 use super::Dimension;
-use super::affine::Affine;
+use super::affine::AffineDimension;
 
 /// zero = 0.
 #[derive(Clone, Debug)]
-pub(super) struct Equation<'d> {
+pub(super) struct DimensionEquation<'d> {
     /// What vanishes.
-    pub zero: Affine,
+    pub zero: AffineDimension,
     /// Whether it may fail without a mistake: by a number with a dimension of its own.
     pub numeric: bool,
     /// The expression that contradicts if it does not hold.
@@ -28,7 +28,7 @@ pub(super) enum Reason {
     /// The expression stands for something of this dimension.
     Needed(Dimension),
     /// It is added to something of this dimension.
-    Added(Affine),
+    Added(AffineDimension),
 }
 
 /// Where an expression stands: the mass of `AB`.

@@ -3,19 +3,19 @@
 use syn::Expr;
 
 use super::Dimension;
-use super::equation::{Equation, Reason};
+use super::equation::{DimensionEquation, Reason};
 use super::name::name;
-use super::solution::{Conflict, Solution};
+use super::solution::{Conflict, EchelonForm};
 
 /// So many places that an equation contradicts are told.
 const TOLD: usize = 3;
 
 /// What is wrong with an equation that contradicts others.
 pub(super) fn contradiction(
-    equations: &[Equation],
-    equation: &Equation,
+    equations: &[DimensionEquation],
+    equation: &DimensionEquation,
     conflict: &Conflict,
-    solution: &Solution,
+    solution: &EchelonForm,
 ) -> String {
     let subject = subject(equation.at);
     let places = places(equations, conflict);
@@ -47,7 +47,7 @@ fn subject(expr: &Expr) -> String {
 }
 
 /// ` by the mass of AB, gravity`; nothing where an equation contradicts itself.
-fn places(equations: &[Equation], conflict: &Conflict) -> String {
+fn places(equations: &[DimensionEquation], conflict: &Conflict) -> String {
     let mut places: Vec<String> = Vec::new();
     for equation in conflict.with.iter().filter_map(|&i| equations.get(i)) {
         let place = equation.place.to_string();

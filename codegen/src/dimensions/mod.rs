@@ -22,8 +22,8 @@ mod tests;
 
 use crate::algebra::Rational;
 use crate::syntax::{Description, Report};
-use equation::Equation;
-use solution::Solution;
+use equation::DimensionEquation;
+use solution::EchelonForm;
 
 /// Powers of length, time and mass.
 pub type Dimension = [Rational; 3];
@@ -58,9 +58,9 @@ impl Dimensions {
         if description.dimensionless {
             return Ok(Self { parameters: vec![None; description.fields.len()], covariant: false });
         }
-        let (numeric, strict): (Vec<Equation>, Vec<Equation>) =
+        let (numeric, strict): (Vec<DimensionEquation>, Vec<DimensionEquation>) =
             declared::equations(description).into_iter().partition(|equation| equation.numeric);
-        let mut sure = Solution::default();
+        let mut sure = EchelonForm::default();
         let mut report = Report::default();
         let mut told = Vec::new();
         for (i, equation) in strict.iter().enumerate() {
@@ -73,7 +73,8 @@ impl Dimensions {
         }
         report.finish()?;
         let mut all = sure.clone();
-        let agree = |(i, equation): (usize, &Equation)| all.add(strict.len() + i, &equation.zero).is_none();
+        let agree =
+            |(i, equation): (usize, &DimensionEquation)| all.add(strict.len() + i, &equation.zero).is_none();
         let covariant = numeric.iter().enumerate().all(agree);
         let known = if covariant { all } else { sure };
         let parameters = (0..description.fields.len()).map(|i| known.parameter(i)).collect();

@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use syn::{BinOp, Expr, ExprCall, ExprMethodCall, Ident, Lit, UnOp};
 
 use super::Dimension;
-use super::affine::Affine;
-use super::equation::{Equation, Place, Reason};
+use super::affine::AffineDimension;
+use super::equation::{DimensionEquation, Place, Reason};
 use crate::algebra::Rational;
-use crate::syntax::{Description, Reading, plain};
+use crate::syntax::{Description, ReadingDeclaration, plain};
 use crate::system::whole;
 
 pub(super) const NONE: Dimension = powers(0, 0, 0);
@@ -26,15 +26,15 @@ pub(super) const fn powers(length: i128, time: i128, mass: i128) -> Dimension {
 
 /// An expression that is not 0.
 #[derive(Clone, Debug)]
-struct Value {
-    dimension: Affine,
+struct ExpressionDimension {
+    dimension: AffineDimension,
     /// Whether a number in it may have a dimension of its own.
     number: bool,
 }
 
-impl Value {
+impl ExpressionDimension {
     fn known(dimension: Dimension) -> Self {
-        Self { dimension: Affine::known(dimension), number: false }
+        Self { dimension: AffineDimension::known(dimension), number: false }
     }
 
     fn has_parameters(&self) -> bool {
@@ -55,15 +55,15 @@ impl Value {
 }
 
 /// Expressions while they are read. Of what has every dimension, 0, there is no [`Value`].
-pub(super) struct Reader<'d> {
+pub(super) struct DimensionReader<'d> {
     description: &'d Description,
-    constants: BTreeMap<String, Option<Value>>,
+    constants: BTreeMap<String, Option<ExpressionDimension>>,
     place: Place<'d>,
     /// What was demanded so far.
-    pub equations: Vec<Equation<'d>>,
+    pub equations: Vec<DimensionEquation<'d>>,
 }
 
-impl<'d> Reader<'d> {
+impl<'d> DimensionReader<'d> {
     /// The named constants are read at once.
     pub fn new(description: &'d Description) -> Self {
         let place = Place { what: "constant", owner: None };
@@ -116,16 +116,16 @@ impl<'d> Reader<'d> {
     fn need(&mut self, expr: &'d Expr, needed: Dimension) {
         if let Some(value) = self.infer(expr) {
             let numeric = value.number || !value.has_parameters();
-            let zero = value.dimension.plus(-Rational::ONE, &Affine::known(needed));
+            let zero = value.dimension.plus(-Rational::ONE, &AffineDimension::known(needed));
             self.demand(zero, numeric, expr, Reason::Needed(needed));
         }
     }
 
-    fn demand(&mut self, zero: Affine, numeric: bool, at: &'d Expr, reason: Reason) {
-        self.equations.push(Equation { zero, numeric, at, reason, place: self.place });
+    fn demand(&mut self, zero: AffineDimension, numeric: bool, at: &'d Expr, reason: Reason) {
+        self.equations.push(DimensionEquation { zero, numeric, at, reason, place: self.place });
     }
 
-    fn infer(&mut self, expr: &'d Expr) -> Option<Value> {
+    fn infer(&mut self, expr: &'d Expr) -> Option<ExpressionDimension> {
         match expr {
             Expr::Lit(literal) if is_zero(&literal.lit) => None,
             Expr::Paren(inner) => self.infer(&inner.expr),
@@ -135,20 +135,22 @@ impl<'d> Reader<'d> {
             Expr::Path(path) => path.path.get_ident().and_then(|name| self.name(name)),
             Expr::Call(call) => self.call(call),
             Expr::MethodCall(call) => self.method(call),
-            _ => Some(Value { dimension: Affine::known(NONE), number: true }),
+            _ => Some(ExpressionDimension { dimension: AffineDimension::known(NONE), number: true }),
         }
     }
 
-    fn name(&self, name: &Ident) -> Option<Value> {
+    fn name(&self, name: &Ident) -> Option<ExpressionDimension> {
         let named = |other: &Ident| other == name;
         if let Some(i) = self.description.fields.iter().position(named) {
-            return Some(Value { dimension: Affine::parameter(i), number: false });
+            return Some(ExpressionDimension { dimension: AffineDimension::parameter(i), number: false });
         }
         match self.constants.get(&plain(name)) {
             Some(constant) => constant.clone(),
-            None if name == "t" => Some(Value::known(TIME)),
-            None if name == "v" => Some(Value::known(self.coordinate(name).unwrap_or(VELOCITY))),
-            None => Some(Value::known(self.coordinate(name).unwrap_or(NONE))),
+            None if name == "t" => Some(ExpressionDimension::known(TIME)),
+            None if name == "v" => {
+                Some(ExpressionDimension::known(self.coordinate(name).unwrap_or(VELOCITY)))
+            }
+            None => Some(ExpressionDimension::known(self.coordinate(name).unwrap_or(NONE))),
         }
     }
 
@@ -156,12 +158,12 @@ impl<'d> Reader<'d> {
     pub fn coordinate(&self, name: &Ident) -> Option<Dimension> {
         let declared = self.description.coordinates.iter().find(|coordinate| coordinate.name == *name)?;
         Some(match declared.reading {
-            Reading::Angle { .. } => NONE,
-            Reading::Position { .. } => LENGTH,
+            ReadingDeclaration::Angle { .. } => NONE,
+            ReadingDeclaration::Position { .. } => LENGTH,
         })
     }
 
-    fn binary(&mut self, left: &'d Expr, op: &BinOp, right: &'d Expr) -> Option<Value> {
+    fn binary(&mut self, left: &'d Expr, op: &BinOp, right: &'d Expr) -> Option<ExpressionDimension> {
         let (a, b) = (self.infer(left), self.infer(right));
         match op {
             BinOp::Mul(_) => Some(a?.times(Rational::ONE, &b?)),
@@ -174,45 +176,50 @@ impl<'d> Reader<'d> {
     }
 
     /// The sum of two values: like that without a number in it, if it is one of parameters.
-    fn sum(&mut self, a: Value, b: Value, right: &'d Expr) -> Value {
+    fn sum(
+        &mut self,
+        a: ExpressionDimension,
+        b: ExpressionDimension,
+        right: &'d Expr,
+    ) -> ExpressionDimension {
         let zero = b.dimension.clone().plus(-Rational::ONE, &a.dimension);
         let number = a.number || b.number;
         let numeric = number || !(a.has_parameters() || b.has_parameters());
         self.demand(zero, numeric, right, Reason::Added(a.dimension.clone()));
         let like = if a.number { b } else { a };
-        Value { number: like.number || number && !like.has_parameters(), ..like }
+        ExpressionDimension { number: like.number || number && !like.has_parameters(), ..like }
     }
 
-    fn call(&mut self, call: &'d ExprCall) -> Option<Value> {
+    fn call(&mut self, call: &'d ExprCall) -> Option<ExpressionDimension> {
         let argument = call.args.first()?;
         let Expr::Path(function) = &*call.func else { return None };
         match function.path.get_ident()?.to_string().as_str() {
-            "x" | "y" => Some(Value::known(LENGTH)),
-            "vx" | "vy" => Some(Value::known(VELOCITY)),
+            "x" | "y" => Some(ExpressionDimension::known(LENGTH)),
+            "vx" | "vy" => Some(ExpressionDimension::known(VELOCITY)),
             "rate" => {
                 let coordinate = match argument {
                     Expr::Path(path) => path.path.get_ident().and_then(|name| self.coordinate(name)),
                     _ => None,
                 };
                 let length = coordinate == Some(LENGTH);
-                Some(Value::known(if length { VELOCITY } else { RATE }))
+                Some(ExpressionDimension::known(if length { VELOCITY } else { RATE }))
             }
             name => self.function(name, argument),
         }
     }
 
-    fn method(&mut self, call: &'d ExprMethodCall) -> Option<Value> {
+    fn method(&mut self, call: &'d ExprMethodCall) -> Option<ExpressionDimension> {
         let Some(exponent) = call.args.first() else {
             return self.function(&call.method.to_string(), &call.receiver);
         };
         let base = self.infer(&call.receiver);
         match whole(exponent).ok()? {
-            0 => Some(Value::known(NONE)),
+            0 => Some(ExpressionDimension::known(NONE)),
             exponent => Some(base?.power(Rational::integer(exponent.into()))),
         }
     }
 
-    fn function(&mut self, name: &str, argument: &'d Expr) -> Option<Value> {
+    fn function(&mut self, name: &str, argument: &'d Expr) -> Option<ExpressionDimension> {
         if name == "sqrt" {
             return Some(self.infer(argument)?.power(Rational::HALF));
         }
@@ -220,7 +227,7 @@ impl<'d> Reader<'d> {
             return self.infer(argument);
         }
         self.need(argument, NONE);
-        Some(Value::known(NONE))
+        Some(ExpressionDimension::known(NONE))
     }
 }
 

@@ -3,17 +3,17 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::Dimension;
-use super::affine::Affine;
+use super::affine::AffineDimension;
 use crate::algebra::Rational;
 
 /// Equations in reduced row echelon form: the pivots, of coefficient 1, occur in no other row.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Solution(BTreeMap<usize, ReducedRow>);
+pub(super) struct EchelonForm(BTreeMap<usize, ReducedRow>);
 
 /// zero = 0, and the equations that it follows from.
 #[derive(Clone, Debug)]
 struct ReducedRow {
-    zero: Affine,
+    zero: AffineDimension,
     from: BTreeSet<usize>,
 }
 
@@ -26,9 +26,9 @@ pub(super) struct Conflict {
     pub with: BTreeSet<usize>,
 }
 
-impl Solution {
+impl EchelonForm {
     /// Adds the equation of this number, or gives what it contradicts; one whose powers overflow says nothing.
-    pub fn add(&mut self, number: usize, zero: &Affine) -> Option<Conflict> {
+    pub fn add(&mut self, number: usize, zero: &AffineDimension) -> Option<Conflict> {
         let mut row = self.reduced(zero);
         if row.zero.is_overflow() {
             return None;
@@ -48,16 +48,16 @@ impl Solution {
 
     /// The dimension of a parameter, if it is determined.
     pub fn parameter(&self, index: usize) -> Option<Dimension> {
-        self.value(&Affine::parameter(index))
+        self.value(&AffineDimension::parameter(index))
     }
 
     /// The value of an expression in dimensions, if it is determined.
-    pub fn value(&self, affine: &Affine) -> Option<Dimension> {
+    pub fn value(&self, affine: &AffineDimension) -> Option<Dimension> {
         let row = self.reduced(affine);
         row.zero.sought.is_empty().then_some(row.zero.known)
     }
 
-    fn reduced(&self, zero: &Affine) -> ReducedRow {
+    fn reduced(&self, zero: &AffineDimension) -> ReducedRow {
         let mut row = ReducedRow { zero: zero.clone(), from: BTreeSet::new() };
         for index in zero.unknowns() {
             if let Some(known) = self.0.get(&index) {
@@ -71,7 +71,7 @@ impl Solution {
 impl ReducedRow {
     fn eliminate(&mut self, pivot: usize, row: &Self) {
         if let Some(&coefficient) = self.zero.sought.get(&pivot) {
-            self.zero = core::mem::replace(&mut self.zero, Affine::known([Rational::ZERO; 3]))
+            self.zero = core::mem::replace(&mut self.zero, AffineDimension::known([Rational::ZERO; 3]))
                 .plus(-coefficient, &row.zero);
             self.from.extend(&row.from);
         }

@@ -26,7 +26,7 @@ pub(super) trait Inputs {
 }
 
 /// A function's statements and results.
-pub(super) struct Body {
+pub(super) struct FunctionBody {
     pub statements: TokenStream,
     pub results: Vec<TokenStream>,
     /// The inputs that are read.
@@ -35,12 +35,12 @@ pub(super) struct Body {
 
 /// Names of variables, each given once.
 #[derive(Default)]
-pub(super) struct Names {
+pub(super) struct VariableNames {
     counts: BTreeMap<String, usize>,
     taken: BTreeSet<String>,
 }
 
-impl Names {
+impl VariableNames {
     /// Names other than these.
     pub fn besides(taken: impl Iterator<Item = String>) -> Self {
         Self { counts: BTreeMap::new(), taken: taken.collect() }
@@ -64,18 +64,23 @@ impl Names {
     }
 }
 
-struct Writer<'a> {
+struct BodyWriter<'a> {
     program: &'a Program,
     inputs: &'a dyn Inputs,
     scalar: &'a TokenStream,
     uses: BTreeMap<Id, usize>,
     written: BTreeMap<Id, (TokenStream, usize)>,
-    names: Names,
+    names: VariableNames,
     statements: TokenStream,
 }
 
 /// Writes the operations that `outputs` need.
-pub(super) fn write(program: &Program, outputs: &[Id], inputs: &dyn Inputs, scalar: &TokenStream) -> Body {
+pub(super) fn write(
+    program: &Program,
+    outputs: &[Id],
+    inputs: &dyn Inputs,
+    scalar: &TokenStream,
+) -> FunctionBody {
     let needed = program.reachable_beyond(outputs, |id| inputs.is_stored(id));
     let mut uses = uses(program, &needed, inputs);
     outputs.iter().for_each(|&id| *uses.entry(id).or_default() += 1);
@@ -85,8 +90,8 @@ pub(super) fn write(program: &Program, outputs: &[Id], inputs: &dyn Inputs, scal
     };
     let read: BTreeSet<Symbol> = needed.iter().filter_map(read).collect();
     let taken = read.iter().map(|&symbol| inputs.input(symbol).to_string()).chain(inputs.taken());
-    let mut writer = Writer {
-        names: Names::besides(taken),
+    let mut writer = BodyWriter {
+        names: VariableNames::besides(taken),
         program,
         inputs,
         scalar,
@@ -99,7 +104,7 @@ pub(super) fn write(program: &Program, outputs: &[Id], inputs: &dyn Inputs, scal
         writer.write(id);
     }
     let results = outputs.iter().map(|id| writer.written[id].0.clone()).collect();
-    Body { statements: writer.statements, results, inputs: read }
+    FunctionBody { statements: writer.statements, results, inputs: read }
 }
 
 /// How often each value is written out; a sine and a cosine of one angle are one call.
@@ -118,7 +123,7 @@ fn uses(program: &Program, needed: &[Id], inputs: &dyn Inputs) -> BTreeMap<Id, u
     uses
 }
 
-impl Writer<'_> {
+impl BodyWriter<'_> {
     fn write(&mut self, id: Id) {
         if self.written.contains_key(&id) {
             return;
@@ -234,7 +239,7 @@ impl Writer<'_> {
     }
 }
 
-fn infix(writer: &Writer, a: Id, sign: TokenStream, b: Id) -> TokenStream {
+fn infix(writer: &BodyWriter, a: Id, sign: TokenStream, b: Id) -> TokenStream {
     let (a, b) = (writer.operand(a), writer.operand(b));
     quote!(#a #sign #b)
 }

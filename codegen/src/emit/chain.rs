@@ -2,14 +2,19 @@
 
 use proc_macro2::TokenStream;
 
-use super::constants::Constants;
+use super::constants::UsedConstants;
 use super::functions::State;
 use super::{body, count};
 use crate::Analysis;
 use crate::functions::Chain;
 
 /// The derivative of a chain of equal bars.
-pub(super) fn by_loops(analysis: &Analysis, constants: &Constants, chain: &Chain, n: usize) -> TokenStream {
+pub(super) fn by_loops(
+    analysis: &Analysis,
+    constants: &UsedConstants,
+    chain: &Chain,
+    n: usize,
+) -> TokenStream {
     let inputs = State { analysis, constants };
     let written = body::write(&analysis.functions.program, &chain.constants(), &inputs, &quote!(S));
     let (statements, runtime, n) = (&written.statements, &analysis.system.runtime, count(n));

@@ -12,12 +12,12 @@ use crate::syntax::ident;
 use crate::system::System;
 
 /// The constants that a model's functions use.
-pub(super) struct Constants<'a> {
+pub(super) struct UsedConstants<'a> {
     program: &'a Program,
     fields: BTreeMap<Id, Ident>,
 }
 
-impl<'a> Constants<'a> {
+impl<'a> UsedConstants<'a> {
     /// Collects what `outputs` use of the parameter-only part of `program`.
     pub(super) fn new(system: &System, program: &'a Program, outputs: &[Id]) -> Self {
         let names = constant_names(system, program, outputs);
@@ -28,7 +28,7 @@ impl<'a> Constants<'a> {
     pub(super) fn tokens(&self) -> (TokenStream, TokenStream) {
         let names: Vec<&Ident> = self.fields.values().collect();
         let ids: Vec<Id> = self.fields.keys().copied().collect();
-        let body = body::write(self.program, &ids, &Values, &quote!(S));
+        let body = body::write(self.program, &ids, &ParameterInputs, &quote!(S));
         let (statements, results) = (body.statements, body.results);
         let empty = names.is_empty();
         let marker = empty.then(|| quote!(scalar: ::core::marker::PhantomData<S>));
@@ -65,9 +65,9 @@ impl<'a> Constants<'a> {
 }
 
 /// Values of the parameters, `p`, and the senses of what slides in `set`.
-pub(super) struct Values;
+pub(super) struct ParameterInputs;
 
-impl Inputs for Values {
+impl Inputs for ParameterInputs {
     fn input(&self, symbol: Symbol) -> TokenStream {
         match symbol {
             Symbol::Parameter(i) => {

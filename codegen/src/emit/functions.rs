@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use proc_macro2::{Ident, Literal, TokenStream};
 
 use super::body::{self, Inputs};
-use super::constants::Constants;
+use super::constants::UsedConstants;
 use super::{count, variable};
 use crate::Analysis;
 use crate::algebra::Symbol;
@@ -16,7 +16,7 @@ use crate::program::Id;
 /// A state whose coordinates, rates and time are bound to their names.
 pub(super) struct State<'a> {
     pub analysis: &'a Analysis,
-    pub constants: &'a Constants<'a>,
+    pub constants: &'a UsedConstants<'a>,
 }
 
 impl Inputs for State<'_> {
@@ -109,7 +109,7 @@ pub(super) fn pattern(
 /// A function body that reads its `entries` from `state`; `result` is given the outputs.
 pub(super) fn body(
     analysis: &Analysis,
-    constants: &Constants,
+    constants: &UsedConstants,
     entries: Entries,
     outputs: &[Id],
     result: impl FnOnce(&[TokenStream]) -> TokenStream,
@@ -160,7 +160,7 @@ pub(super) fn types(analysis: &Analysis) -> TokenStream {
 }
 
 /// `kernel`, `energy`, `points` and `feet`, and `kinks` where there are any.
-pub(super) fn methods(analysis: &Analysis, constants: &Constants) -> TokenStream {
+pub(super) fn methods(analysis: &Analysis, constants: &UsedConstants) -> TokenStream {
     let functions = &analysis.functions;
     let all: Vec<usize> = (0..analysis.motion.n).collect();
     let all = Entries { kept: &all, moving: &all, motion: &analysis.motion };
@@ -190,7 +190,7 @@ pub(super) fn methods(analysis: &Analysis, constants: &Constants) -> TokenStream
 }
 
 /// `slips`, where contacts have friction.
-fn slips(analysis: &Analysis, constants: &Constants, all: Entries) -> Option<TokenStream> {
+fn slips(analysis: &Analysis, constants: &UsedConstants, all: Entries) -> Option<TokenStream> {
     let outputs: Vec<Id> = analysis.functions.slips.iter().flatten().copied().collect();
     let values = body(analysis, constants, all, &outputs, |results| {
         let slips = results.chunks(3).map(|slip| match slip {
@@ -215,7 +215,7 @@ pub(super) fn energies(results: &[TokenStream]) -> TokenStream {
     quote!(Energy { kinetic: #kinetic, potential: #potential })
 }
 
-fn kernel(analysis: &Analysis, constants: &Constants, all: Entries) -> TokenStream {
+fn kernel(analysis: &Analysis, constants: &UsedConstants, all: Entries) -> TokenStream {
     let outputs = kernel_outputs(analysis);
     body(analysis, constants, all, &outputs, |results| kernel_of(analysis, results))
 }

@@ -2,12 +2,13 @@
 
 use proc_macro2::{Literal, TokenStream};
 
-use super::body::Body as Code;
+use super::body::FunctionBody as Code;
 use super::numbers::expressions;
 use super::{count, option, variant};
 use crate::Analysis;
 use crate::geometry::{
-    Body, Direction, Fixture, Geometry, Length, Push, Reading, Round, Section, Shape, Spot, Spring, Thread,
+    DrawnBody, DrawnDirection, DrawnReading, DrawnSection, DrawnShape, DrawnSpring, DrawnThread, Fixture,
+    Geometry, Length, Push, Round, Spot,
 };
 use crate::numbers::drawn;
 
@@ -81,24 +82,24 @@ fn spot(spot: &Spot) -> TokenStream {
     }
 }
 
-fn direction(direction: &Direction) -> TokenStream {
+fn direction(direction: &DrawnDirection) -> TokenStream {
     match direction {
-        Direction::Fixed(angle) => {
+        DrawnDirection::Fixed(angle) => {
             let angle = count(*angle);
             quote!(geometry::Direction::Fixed(#angle))
         }
-        Direction::Towards(from, to) => {
+        DrawnDirection::Towards(from, to) => {
             let (from, to) = (spot(from), spot(to));
             quote!(geometry::Direction::Towards(#from, #to))
         }
-        Direction::Axis(ends, step) => {
+        DrawnDirection::Axis(ends, step) => {
             let (ends, step) = (indices(ends), indices(step));
             quote!(geometry::Direction::Axis { ends: #ends, step: #step })
         }
     }
 }
 
-fn body(Body { outline, inner }: &Body) -> TokenStream {
+fn body(DrawnBody { outline, inner }: &DrawnBody) -> TokenStream {
     let (outline, inner) = (indices(outline), indices(inner));
     quote!(geometry::Body { outline: &#outline, inner: &#inner })
 }
@@ -113,12 +114,12 @@ fn round(Round { centre, radius, text, solid, along }: &Round) -> TokenStream {
     }
 }
 
-fn thread(Thread { name, path, length, text }: &Thread) -> TokenStream {
+fn thread(DrawnThread { name, path, length, text }: &DrawnThread) -> TokenStream {
     let (path, length) = (indices(path), count(*length));
     quote!(geometry::Thread { name: #name, path: &#path, length: #length, text: #text })
 }
 
-fn spring(Spring { name, ends, coil, dashpot, text }: &Spring) -> TokenStream {
+fn spring(DrawnSpring { name, ends, coil, dashpot, text }: &DrawnSpring) -> TokenStream {
     let ends = indices(ends);
     quote!(geometry::Spring { name: #name, ends: #ends, coil: #coil, dashpot: #dashpot, text: #text })
 }
@@ -126,34 +127,34 @@ fn spring(Spring { name, ends, coil, dashpot, text }: &Spring) -> TokenStream {
 fn fixture(Fixture { name, at, shape }: &Fixture) -> TokenStream {
     let at = indices(at);
     let shape = match shape {
-        Shape::Line { angle, solid } => {
+        DrawnShape::Line { angle, solid } => {
             let angle = count(*angle);
             quote!(Line { angle: #angle, solid: #solid })
         }
-        Shape::Circle { radius, solid, text } => {
+        DrawnShape::Circle { radius, solid, text } => {
             let (radius, solid) = (count(*radius), variant(solid));
             quote!(Circle { radius: #radius, solid: geometry::Solid::#solid, text: #text })
         }
-        Shape::Wedge => quote!(Wedge),
+        DrawnShape::Wedge => quote!(Wedge),
     };
     quote!(geometry::Fixture { name: #name, at: #at, shape: geometry::Shape::#shape })
 }
 
-fn section(Section { name, ends, at }: &Section) -> TokenStream {
+fn section(DrawnSection { name, ends, at }: &DrawnSection) -> TokenStream {
     let (ends, at) = (indices(ends), count(*at));
     quote!(geometry::Section { name: #name, ends: #ends, at: #at })
 }
 
-fn reading(reading: &Reading) -> TokenStream {
+fn reading(reading: &DrawnReading) -> TokenStream {
     match reading {
-        Reading::Angle { vertex, tip, from, against, sign } => {
+        DrawnReading::Angle { vertex, tip, from, against, sign } => {
             let (vertex, tip, from) = (count(*vertex), count(*tip), direction(from));
             let sign = Literal::i8_unsuffixed(*sign);
             quote! {
                 geometry::Reading::Angle { vertex: #vertex, tip: #tip, from: #from, against: #against, sign: #sign }
             }
         }
-        Reading::Position { point, axis, sign } => {
+        DrawnReading::Position { point, axis, sign } => {
             let (point, axis, sign) = (count(*point), count(*axis), Literal::i8_unsuffixed(*sign));
             quote!(geometry::Reading::Position { point: #point, axis: #axis, sign: #sign })
         }

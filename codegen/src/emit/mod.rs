@@ -29,7 +29,7 @@ use quote::format_ident;
 use syn::Path;
 
 use crate::Analysis;
-use constants::Constants;
+use constants::UsedConstants;
 
 pub use fallback::{fallback, unread};
 pub(crate) use functions::Entries;
@@ -38,7 +38,7 @@ pub(crate) use functions::Entries;
 pub fn implementation(analysis: &Analysis) -> TokenStream {
     let model = model();
     let constants =
-        Constants::new(&analysis.system, &analysis.functions.program, &analysis.functions.outputs());
+        UsedConstants::new(&analysis.system, &analysis.functions.program, &analysis.functions.outputs());
     let (definition, filled) = constants.tokens();
     let types = functions::types(analysis);
     let described = description::methods(analysis);

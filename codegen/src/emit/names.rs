@@ -33,7 +33,7 @@ pub(super) fn constants(analysis: &Analysis) -> TokenStream {
 /// Constants for all that a declaration with mistakes names, so that their uses are no further mistakes.
 pub(super) fn assumed(description: &Description) -> TokenStream {
     description.names.as_ref().map_or_else(TokenStream::new, |visibility| {
-        let mut constants = Constants::default();
+        let mut constants = ConstantList::default();
         for name in mentioned(description) {
             constants.add(Kind::Unknown, &name, Span::call_site(), String::new());
         }
@@ -52,8 +52,8 @@ fn implementation(constants: impl Iterator<Item = TokenStream>) -> TokenStream {
     }
 }
 
-fn named(analysis: &Analysis) -> Constants {
-    let (system, mut constants) = (&analysis.system, Constants::default());
+fn named(analysis: &Analysis) -> ConstantList {
+    let (system, mut constants) = (&analysis.system, ConstantList::default());
     let dependent = analysis.kinematics.dependent.iter().map(|angle| &angle.declared);
     for coordinate in analysis.kinematics.coordinates.iter().chain(dependent) {
         let declared = system.coordinates.iter().find(|declared| plain(&declared.name) == coordinate.name);
@@ -146,12 +146,12 @@ impl Constant {
 
 /// Constants in the order of the declaration, no two of one name.
 #[derive(Default)]
-struct Constants {
+struct ConstantList {
     list: Vec<Constant>,
     places: BTreeMap<String, usize>,
 }
 
-impl Constants {
+impl ConstantList {
     fn add(&mut self, kind: Kind, name: &str, span: Span, meaning: String) {
         let upper = upper_snake(name);
         let Some(mut ident) = syn::parse_str::<Ident>(&upper).ok().filter(|_| upper != TAKEN) else {

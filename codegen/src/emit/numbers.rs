@@ -2,24 +2,25 @@
 
 use proc_macro2::TokenStream;
 
-use super::body::{self, Body, Inputs};
-use super::constants::Values;
+use super::body::{self, FunctionBody, Inputs};
+use super::constants::ParameterInputs;
 use super::{count, variant};
 use crate::Analysis;
 use crate::algebra::Symbol;
-use crate::numbers::{self, Measure, Measures, Numbers, Turned, Value};
+use crate::numbers::{self, Measure, MeasureValue, Measures, ParameterProgram, Turned};
 use crate::program::Id;
 use crate::system::System;
 
 /// Their expressions over `self` in `f64`.
-pub(super) fn expressions(analysis: &Analysis, numbers: &Numbers) -> Body {
+pub(super) fn expressions(analysis: &Analysis, numbers: &ParameterProgram) -> FunctionBody {
     body::write(&numbers.program, &numbers.ids, &Fields { system: &analysis.system }, &quote!(f64))
 }
 
 /// Only where some contact is not plastic.
 pub(super) fn restitution(analysis: &Analysis) -> Option<TokenStream> {
     let numbers = numbers::restitution(analysis)?;
-    let Body { statements, results, .. } = body::write(&numbers.program, &numbers.ids, &Values, &quote!(S));
+    let FunctionBody { statements, results, .. } =
+        body::write(&numbers.program, &numbers.ids, &ParameterInputs, &quote!(S));
     Some(quote! {
         fn restitution<S: Real>(p: &Self::Parameters<S>) -> Self::Reactions<S> {
             #statements
@@ -56,7 +57,7 @@ impl Inputs for Fields<'_> {
 /// `measures` and its type.
 pub(super) fn measures(analysis: &Analysis) -> TokenStream {
     let Measures { numbers, entries, reads_figure } = numbers::measures(analysis);
-    let Body { statements, results, .. } = expressions(analysis, &numbers);
+    let FunctionBody { statements, results, .. } = expressions(analysis, &numbers);
     let length = count(entries.len());
     let nominal = reads_figure.then(|| quote!(let nominal = BarSystem::nominal(self);));
     let entries = entries.iter().map(|Measure { of, kind, value }| {
@@ -73,14 +74,14 @@ pub(super) fn measures(analysis: &Analysis) -> TokenStream {
     }
 }
 
-fn value(analysis: &Analysis, value: &Value, numbers: &[TokenStream]) -> TokenStream {
+fn value(analysis: &Analysis, value: &MeasureValue, numbers: &[TokenStream]) -> TokenStream {
     match value {
-        Value::Number(k) => numbers[*k].clone(),
-        Value::Quotient(a, b) => {
+        MeasureValue::Number(k) => numbers[*k].clone(),
+        MeasureValue::Quotient(a, b) => {
             let (a, b) = (&numbers[*a], &numbers[*b]);
             quote!((#a) / (#b))
         }
-        Value::Branch([zero, other]) => {
+        MeasureValue::Branch([zero, other]) => {
             let [zero, other] = [zero, other].map(|angle| distance(analysis, angle, numbers));
             quote!(#other - #zero)
         }

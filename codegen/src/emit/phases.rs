@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::format_ident;
 
 use super::chain::by_loops;
-use super::constants::Constants;
+use super::constants::UsedConstants;
 use super::contact_sets::{bits, bits_method, set};
 use super::count;
 use super::functions::{Entries, body, energies};
@@ -16,7 +16,7 @@ use crate::motion::UNROLLED;
 use crate::program::Id;
 
 /// The method `phase`, and the free functions it refers to.
-pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream, TokenStream) {
+pub(super) fn phases(analysis: &Analysis, constants: &UsedConstants) -> (TokenStream, TokenStream) {
     let names = phase_names(analysis).into_iter().map(|name| format_ident!("{name}"));
     let closed: Vec<(&PhaseFunctions, Ident)> = analysis.functions.phases.iter().zip(names).collect();
     let arms = closed.iter().map(|(phase, name)| {
@@ -73,7 +73,7 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
 /// `ClosedForm` for the phase of this name.
 fn closed_form(
     analysis: &Analysis,
-    constants: &Constants,
+    constants: &UsedConstants,
     phase: &PhaseFunctions,
     name: &Ident,
 ) -> TokenStream {
@@ -140,7 +140,7 @@ fn with_carried(results: &[TokenStream], carried: impl Iterator<Item = TokenStre
 }
 
 /// The derivative; of a chain of equal bars by loops.
-fn derivative(analysis: &Analysis, constants: &Constants, phase: &PhaseFunctions) -> TokenStream {
+fn derivative(analysis: &Analysis, constants: &UsedConstants, phase: &PhaseFunctions) -> TokenStream {
     let entries = entries(analysis, phase);
     let reduced = count(entries.len());
     let outputs: Vec<Id> = phase.rates.iter().chain(&phase.accelerations).copied().collect();
@@ -160,7 +160,7 @@ fn derivative(analysis: &Analysis, constants: &Constants, phase: &PhaseFunctions
 
 fn functions(
     analysis: &Analysis,
-    constants: &Constants,
+    constants: &UsedConstants,
     phase: &PhaseFunctions,
     name: &Ident,
 ) -> TokenStream {

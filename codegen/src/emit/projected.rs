@@ -4,7 +4,7 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::format_ident;
 
-use super::constants::Constants;
+use super::constants::UsedConstants;
 use super::contact_sets::{bits, bits_method};
 use super::count;
 use super::functions::{Entries, body};
@@ -77,7 +77,7 @@ fn held(analysis: &Analysis) -> impl Iterator<Item = (&HeldMotion, Ident)> {
 }
 
 /// What the phases without a closed form refer to.
-pub(super) fn held_motions(analysis: &Analysis, constants: &Constants) -> Option<TokenStream> {
+pub(super) fn held_motions(analysis: &Analysis, constants: &UsedConstants) -> Option<TokenStream> {
     if analysis.functions.held.is_empty() {
         return None;
     }
@@ -103,7 +103,12 @@ pub(super) fn held_motions(analysis: &Analysis, constants: &Constants) -> Option
 }
 
 /// The same of one contact set by code of its own, where its pivots can be trusted.
-fn held_motion(analysis: &Analysis, constants: &Constants, held: &HeldMotion, name: &Ident) -> TokenStream {
+fn held_motion(
+    analysis: &Analysis,
+    constants: &UsedConstants,
+    held: &HeldMotion,
+    name: &Ident,
+) -> TokenStream {
     let runtime = &analysis.system.runtime;
     let (n, r) = (count(analysis.motion.entries()), count(analysis.motion.reactions()));
     let pivots = count(held.solution.pivots.len());
@@ -150,7 +155,7 @@ fn held_motion(analysis: &Analysis, constants: &Constants, held: &HeldMotion, na
 }
 
 /// The body of `solution`.
-fn solution(analysis: &Analysis, constants: &Constants, held: &HeldMotion) -> TokenStream {
+fn solution(analysis: &Analysis, constants: &UsedConstants, held: &HeldMotion) -> TokenStream {
     let motion = &analysis.motion;
     let all: Vec<usize> = (0..motion.n).collect();
     let entries = Entries { kept: &all, moving: &all, motion };

@@ -4,7 +4,7 @@
 use proc_macro2::TokenStream;
 
 use super::body;
-use super::constants::Constants;
+use super::constants::UsedConstants;
 use super::count;
 use super::functions::{State, pattern};
 use crate::Analysis;
@@ -31,7 +31,7 @@ pub(super) fn kind(kind: QuantityKind) -> TokenStream {
 }
 
 /// The method `quantity`.
-pub(super) fn method(analysis: &Analysis, constants: &Constants) -> TokenStream {
+pub(super) fn method(analysis: &Analysis, constants: &UsedConstants) -> TokenStream {
     let ids: Vec<Id> = analysis.functions.quantities.iter().map(|quantity| quantity.value).collect();
     let first = |id: Id| ids.iter().position(|other| *other == id);
     let together = &analysis.functions.together;
@@ -79,7 +79,7 @@ pub(super) fn method(analysis: &Analysis, constants: &Constants) -> TokenStream 
 
 fn value(
     analysis: &Analysis,
-    constants: &Constants,
+    constants: &UsedConstants,
     ids: &[Id],
     result: impl FnOnce(&[TokenStream]) -> TokenStream,
 ) -> TokenStream {

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Functions, PhaseFunctions, Scope};
+use super::{Functions, PhaseFunctions, SeriesScope};
 use crate::motion::Motion;
 use crate::program::{Id, Operation};
 
@@ -13,11 +13,11 @@ impl Functions {
         let along = self.series(motion, phase);
         let guards = along.reactions.iter().chain(along.gaps.iter().flatten()).chain(&along.feet);
         let guards: Vec<Id> = guards.copied().collect();
-        Scope { phase, program: &self.program }.are_affine(&guards)
+        SeriesScope { phase, program: &self.program }.are_affine(&guards)
     }
 }
 
-impl Scope<'_> {
+impl SeriesScope<'_> {
     /// Whether values are polynomials of at most first degree of the reduced state.
     pub fn are_affine(&self, values: &[Id]) -> bool {
         let mut degrees = BTreeMap::new();

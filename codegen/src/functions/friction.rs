@@ -33,7 +33,7 @@ impl WithFriction {
         for sliding in &phase.sliding {
             lowering.define(Symbol::reaction(sliding.row), zero);
         }
-        let inertia = Inertia::lower(&mut lowering, phase);
+        let inertia = FactoredInertia::lower(&mut lowering, phase);
         let free = inertia.accelerations(&mut lowering, |k| &phase.forces[k] - &phase.velocity_terms[k]);
         let units: Vec<Vec<Id>> = phase
             .sliding
@@ -126,12 +126,12 @@ fn reactions(program: &mut Program, gains: &[Vec<Id>], slopes: &[Id], loads: &[I
 }
 
 /// M̂, ready to be solved with.
-enum Inertia {
+enum FactoredInertia {
     Single(Id),
     Factored(Factored),
 }
 
-impl Inertia {
+impl FactoredInertia {
     fn lower(lowering: &mut Lowering, phase: &Phase) -> Self {
         let entry = |lowering: &mut Lowering, k: usize, l: usize| lowering.quotient(&phase.mass[k][l]);
         if phase.moving.len() == 1 {

@@ -33,12 +33,12 @@ pub struct HeldMotion {
     /// u.
     pub rates: Vec<Id>,
     /// What is solved for.
-    pub solution: Solution,
+    pub solution: HeldSolution,
 }
 
 /// What solves the equations of a motion that is held.
 #[derive(Clone, Debug)]
-pub struct Solution {
+pub struct HeldSolution {
     /// a.
     pub accelerations: Vec<Id>,
     /// λ of each closed row.
@@ -105,16 +105,16 @@ fn cheapest(
     motion: &Motion,
     kernel: &Kernel,
     rows: &[usize],
-) -> Solution {
+) -> HeldSolution {
     let jacobian: Vec<Vec<Id>> = rows.iter().map(|&row| kernel.jacobian[row].clone()).collect();
     let bias: Vec<Id> = rows.iter().map(|&row| kernel.bias[row]).collect();
     let by_entries = match &kernel.mass {
-        Mass::Entries(mass) => Some(Solution::by_entries(program, mass, &kernel.force, &jacobian, &bias)),
+        Mass::Entries(mass) => Some(HeldSolution::by_entries(program, mass, &kernel.force, &jacobian, &bias)),
         Mass::Paths(_) => None,
     };
     let by_tree = motion.tree.as_ref().map(|tree| {
         let free = recursion(program, system, kinematics, motion, tree, &jacobian);
-        Solution::from_free(program, &free, &jacobian, &bias)
+        HeldSolution::from_free(program, &free, &jacobian, &bias)
     });
     let all = by_entries.into_iter().chain(by_tree);
     all.min_by_key(|solution| program.cycles(&solution.accelerations)).expect("a mass matrix or a tree")
@@ -126,7 +126,7 @@ fn is_regular(
     system: &System,
     kinematics: &Kinematics,
     motion: &Motion,
-    solution: &Solution,
+    solution: &HeldSolution,
 ) -> bool {
     let Some(numbers) = system.samples.first() else { return false };
     let nominal = kinematics.nominal(system, numbers);
@@ -141,7 +141,7 @@ fn is_regular(
     values.chunks(2).all(|pair| pair[1] > LEAST_PIVOT * pair[0])
 }
 
-impl Solution {
+impl HeldSolution {
     /// From the lower triangle of M, f, and rows with `jacobian` and `bias`.
     pub fn by_entries(
         program: &mut Program,

@@ -1,6 +1,6 @@
 //! The functions of a long tree.
 
-use super::tree::{Geometry, Inverse, energy, joints, momenta, paths, points, recursion};
+use super::tree::{Inverse, TreeGeometry, energy, joints, momenta, paths, points, recursion};
 use super::{Chain, Functions, Mass, PhaseFunctions, full, kinks};
 use crate::kinematics::Kinematics;
 use crate::motion::{Motion, Tree};
@@ -13,7 +13,7 @@ pub(super) fn functions(system: &System, kinematics: &Kinematics, motion: &Motio
     let accelerations = recursion(&mut program, system, kinematics, motion, tree, &[]).swap_remove(0);
     let mut quantities = full::quantities(&mut program, system, motion);
     let mut lowering = Lowering::new(&mut program, system, &motion.opaque_terms, []);
-    let geometry = Geometry::lower(&mut lowering, system, kinematics, tree);
+    let geometry = TreeGeometry::lower(&mut lowering, system, kinematics, tree);
     let first = quantities.len();
     quantities.extend(joints(&mut lowering, &geometry, motion));
     let together = first..quantities.len();

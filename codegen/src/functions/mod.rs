@@ -23,10 +23,10 @@ use crate::program::{Id, Lowering, Program};
 use crate::system::System;
 pub use chain::Chain;
 pub(crate) use constant_names::constant_names;
-pub use held::{HeldMotion, Solution};
+pub use held::{HeldMotion, HeldSolution};
 pub use kinks::Kink;
 pub(crate) use phase_names::phase_names;
-pub use scope::{Scope, SeriesOutputs};
+pub use scope::{SeriesOutputs, SeriesScope};
 pub use tree::{Paths, recursion};
 
 /// The full equations: the runtime's `Kernel`.
@@ -251,7 +251,7 @@ impl Functions {
             motion.chain(&phase.embedding).chain(&phase.pivots).chain(&phase.energy)
         });
         let held = self.held.iter().flat_map(|HeldMotion { solution, .. }| {
-            let Solution { accelerations, multipliers, pivots } = solution;
+            let HeldSolution { accelerations, multipliers, pivots } = solution;
             accelerations.iter().chain(multipliers).chain(pivots.iter().flatten())
         });
         let quantities = self.quantities.iter().map(|quantity| &quantity.value);

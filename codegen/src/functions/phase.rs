@@ -5,7 +5,7 @@ use super::{Chain, PhaseFunctions, recursion};
 use crate::algebra::{Quotient, Series, Symbol};
 use crate::kinematics::Kinematics;
 use crate::motion::Motion;
-use crate::phases::{Phase, Value};
+use crate::phases::{CoordinateValue, Phase};
 use crate::program::{Id, Lowering, Program, solve_symmetric};
 use crate::system::System;
 
@@ -31,8 +31,8 @@ pub(super) fn functions(
     let energy = [lowering.quotient(&phase.kinetic), lowering.quotient(&phase.potential)];
     let mut lowering = Lowering::new(program, system, &phase.opaque_terms, []);
     let coordinates = phase.coordinates.iter().map(|value| match value {
-        Value::Length(quotient) | Value::Rate(quotient) => lowering.quotient(quotient),
-        Value::Angle(angle) => lowering.angle(angle),
+        CoordinateValue::Length(quotient) | CoordinateValue::Rate(quotient) => lowering.quotient(quotient),
+        CoordinateValue::Angle(angle) => lowering.angle(angle),
     });
     let mut embedding: Vec<Id> = coordinates.collect();
     embedding.extend(phase.rates.iter().map(|rate| lowering.quotient(rate)));

@@ -48,14 +48,14 @@ impl Functions {
 
 /// What the series of a phase are written in terms of.
 #[derive(Clone, Copy, Debug)]
-pub struct Scope<'a> {
+pub struct SeriesScope<'a> {
     /// The phase.
     pub phase: &'a PhaseFunctions,
     /// The program of its functions.
     pub program: &'a Program,
 }
 
-impl Scope<'_> {
+impl SeriesScope<'_> {
     /// The symbol that `id` reads from the state.
     pub fn input(&self, id: Id) -> Option<Symbol> {
         match self.program.operation(id) {

@@ -1,19 +1,22 @@
 //! What moves: bodies, threads, springs, blocks; marks at points.
 
 use super::contacts::solid;
-use super::{Body, Direction, Draft, Look, Round, Section, Solid, Spot, Spring, Thread};
+use super::{
+    DrawnBody, DrawnDirection, DrawnSection, DrawnSpring, DrawnThread, GeometryDraft, Look, Round, Solid,
+    Spot,
+};
 use crate::algebra::Series;
 use crate::system::{Centre, Formula, Guide, OneSided, Point};
 
-impl Draft<'_> {
-    pub(super) fn bodies(&self) -> Vec<Body> {
+impl GeometryDraft<'_> {
+    pub(super) fn bodies(&self) -> Vec<DrawnBody> {
         let points = || self.system.points.iter().enumerate();
         let body = |(i, outline): (usize, &Vec<usize>)| {
             let is_inner = |(index, point): &(usize, &Point)| {
                 point.on.iter().any(|(body, _)| *body == i) && !outline.contains(index)
             };
             let inner = points().filter(is_inner).map(|(index, _)| index).collect();
-            Body { outline: outline.clone(), inner }
+            DrawnBody { outline: outline.clone(), inner }
         };
         self.system.bodies.iter().map(|body| &body.outline).enumerate().map(body).collect()
     }
@@ -46,19 +49,19 @@ impl Draft<'_> {
         Round { centre, radius: self.numbers.length(radius), text: self.text(radius), solid, along }
     }
 
-    pub(super) fn threads(&mut self) -> Vec<Thread> {
+    pub(super) fn threads(&mut self) -> Vec<DrawnThread> {
         let mut threads = Vec::new();
         for support in &self.system.supports {
             if let OneSided::Thread { path, length } = &support.contact {
                 let (name, path) = (support.name.clone(), path.clone());
                 let text = self.text(length);
-                threads.push(Thread { name, path, length: self.numbers.length(length), text });
+                threads.push(DrawnThread { name, path, length: self.numbers.length(length), text });
             }
         }
         threads
     }
 
-    pub(super) fn springs(&self) -> Vec<Spring> {
+    pub(super) fn springs(&self) -> Vec<DrawnSpring> {
         let springs = self.system.springs.iter();
         springs
             .map(|spring| {
@@ -67,7 +70,7 @@ impl Draft<'_> {
                     .filter_map(Formula::as_series)
                     .map(|value| self.text(value))
                     .filter(|text| !text.is_empty());
-                Spring {
+                DrawnSpring {
                     name: spring.name.clone(),
                     ends: spring.ends,
                     coil: spring.stiffness.is_some(),
@@ -79,7 +82,7 @@ impl Draft<'_> {
     }
 
     /// About the point that both bodies have, if there is one.
-    pub(super) fn spirals(&mut self) -> Vec<(usize, Direction)> {
+    pub(super) fn spirals(&mut self) -> Vec<(usize, DrawnDirection)> {
         let mut spirals = Vec::new();
         for torsion in &self.system.torsions {
             let own = self.ends(torsion.body);
@@ -90,14 +93,15 @@ impl Draft<'_> {
         spirals
     }
 
-    pub(super) fn blocks(&mut self) -> Vec<(usize, Direction)> {
+    pub(super) fn blocks(&mut self) -> Vec<(usize, DrawnDirection)> {
         let mut blocks = Vec::new();
         for slider in &self.system.sliders {
             let along = match &slider.guide {
-                Guide::Line { direction, .. } => Direction::Fixed(self.numbers.angle(direction)),
-                Guide::Circle { centre, .. } => {
-                    Direction::Towards(Spot::Fixed(self.numbers.position(centre)), Spot::Point(slider.point))
-                }
+                Guide::Line { direction, .. } => DrawnDirection::Fixed(self.numbers.angle(direction)),
+                Guide::Circle { centre, .. } => DrawnDirection::Towards(
+                    Spot::Fixed(self.numbers.position(centre)),
+                    Spot::Point(slider.point),
+                ),
                 Guide::Axis(body) => self.axis(*body),
             };
             blocks.push((slider.point, along));
@@ -105,11 +109,11 @@ impl Draft<'_> {
         blocks
     }
 
-    pub(super) fn sections(&mut self) -> Vec<Section> {
+    pub(super) fn sections(&mut self) -> Vec<DrawnSection> {
         let mut sections = Vec::new();
         for section in &self.system.sections {
             let (name, at) = (section.name.clone(), self.numbers.length(&section.at));
-            sections.push(Section { name, ends: self.ends(section.body), at });
+            sections.push(DrawnSection { name, ends: self.ends(section.body), at });
         }
         sections
     }

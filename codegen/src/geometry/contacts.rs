@@ -1,21 +1,21 @@
 //! Supports and guides as they stand, and where supports and threads push or pull.
 
-use super::{Direction, Draft, Fixture, Push, Shape, Solid, Spot};
+use super::{DrawnDirection, DrawnShape, Fixture, GeometryDraft, Push, Solid, Spot};
 use crate::system::{Centre, Guide, OneSided};
 
-impl Draft<'_> {
+impl GeometryDraft<'_> {
     /// Supports, then guides.
     pub(super) fn fixtures(&mut self) -> Vec<Fixture> {
         let mut fixtures = Vec::new();
         for support in self.system.supports.iter().filter(|support| !support.two_sided) {
             let (at, shape) = match &support.contact {
                 OneSided::Line { through, direction, .. } => {
-                    (through, Shape::Line { angle: self.numbers.angle(direction), solid: true })
+                    (through, DrawnShape::Line { angle: self.numbers.angle(direction), solid: true })
                 }
-                OneSided::Corner { at, .. } => (at, Shape::Wedge),
+                OneSided::Corner { at, .. } => (at, DrawnShape::Wedge),
                 OneSided::Circle { centre: Centre::Ground(centre), radius, inside, .. } => {
                     let (text, radius) = (self.text(radius), self.numbers.length(radius));
-                    (centre, Shape::Circle { radius, solid: solid(*inside), text })
+                    (centre, DrawnShape::Circle { radius, solid: solid(*inside), text })
                 }
                 OneSided::Circle { .. }
                 | OneSided::Edge { .. }
@@ -29,11 +29,11 @@ impl Draft<'_> {
         for slider in &self.system.sliders {
             let (at, shape) = match &slider.guide {
                 Guide::Line { through, direction } => {
-                    (through, Shape::Line { angle: self.numbers.angle(direction), solid: false })
+                    (through, DrawnShape::Line { angle: self.numbers.angle(direction), solid: false })
                 }
                 Guide::Circle { centre, radius, .. } => {
                     let (text, radius) = (self.text(radius), self.numbers.length(radius));
-                    (centre, Shape::Circle { radius, solid: Solid::Nowhere, text })
+                    (centre, DrawnShape::Circle { radius, solid: Solid::Nowhere, text })
                 }
                 Guide::Axis(_) => continue,
             };
@@ -52,7 +52,7 @@ impl Draft<'_> {
                 |at, along, turns, slip| Push { support: support.name.clone(), at, rim, along, turns, slip };
             match &support.contact {
                 OneSided::Line { point, direction, .. } => {
-                    let along = Direction::Fixed(self.numbers.angle(direction));
+                    let along = DrawnDirection::Fixed(self.numbers.angle(direction));
                     pushes.push(push(Spot::Point(*point), along, 1, -sense));
                 }
                 OneSided::Corner { body, at, side } => {
@@ -65,7 +65,7 @@ impl Draft<'_> {
                     let turns = if *side > 0 { 1 } else { 3 };
                     pushes.push(push(
                         Spot::Point(*point),
-                        Direction::Towards(from, to),
+                        DrawnDirection::Towards(from, to),
                         turns,
                         -side * sense,
                     ));
@@ -77,7 +77,7 @@ impl Draft<'_> {
                     };
                     let at = Spot::Point(*point);
                     let (turns, slip) = if *inside { (2, -sense) } else { (0, sense) };
-                    pushes.push(push(at, Direction::Towards(centre, at), turns, slip));
+                    pushes.push(push(at, DrawnDirection::Towards(centre, at), turns, slip));
                 }
                 OneSided::Stop { point, body, is_last } => {
                     let (along, turns) = (self.axis(*body), if *is_last { 2 } else { 0 });
@@ -88,7 +88,7 @@ impl Draft<'_> {
                     let last = path.len() - 1;
                     for (end, next) in [(0, 1), (last, last - 1)] {
                         let [at, to] = [path[end], path[next]].map(Spot::Point);
-                        pushes.push(push(at, Direction::Towards(at, to), 0, 0));
+                        pushes.push(push(at, DrawnDirection::Towards(at, to), 0, 0));
                     }
                 }
             }

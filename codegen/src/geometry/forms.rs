@@ -13,7 +13,7 @@ pub enum Spot {
 
 /// A direction.
 #[derive(Clone, Copy, Debug)]
-pub enum Direction {
+pub enum DrawnDirection {
     /// At an angle.
     Fixed(Number),
     /// From one place to another.
@@ -24,7 +24,7 @@ pub enum Direction {
 
 /// A rigid body.
 #[derive(Clone, Debug)]
-pub struct Body {
+pub struct DrawnBody {
     /// Its ends or corners.
     pub outline: Vec<usize>,
     /// Its other points.
@@ -43,7 +43,7 @@ pub struct Round {
     /// What it bounds.
     pub solid: Solid,
     /// A direction that turns with it.
-    pub along: Option<Direction>,
+    pub along: Option<DrawnDirection>,
 }
 
 /// Where a circle bounds something solid.
@@ -59,7 +59,7 @@ pub enum Solid {
 
 /// A thread.
 #[derive(Clone, Debug)]
-pub struct Thread {
+pub struct DrawnThread {
     /// Its name.
     pub name: String,
     /// Its points from end to end.
@@ -72,7 +72,7 @@ pub struct Thread {
 
 /// A coil, a dashpot or both.
 #[derive(Clone, Debug)]
-pub struct Spring {
+pub struct DrawnSpring {
     /// Its name.
     pub name: String,
     /// Its ends.
@@ -110,12 +110,12 @@ pub struct Fixture {
     /// A place of it.
     pub at: [Number; 2],
     /// Its shape.
-    pub shape: Shape,
+    pub shape: DrawnShape,
 }
 
 /// Shapes of a [`Fixture`].
 #[derive(Clone, Debug)]
-pub enum Shape {
+pub enum DrawnShape {
     /// A straight line, or the edge of something solid to its right.
     Line {
         /// Its angle.
@@ -138,7 +138,7 @@ pub enum Shape {
 
 /// A section of a bar.
 #[derive(Clone, Debug)]
-pub struct Section {
+pub struct DrawnSection {
     /// Its name.
     pub name: String,
     /// Ends of the bar.
@@ -149,7 +149,7 @@ pub struct Section {
 
 /// What a coordinate measures.
 #[derive(Clone, Copy, Debug)]
-pub enum Reading {
+pub enum DrawnReading {
     /// An angle.
     Angle {
         /// The point at which it is shown.
@@ -157,7 +157,7 @@ pub enum Reading {
         /// The other end of the bar.
         tip: usize,
         /// What it is measured from.
-        from: Direction,
+        from: DrawnDirection,
         /// Whether the bar is read from the tip to the vertex.
         against: bool,
         /// ±1.
@@ -195,7 +195,7 @@ pub struct Push {
     /// How far the rim is from there, against the reaction.
     pub rim: Option<Number>,
     /// A direction of the contact.
-    pub along: Direction,
+    pub along: DrawnDirection,
     /// Quarter turns from it to the reaction.
     pub turns: u8,
     /// The quarter turn from there to the tangential reaction; 0 for none.

@@ -1,24 +1,24 @@
 //! What coordinates measure, and the lengths of bars.
 
-use super::{Direction, Draft, Length, Reading};
+use super::{DrawnDirection, DrawnReading, GeometryDraft, Length};
 use crate::system::{CoordinateKind, OneSided, Reference};
 
-impl Draft<'_> {
-    pub(super) fn reading(&mut self, kind: &CoordinateKind) -> Reading {
+impl GeometryDraft<'_> {
+    pub(super) fn reading(&mut self, kind: &CoordinateKind) -> DrawnReading {
         match kind {
             CoordinateKind::Position { point, axis, sign } => {
-                Reading::Position { point: *point, axis: *axis, sign: *sign }
+                DrawnReading::Position { point: *point, axis: *axis, sign: *sign }
             }
             CoordinateKind::Angle { body, reference, sign } => {
                 let (from, on_ground) = match reference {
-                    Reference::Ground(angle) => (Direction::Fixed(self.numbers.angle(angle)), true),
+                    Reference::Ground(angle) => (DrawnDirection::Fixed(self.numbers.angle(angle)), true),
                     Reference::Body(other) => (self.axis(*other), false),
                 };
                 let [first, last] = self.ends(*body);
                 let is_bar = self.system.bodies[*body].outline.len() == 2;
                 let against = on_ground && is_bar && self.rank(last) > self.rank(first);
                 let (vertex, tip) = if against { (last, first) } else { (first, last) };
-                Reading::Angle { vertex, tip, from, against, sign: *sign }
+                DrawnReading::Angle { vertex, tip, from, against, sign: *sign }
             }
         }
     }

@@ -17,7 +17,8 @@ use crate::kinematics::Coordinate;
 use crate::system::System;
 
 pub use forms::{
-    Body, Direction, Fixture, Length, Look, Push, Reading, Round, Section, Shape, Solid, Spot, Spring, Thread,
+    DrawnBody, DrawnDirection, DrawnReading, DrawnSection, DrawnShape, DrawnSpring, DrawnThread, Fixture,
+    Length, Look, Push, Round, Solid, Spot,
 };
 pub use numbers::{Number, Numbers, Value};
 
@@ -25,25 +26,25 @@ pub use numbers::{Number, Numbers, Value};
 #[derive(Clone, Debug)]
 pub struct Geometry {
     /// Outline and other points of each body.
-    pub bodies: Vec<Body>,
+    pub bodies: Vec<DrawnBody>,
     /// Discs, and circles that move.
     pub rounds: Vec<Round>,
     /// Threads.
-    pub threads: Vec<Thread>,
+    pub threads: Vec<DrawnThread>,
     /// Springs and dampers.
-    pub springs: Vec<Spring>,
+    pub springs: Vec<DrawnSpring>,
     /// Torsion springs: the point, and where the inner end points.
-    pub spirals: Vec<(usize, Direction)>,
+    pub spirals: Vec<(usize, DrawnDirection)>,
     /// Blocks: the point, and the direction in which it slides.
-    pub blocks: Vec<(usize, Direction)>,
+    pub blocks: Vec<(usize, DrawnDirection)>,
     /// Marks at points.
     pub marks: Vec<(usize, Look)>,
     /// What stands still.
     pub fixtures: Vec<Fixture>,
     /// Sections of bars.
-    pub sections: Vec<Section>,
+    pub sections: Vec<DrawnSection>,
     /// What each coordinate measures.
-    pub readings: Vec<Reading>,
+    pub readings: Vec<DrawnReading>,
     /// Lengths of bars, each once.
     pub lengths: Vec<Length>,
     /// Where supports and threads push or pull.
@@ -55,7 +56,7 @@ pub struct Geometry {
 }
 
 /// The system, and the numbers so far.
-struct Draft<'a> {
+struct GeometryDraft<'a> {
     system: &'a System,
     numbers: Numbers,
 }
@@ -63,7 +64,7 @@ struct Draft<'a> {
 impl Geometry {
     /// Of a system with its coordinates.
     pub fn from_system(system: &System, coordinates: &[Coordinate]) -> Self {
-        let mut draft = Draft { system, numbers: Numbers::default() };
+        let mut draft = GeometryDraft { system, numbers: Numbers::default() };
         Self {
             bodies: draft.bodies(),
             rounds: draft.rounds(),
@@ -83,18 +84,18 @@ impl Geometry {
     }
 }
 
-impl Draft<'_> {
+impl GeometryDraft<'_> {
     /// The first and the last point of a body.
     fn ends(&self, body: usize) -> [usize; 2] {
         [self.system.bodies[body].from, self.system.bodies[body].to]
     }
 
     /// The first axis of a body's frame.
-    fn axis(&mut self, body: usize) -> Direction {
+    fn axis(&mut self, body: usize) -> DrawnDirection {
         let [from, to] = self.ends(body);
         match self.system.oblique(body) {
-            Some(step) => Direction::Axis([from, to], self.numbers.position(&step)),
-            None => Direction::Towards(Spot::Point(from), Spot::Point(to)),
+            Some(step) => DrawnDirection::Axis([from, to], self.numbers.position(&step)),
+            None => DrawnDirection::Towards(Spot::Point(from), Spot::Point(to)),
         }
     }
 

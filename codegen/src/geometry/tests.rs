@@ -1,6 +1,6 @@
 //! Kinds and the forms that they become.
 
-use super::{Direction, Geometry, Look, Reading, Shape, Solid, Spot, Value};
+use super::{DrawnDirection, DrawnReading, DrawnShape, Geometry, Look, Solid, Spot, Value};
 use crate::algebra::{Series, Symbol};
 use crate::kinematics::Kinematics;
 use crate::resolve;
@@ -43,7 +43,7 @@ fn texts_are_formulas() {
     assert_eq!(texts, ["l", "½ l", ""]);
     assert_eq!(geometry.springs[0].text, "k");
     assert!(geometry.springs[0].coil && geometry.springs[0].dashpot);
-    assert!(matches!(geometry.spirals[..], [(1, Direction::Towards(Spot::Point(1), Spot::Point(2)))]));
+    assert!(matches!(geometry.spirals[..], [(1, DrawnDirection::Towards(Spot::Point(1), Spot::Point(2)))]));
 }
 
 /// A line of the ground is seen, the axis of a bar is a bar already; both have a block.
@@ -56,10 +56,10 @@ fn guides_are_lines_and_blocks() {
          struct Guided { m: f64, l: f64, g: f64 }",
     );
     assert_eq!(geometry.blocks.len(), system.sliders.len());
-    let [(_, Direction::Fixed(angle)), (_, Direction::Towards(..))] = geometry.blocks[..] else {
+    let [(_, DrawnDirection::Fixed(angle)), (_, DrawnDirection::Towards(..))] = geometry.blocks[..] else {
         panic!("{:?}", geometry.blocks)
     };
-    let line = |shape: &Shape| matches!(shape, Shape::Line { angle: same, solid: false } if *same == angle);
+    let line = |shape: &DrawnShape| matches!(shape, DrawnShape::Line { angle: same, solid: false } if *same == angle);
     assert!(matches!(&geometry.fixtures[..], [fixture] if line(&fixture.shape)));
     assert!(geometry.pushes.is_empty());
 }
@@ -74,7 +74,7 @@ fn a_body_is_turned_as_its_frame() {
          struct Hull { m: f64, l: f64, g: f64 }",
     );
     let axes = geometry.readings.iter().filter_map(|reading| match reading {
-        Reading::Angle { from: Direction::Axis([0, 1], step), .. } => Some(*step),
+        DrawnReading::Angle { from: DrawnDirection::Axis([0, 1], step), .. } => Some(*step),
         _ => None,
     });
     let l = system.parameters.iter().position(|name| name == "l").map(Symbol::parameter).unwrap();
@@ -95,7 +95,7 @@ fn threads_pull_at_their_ends() {
     let [p, q, o] = geometry.threads[0].path[..].try_into().map(|[p, o, q]: [usize; 3]| [p, q, o]).unwrap();
     let end = |end| {
         let [at, over] = [end, o].map(Spot::Point);
-        format!("{:?}", (at, Direction::Towards(at, over), 0, 0))
+        format!("{:?}", (at, DrawnDirection::Towards(at, over), 0, 0))
     };
     assert_eq!(ends, [end(p), end(q)]);
     assert!(geometry.marks.contains(&(o, Look::Peg)) && geometry.marks.contains(&(o, Look::Ring)));
@@ -124,7 +124,7 @@ fn discs_are_circles_about_points() {
     assert_eq!((rim("A"), rim("q")), (Some(geometry.rounds[0].radius), Some(geometry.rounds[1].radius)));
     assert_eq!((rim("Q"), rim("p")), (None, None));
     let solids = geometry.fixtures.iter().filter_map(|fixture| match fixture.shape {
-        Shape::Circle { solid, .. } => Some(solid),
+        DrawnShape::Circle { solid, .. } => Some(solid),
         _ => None,
     });
     assert_eq!(solids.collect::<Vec<_>>(), [Solid::Around, Solid::Nowhere]);

@@ -15,12 +15,12 @@ pub(super) enum Unknown {
 
 /// An integer combination of them and a constant.
 #[derive(Clone, Debug)]
-pub(super) struct Affine {
+pub(super) struct AffineAngle {
     pub coefficients: BTreeMap<Unknown, i32>,
     pub constant: Angle,
 }
 
-impl Affine {
+impl AffineAngle {
     pub fn constant(angle: Angle) -> Self {
         Self { coefficients: BTreeMap::new(), constant: angle }
     }

@@ -5,12 +5,12 @@ use std::collections::BTreeMap;
 
 use proc_macro2::Span;
 
-use super::affine::{Affine, Unknown};
+use super::affine::{AffineAngle, Unknown};
 use super::relations::{Relation, Subject, relations};
 use super::{Coordinate, DependentAngle, evaluate_reading, figure_direction};
 use crate::algebra::{Angle, Series, Symbol};
 use crate::syntax::plain;
-use crate::system::{CoordinateKind, Declared, Numbers, Reference, Settled, System};
+use crate::system::{CoordinateKind, Declared, ParameterValues, Reference, Settled, System};
 
 /// A direction's component above this, negative, is taken for zero: far above the rounding of a figure's numbers.
 const NEAR: f64 = 1e-9;
@@ -27,7 +27,7 @@ pub struct Directions {
     pub settled: Vec<Settled>,
 }
 
-type Solved = BTreeMap<Unknown, Affine>;
+type Solved = BTreeMap<Unknown, AffineAngle>;
 
 impl Directions {
     /// Solves all relations of `system`.
@@ -64,7 +64,7 @@ fn eliminate(
             let k = reduced.coefficients[&pivot];
             let mut rest = reduced;
             rest.coefficients.remove(&pivot);
-            (pivot, Affine::constant(Angle::zero()).plus(-k, &rest))
+            (pivot, AffineAngle::constant(Angle::zero()).plus(-k, &rest))
         }
         None => halved(system, &reduced, open).ok_or_else(|| {
             let text = match reduced.coefficients.len() {
@@ -103,7 +103,7 @@ fn settled(constant: &Angle, subject: &Subject, span: Span) -> syn::Result<()> {
 }
 
 /// `2 δ + constant = 0` has two solutions; the nominal figure says which.
-fn halved(system: &System, affine: &Affine, open: &mut Vec<Settled>) -> Option<(Unknown, Affine)> {
+fn halved(system: &System, affine: &AffineAngle, open: &mut Vec<Settled>) -> Option<(Unknown, AffineAngle)> {
     let (&unknown, &k) = affine.coefficients.first_key_value()?;
     let Unknown::Direction(body) = unknown else { return None };
     let quarters = i64::from(affine.constant.quarter_turns());
@@ -112,14 +112,14 @@ fn halved(system: &System, affine: &Affine, open: &mut Vec<Settled>) -> Option<(
         return None;
     }
     let first = -i64::from(k.signum()) * quarters / 2;
-    let nearer = |numbers: &Numbers, quarters: i64| {
+    let nearer = |numbers: &ParameterValues, quarters: i64| {
         let off = quarters as f64 * core::f64::consts::FRAC_PI_2 - figure_direction(system, numbers, body);
         off.cos() >= -NEAR
     };
     let holds = |quarters: &i64| system.samples.iter().all(|numbers| nearer(numbers, *quarters));
     let quarters = [first, first + 2].into_iter().find(holds)?;
     open.extend(system.settled_direction(body, quarters));
-    Some((unknown, Affine::constant(Angle::quarters(quarters))))
+    Some((unknown, AffineAngle::constant(Angle::quarters(quarters))))
 }
 
 fn name(system: &System, solved: &Solved, settled: Vec<Settled>) -> Directions {

@@ -15,7 +15,7 @@ mod start;
 use proc_macro2::Span;
 
 use crate::algebra::{Angle, Series};
-use crate::system::{Body, CoordinateKind, Numbers, Reference, Settled, System};
+use crate::system::{Body, CoordinateKind, ParameterValues, Reference, Settled, System};
 use positions::Placed;
 
 pub use directions::Directions;
@@ -100,7 +100,7 @@ pub enum JointKind {
 
 /// How the bodies hang together: each is reached from a root by one of its points.
 #[derive(Clone, Debug)]
-pub struct Tree {
+pub struct SpanningTree {
     /// The point by which each body is reached.
     pub entry: Vec<usize>,
     /// The body through which each point is reached; none for roots and points of the ground.
@@ -125,7 +125,7 @@ pub struct Kinematics {
     /// Closed loops, further pins, sliders and drives.
     pub joints: Vec<Joint>,
     /// The tree that the loops close.
-    pub tree: Tree,
+    pub tree: SpanningTree,
     /// What the figure said of directions, to be checked with a model's own parameters.
     pub settled: Vec<Settled>,
 }
@@ -178,7 +178,7 @@ impl Kinematics {
 
     /// The direction's reading `q = sign (δ − reference)` evaluated on the nominal figure, with the parameters of a
     /// sample.
-    pub fn nominal(&self, system: &System, numbers: &Numbers) -> Vec<f64> {
+    pub fn nominal(&self, system: &System, numbers: &ParameterValues) -> Vec<f64> {
         self.coordinates.iter().map(|c| evaluate_reading(system, numbers, &c.reading)).collect()
     }
 }
@@ -189,7 +189,7 @@ pub(crate) fn offset(r: &[Series; 2], direction: &Angle, [along, across]: &[Seri
     [&r[0] + &(&(along * &cos) - &(across * &sin)), &r[1] + &(&(along * &sin) + &(across * &cos))]
 }
 
-fn evaluate_reading(system: &System, numbers: &Numbers, reading: &CoordinateKind) -> f64 {
+fn evaluate_reading(system: &System, numbers: &ParameterValues, reading: &CoordinateKind) -> f64 {
     match reading {
         CoordinateKind::Position { point, axis, sign } => {
             f64::from(*sign) * numbers.evaluate(&system.figure[*point][*axis])
@@ -207,7 +207,7 @@ fn evaluate_reading(system: &System, numbers: &Numbers, reading: &CoordinateKind
 }
 
 /// Direction of a body in the nominal figure.
-fn figure_direction(system: &System, numbers: &Numbers, body: usize) -> f64 {
+fn figure_direction(system: &System, numbers: &ParameterValues, body: usize) -> f64 {
     let at = |point: usize, axis: usize| numbers.evaluate(&system.figure[point][axis]);
     let Body { from, to, .. } = system.bodies[body];
     let [across, along] = [1, 0].map(|axis| {

@@ -1,7 +1,7 @@
 //! Positions of the points: each connected component is laid out from a root point and then anchored,
 //! axis by axis, by a pin, by the mirror, by a declared coordinate, or by a coordinate of its own.
 
-use super::{Coordinate, Joint, Tree, offset};
+use super::{Coordinate, Joint, SpanningTree, offset};
 use crate::algebra::{Angle, Rational, Series, Symbol};
 use crate::syntax::plain;
 use crate::system::{CoordinateKind, System};
@@ -10,7 +10,7 @@ use crate::system::{CoordinateKind, System};
 pub(super) struct Placed {
     pub points: Vec<[Series; 2]>,
     pub joints: Vec<Joint>,
-    pub tree: Tree,
+    pub tree: SpanningTree,
 }
 
 pub(super) const AXES: [&str; 2] = ["x", "y"];
@@ -41,7 +41,7 @@ pub(super) fn place_points(
         reached: vec![false; system.points.len()],
         points: vec![None; system.points.len()],
         joints: Vec::new(),
-        tree: Tree {
+        tree: SpanningTree {
             entry: vec![0; system.bodies.len()],
             owner: vec![None; system.points.len()],
             root: vec![0; system.points.len()],
@@ -85,7 +85,7 @@ pub(super) struct Layout<'a> {
     reached: Vec<bool>,
     pub points: Vec<Option<[Series; 2]>>,
     pub joints: Vec<Joint>,
-    tree: Tree,
+    tree: SpanningTree,
     used: Vec<bool>,
 }
 

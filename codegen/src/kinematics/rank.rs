@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use super::Kinematics;
 use crate::algebra::{Series, Symbol};
-use crate::system::{Numbers, System};
+use crate::system::{ParameterValues, System};
 
 /// Rows are independent by rounding of a few dozen operations, far below what random entries
 /// produce by chance.
@@ -14,7 +14,11 @@ const ROUNDING: f64 = 1e-9;
 const ROUGH: f64 = 0.1;
 
 /// Values of parameters and coordinates by symbol.
-pub fn nominal_values(system: &System, numbers: &Numbers, coordinates: &[f64]) -> BTreeMap<Symbol, f64> {
+pub fn nominal_values(
+    system: &System,
+    numbers: &ParameterValues,
+    coordinates: &[f64],
+) -> BTreeMap<Symbol, f64> {
     let parameters = (0..system.parameters.len() + system.constants.len()).map(|i| {
         let symbol = Symbol::parameter(i);
         (symbol, numbers.evaluate(&Series::symbol(symbol)))
@@ -96,7 +100,7 @@ pub(super) fn check_mobility(system: &System, kinematics: &Kinematics) -> syn::R
         errors.for_each(|e| all.combine(e));
         return Err(all);
     }
-    let holds_all = |numbers: &Numbers| {
+    let holds_all = |numbers: &ParameterValues| {
         let values = nominal_values(system, numbers, &kinematics.nominal(system, numbers));
         let rows = jacobian(&equations, &values, n);
         rows.len() - dependent_within(&rows, ROUGH).len() >= n

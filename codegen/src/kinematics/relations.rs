@@ -2,14 +2,14 @@
 
 use proc_macro2::Span;
 
-use super::affine::{Affine, Unknown};
+use super::affine::{AffineAngle, Unknown};
 use crate::algebra::Angle;
 use crate::syntax::plain;
-use crate::system::{CoordinateKind, Direction, Reference, System};
+use crate::system::{ConstrainedAngle, CoordinateKind, Reference, System};
 
 /// `affine = 0`.
 pub(super) struct Relation {
-    pub affine: Affine,
+    pub affine: AffineAngle,
     /// What it is solved for, where that has a unit coefficient.
     pub preferred: Option<Unknown>,
     pub subject: Subject,
@@ -32,17 +32,17 @@ pub(super) fn relations(system: &System) -> Vec<Relation> {
         let CoordinateKind::Angle { body, reference, sign } = &coordinate.kind else { return None };
         let direction = Unknown::Direction(*body);
         let base = match reference {
-            Reference::Ground(angle) => Affine::constant(angle.clone()),
-            Reference::Body(other) => Affine::from_unknown(Unknown::Direction(*other)),
+            Reference::Ground(angle) => AffineAngle::constant(angle.clone()),
+            Reference::Body(other) => AffineAngle::from_unknown(Unknown::Direction(*other)),
         };
-        let affine = Affine::from_unknown(direction)
+        let affine = AffineAngle::from_unknown(direction)
             .plus(-1, &base)
-            .plus(-i32::from(*sign), &Affine::from_unknown(Unknown::Declared(i)));
+            .plus(-i32::from(*sign), &AffineAngle::from_unknown(Unknown::Declared(i)));
         let subject = Subject::Angle;
         Some(Relation { affine, preferred: Some(direction), subject, span: coordinate.name.span() })
     });
     let equal = system.equal.iter().map(|equal| Relation {
-        affine: Affine::constant(Angle::zero())
+        affine: AffineAngle::constant(Angle::zero())
             .plus(equal.factors[0], &unknown(&equal.left))
             .plus(-equal.factors[1], &unknown(&equal.right)),
         preferred: None,
@@ -58,12 +58,12 @@ pub(super) fn relations(system: &System) -> Vec<Relation> {
 fn welded(system: &System) -> impl Iterator<Item = Relation> + '_ {
     system.welds.iter().map(|weld| {
         let direction = Unknown::Direction(weld.body);
-        let own = Affine::from_unknown(direction).plus(-1, &Affine::constant(weld.angle.clone()));
+        let own = AffineAngle::from_unknown(direction).plus(-1, &AffineAngle::constant(weld.angle.clone()));
         let name = |body: usize| &system.bodies[body].name;
         let (affine, subject) = match weld.to {
             None => (own, format!("the direction of `{}`", name(weld.body))),
             Some(other) => (
-                own.plus(-1, &Affine::from_unknown(Unknown::Direction(other))),
+                own.plus(-1, &AffineAngle::from_unknown(Unknown::Direction(other))),
                 format!("the weld of `{}` to `{}`", name(weld.body), name(other)),
             ),
         };
@@ -71,10 +71,10 @@ fn welded(system: &System) -> impl Iterator<Item = Relation> + '_ {
     })
 }
 
-fn label(system: &System, (factor, direction): (i32, &Direction)) -> String {
+fn label(system: &System, (factor, direction): (i32, &ConstrainedAngle)) -> String {
     let name = match direction {
-        Direction::Body(body) => format!("angle({})", system.bodies[*body].name),
-        Direction::Coordinate(i) => plain(&system.coordinates[*i].name),
+        ConstrainedAngle::Body(body) => format!("angle({})", system.bodies[*body].name),
+        ConstrainedAngle::Coordinate(i) => plain(&system.coordinates[*i].name),
     };
     match factor {
         1 => name,
@@ -83,10 +83,10 @@ fn label(system: &System, (factor, direction): (i32, &Direction)) -> String {
     }
 }
 
-fn unknown(direction: &Direction) -> Affine {
-    Affine::from_unknown(match direction {
-        Direction::Body(body) => Unknown::Direction(*body),
-        Direction::Coordinate(i) => Unknown::Declared(*i),
+fn unknown(direction: &ConstrainedAngle) -> AffineAngle {
+    AffineAngle::from_unknown(match direction {
+        ConstrainedAngle::Body(body) => Unknown::Direction(*body),
+        ConstrainedAngle::Coordinate(i) => Unknown::Declared(*i),
     })
 }
 
@@ -95,9 +95,9 @@ fn mirrored(system: &System) -> impl Iterator<Item = Relation> + '_ {
     system.mirror.iter().flat_map(|mirror| {
         mirror.bodies.iter().enumerate().filter(|(body, (image, _))| body <= image).map(
             |(body, &(image, _))| Relation {
-                affine: Affine::from_unknown(Unknown::Direction(body))
-                    .plus(1, &Affine::from_unknown(Unknown::Direction(image)))
-                    .plus(-1, &Affine::constant(mirror.sum_of_directions(body))),
+                affine: AffineAngle::from_unknown(Unknown::Direction(body))
+                    .plus(1, &AffineAngle::from_unknown(Unknown::Direction(image)))
+                    .plus(-1, &AffineAngle::constant(mirror.sum_of_directions(body))),
                 preferred: None,
                 subject: Subject::Angle,
                 span: mirror.span,

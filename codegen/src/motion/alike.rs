@@ -77,12 +77,12 @@ pub(super) fn classes(inertias: &[Inertia], coordinate: usize) -> Vec<Class> {
 }
 
 /// Sums of several values of each body over sets of bodies, each found from the largest that is known within it.
-pub(super) struct Sums<const K: usize> {
+pub(super) struct BodySums<const K: usize> {
     of: Vec<[Series; K]>,
     known: BTreeMap<Bodies, [Series; K]>,
 }
 
-impl<const K: usize> Sums<K> {
+impl<const K: usize> BodySums<K> {
     /// Of these values of each body.
     pub fn from_values(values: impl Iterator<Item = [Series; K]>) -> Self {
         Self { of: values.collect(), known: BTreeMap::new() }

@@ -7,13 +7,13 @@ use super::action::{Action, Scene};
 use super::dot;
 use super::expression::OpaqueTerms;
 use super::feeler::{self, Feeler};
-use super::measured::{Measured, Sliding, inverse, slips};
+use super::measured::{Measured, TangentSlip, inverse, slips};
 use super::row::{Row, bias};
 use crate::algebra::{Rational, Series};
 use crate::system::{Centre, Support};
 
 /// A circle of which the gap is measured.
-pub(super) struct Ring<'a> {
+pub(super) struct MeasuredCircle<'a> {
     pub centre: &'a Centre,
     pub radius: &'a Series,
     pub reach: &'a Series,
@@ -25,7 +25,7 @@ pub(super) fn measure(
     opaque_terms: &mut OpaqueTerms,
     support: &Support,
     point: usize,
-    ring: &Ring,
+    ring: &MeasuredCircle,
 ) -> Measured {
     let n = scene.n();
     let feeler = Feeler::new(support, point);
@@ -42,7 +42,7 @@ pub(super) fn measure(
     let tangent = [-&outwards[1], outwards[0].clone()];
     let push = outwards.map(|part| part.scale(Rational::integer(sign.into())));
     let spins: Vec<(usize, Series)> = feeler.spin(-sign).into_iter().chain(turns).collect();
-    let slip = Sliding { spins: &spins, ..Sliding::new(&arm, &tangent) };
+    let slip = TangentSlip { spins: &spins, ..TangentSlip::new(&arm, &tangent) };
     let half = Rational::new(sign.into(), 2);
     let mut row = Row::from_gap(&(&bulge * &inverse).scale(half), n);
     // The opaque term of a length is a constant.

@@ -29,14 +29,14 @@ pub struct Contact {
     /// Slips of its members that are rough or have friction.
     pub tangents: Vec<Tangent>,
     /// Its coefficients of friction; it has one tangent then.
-    pub friction: Option<Friction>,
+    pub friction: Option<FrictionCoefficients>,
     /// The forces of a unit reaction of each support.
     pub actions: Vec<Vec<Action>>,
 }
 
 /// Coefficients of Coulomb friction at a state.
 #[derive(Clone, Debug)]
-pub struct Friction {
+pub struct FrictionCoefficients {
     /// μ.
     pub kinetic: Series,
     /// μₛ.
@@ -189,11 +189,11 @@ fn friction(
     opaque_terms: &mut OpaqueTerms,
     support: &Support,
     tangent: Option<&Row>,
-) -> Option<Friction> {
+) -> Option<FrictionCoefficients> {
     let (declared, tangent) = (support.friction.as_ref()?, tangent?);
     let kinetic = Expression::of_slip(&declared.kinetic, scene.system, scene.kinematics, &tangent.velocity());
     let kinetic = opaque_terms.symbol(&format!("μ_{}", support.name), kinetic);
-    Some(Friction { kinetic, limit: declared.limit.clone() })
+    Some(FrictionCoefficients { kinetic, limit: declared.limit.clone() })
 }
 
 fn same_foot(a: &Option<Foot>, b: &Option<Foot>) -> bool {

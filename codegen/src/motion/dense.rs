@@ -1,7 +1,7 @@
 //! M, h and Q, every entry written out.
 
 use super::action::Scene;
-use super::alike::{self, Class, Sums};
+use super::alike::{self, BodySums, Class};
 use super::{Inertia, Motion, bias, dot, overflow};
 use crate::algebra::{Rational, Series, Symbol};
 
@@ -60,8 +60,8 @@ impl Dense {
     fn inertias(&mut self, inertias: &[Inertia], gravity: Option<&[Series; 2]>) {
         let n = self.forces.len();
         let mut masses =
-            Sums::from_values(inertias.iter().map(|body| [body.mass.clone(), body.inertia.clone()]));
-        let mut biases = Sums::from_values(inertias.iter().map(|body| {
+            BodySums::from_values(inertias.iter().map(|body| [body.mass.clone(), body.inertia.clone()]));
+        let mut biases = BodySums::from_values(inertias.iter().map(|body| {
             let bias = body.centre.each_ref().map(|x| bias(x, n));
             bias.map(|x| &body.mass * &x)
         }));
@@ -114,7 +114,7 @@ impl<'a> Momenta<'a> {
     }
 
     /// Along the classes of another coordinate: what the two have in common of M.
-    fn along(&self, others: &[Class], masses: &mut Sums<2>) -> Series {
+    fn along(&self, others: &[Class], masses: &mut BodySums<2>) -> Series {
         let mut sum = Series::zero();
         for other in others {
             let common = self.class.bodies.common(&other.bodies);

@@ -5,7 +5,7 @@
 use super::action::Scene;
 use super::dot;
 use super::feeler::{self, Feeler};
-use super::measured::{Foot, Measured, Sliding, slips};
+use super::measured::{Foot, Measured, TangentSlip, slips};
 use super::row::Row;
 use crate::algebra::{Rational, Series};
 use crate::kinematics::offset;
@@ -26,7 +26,7 @@ pub(super) fn measure(scene: &Scene, support: &Support, point: usize, edge: &Edg
     // ė · ṡ of the slip e · ṡ, ė = δ̇ n.
     let turning = &direction.rate() * &dot(&across, &span.each_ref().map(Series::rate));
     let spins: Vec<(usize, Series)> = feeler.spin(side).into_iter().collect();
-    let slip = Sliding { span: &span, tangent: &along, spins: &spins, bias: turning };
+    let slip = TangentSlip { span: &span, tangent: &along, spins: &spins, bias: turning };
     let push = across.each_ref().map(|part| part.scale(sign));
     let pair = |force: [Series; 2]| {
         let back = force.each_ref().map(|part| -part);

@@ -7,7 +7,7 @@
 
 use super::action::{Action, Holder, Scene, normal};
 use super::expression::OpaqueTerms;
-use super::parts::Part;
+use super::parts::CutSide;
 use super::{Motion, Products, Vector, driving};
 use crate::algebra::{Rational, Series, Symbol};
 use crate::kinematics::JointKind;
@@ -113,7 +113,7 @@ impl<'a> Forces<'a> {
     }
 
     /// F of a part.
-    pub fn force(&self, opaque_terms: &mut OpaqueTerms, part: &Part) -> Vector {
+    pub fn force(&self, opaque_terms: &mut OpaqueTerms, part: &CutSide) -> Vector {
         let mut force = [Series::zero(), Series::zero()];
         for inertia in part.inertias(&self.scene, opaque_terms, &self.motion.inertias) {
             let pull = self.lift(&inertia.centre);
@@ -131,7 +131,7 @@ impl<'a> Forces<'a> {
         let tree = &self.scene.kinematics.tree;
         let count = self.scene.system.bodies.len();
         let mut carried: Vec<Vector> =
-            (0..count).map(|body| self.force(opaque_terms, &Part::alone(body))).collect();
+            (0..count).map(|body| self.force(opaque_terms, &CutSide::alone(body))).collect();
         let depth = |mut body: usize| {
             let holder = |body: usize| tree.owner[tree.entry[body]];
             core::iter::from_fn(|| holder(body).inspect(|&above| body = above)).count()
@@ -149,7 +149,7 @@ impl<'a> Forces<'a> {
     }
 
     /// C of a part about a place.
-    pub fn couple(&self, opaque_terms: &mut OpaqueTerms, part: &Part, about: &Vector) -> Products {
+    pub fn couple(&self, opaque_terms: &mut OpaqueTerms, part: &CutSide, about: &Vector) -> Products {
         let arm = |at: &Vector| [0, 1].map(|axis| &at[axis] - &about[axis]);
         let mut couple = Products::new();
         for inertia in part.inertias(&self.scene, opaque_terms, &self.motion.inertias) {
@@ -177,7 +177,7 @@ impl<'a> Forces<'a> {
 
     /// Whether no couple but those of the loads and drives acts on a part: none of equal angles, none of the ground on a
     /// bar welded to it, and so many welds as said across the cut.
-    pub fn turns_freely(&self, part: &Part, welds: usize) -> bool {
+    pub fn turns_freely(&self, part: &CutSide, welds: usize) -> bool {
         let system = self.scene.system;
         let holds = |body: usize| part.holds(Holder::Body(body));
         let grounded = system.welds.iter().any(|weld| weld.to.is_none() && holds(weld.body));
@@ -186,7 +186,7 @@ impl<'a> Forces<'a> {
     }
 
     /// Whether all forces on a part are known.
-    pub fn is_determined(&self, part: &Part) -> bool {
+    pub fn is_determined(&self, part: &CutSide) -> bool {
         !self.undetermined.iter().any(|&on| part.holds(on))
     }
 }

@@ -19,10 +19,10 @@
 //! quarter turn counter-clockwise from the radius.
 
 use super::action::{Action, Scene, normal, unit};
-use super::circle::{self, Ring};
+use super::circle::{self, MeasuredCircle};
 use super::expression::{Expression, OpaqueTerms};
 use super::feeler::Feeler;
-use super::measured::{Foot, Measured, Sliding, slips};
+use super::measured::{Foot, Measured, TangentSlip, slips};
 use super::row::{Row, bias};
 use super::{dot, driving, edge, hinge, stop, thread};
 use crate::algebra::{Rational, Series, Symbol};
@@ -50,7 +50,8 @@ fn at_rest(scene: &Scene, opaque_terms: &mut OpaqueTerms, support: &Support) -> 
             let row = Row::from_gap(&feeler.less_radius(height(&points[*point], through, direction)), n);
             let (tangent, across) = (unit(direction), normal(direction));
             let spins: Vec<(usize, Series)> = feeler.spin(1).into_iter().collect();
-            let slip = Sliding { spins: &spins, ..Sliding::new(&points[*point], &tangent) }.row(scene);
+            let slip =
+                TangentSlip { spins: &spins, ..TangentSlip::new(&points[*point], &tangent) }.row(scene);
             let force = |force: [Series; 2]| vec![feeler.bear(scene, &across, force)];
             let actions = [force(across.clone()), force(tangent)];
             Measured { row, foot: None, tangent: slips(support).then_some(slip), actions }
@@ -60,7 +61,7 @@ fn at_rest(scene: &Scene, opaque_terms: &mut OpaqueTerms, support: &Support) -> 
             edge::measure(scene, support, *point, side, *sign)
         }
         OneSided::Circle { point, centre, radius, reach, inside } => {
-            let ring = Ring { centre, radius, reach, inside: *inside };
+            let ring = MeasuredCircle { centre, radius, reach, inside: *inside };
             circle::measure(scene, opaque_terms, support, *point, &ring)
         }
         OneSided::Stop { point, body, is_last } => stop::measure(scene, *point, *body, *is_last),

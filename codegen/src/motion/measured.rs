@@ -39,14 +39,14 @@ pub(super) fn slips(support: &Support) -> bool {
 }
 
 /// What slips along a tangent: `t · ẋ + Σ c ω`, and what its rate is without accelerations beside `t · ẍ`.
-pub(super) struct Sliding<'a> {
+pub(super) struct TangentSlip<'a> {
     pub span: &'a [Series; 2],
     pub tangent: &'a [Series; 2],
     pub spins: &'a [(usize, Series)],
     pub bias: Series,
 }
 
-impl<'a> Sliding<'a> {
+impl<'a> TangentSlip<'a> {
     /// Along a tangent that does not turn, or turns with what slips alone: `ṫ · ẋ = 0`.
     pub fn new(span: &'a [Series; 2], tangent: &'a [Series; 2]) -> Self {
         Self { span, tangent, spins: &[], bias: Series::zero() }

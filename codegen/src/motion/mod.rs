@@ -33,7 +33,7 @@ use expression::OpaqueTerms;
 use forces::Forces;
 
 pub use action::{Action, Holder, Scene};
-pub use contacts::{Contact, Friction, Tangent};
+pub use contacts::{Contact, FrictionCoefficients, Tangent};
 pub use dense::Dense;
 pub use expression::{Expression, OpaqueTerm};
 pub use loads::Loads;

@@ -9,16 +9,16 @@ use crate::system::{Body, Section};
 
 /// One side of a cut.
 #[derive(Clone, Debug)]
-pub(super) struct Part {
+pub(super) struct CutSide {
     /// What belongs to it, and how much: 1, or 0 or 1 by a sign that the parameters decide.
     holders: Vec<(Holder, Series)>,
     /// The bar that is cut, and where.
-    pub piece: Option<Piece>,
+    pub piece: Option<BarPiece>,
 }
 
 /// A piece of a uniform bar.
 #[derive(Clone, Debug)]
-pub(super) struct Piece {
+pub(super) struct BarPiece {
     pub body: usize,
     /// Where it is cut, from the bar's first point.
     pub at: Series,
@@ -26,7 +26,7 @@ pub(super) struct Piece {
     pub far: bool,
 }
 
-impl Part {
+impl CutSide {
     /// A body alone.
     pub fn alone(body: usize) -> Self {
         Self { holders: vec![(Holder::Body(body), Series::one())], piece: None }
@@ -42,7 +42,7 @@ impl Part {
     /// the parameters decide which that is, each with how much it counts.
     pub fn section(scene: &Scene, opaque_terms: &mut OpaqueTerms, section: &Section) -> Vec<(Self, Series)> {
         let entry = &scene.system.local(section.body, scene.kinematics.tree.entry[section.body])[0];
-        let pieces = [true, false].map(|far| Piece { body: section.body, at: section.at.clone(), far });
+        let pieces = [true, false].map(|far| BarPiece { body: section.body, at: section.at.clone(), far });
         let parts = pieces.into_iter().map(|piece| {
             let held = piece.share(scene, opaque_terms, entry);
             (Self::derive(scene, opaque_terms, piece), &Series::one() - &held)
@@ -50,7 +50,7 @@ impl Part {
         parts.filter(|(_, counts)| !counts.is_zero()).collect()
     }
 
-    fn derive(scene: &Scene, opaque_terms: &mut OpaqueTerms, piece: Piece) -> Self {
+    fn derive(scene: &Scene, opaque_terms: &mut OpaqueTerms, piece: BarPiece) -> Self {
         let tree = &scene.kinematics.tree;
         let mut holders = Vec::new();
         for body in hanging(scene, |point| tree.owner[point] == Some(piece.body)) {
@@ -117,7 +117,7 @@ fn hanging<'a>(scene: &Scene<'a>, through: impl Fn(usize) -> bool + 'a) -> impl 
     entry.iter().enumerate().filter(move |(_, point)| through(**point)).map(|(body, _)| body)
 }
 
-impl Piece {
+impl BarPiece {
     fn bar<'a>(&self, scene: &Scene<'a>) -> &'a Body {
         &scene.system.bodies[self.body]
     }

@@ -4,7 +4,7 @@ use super::Vector;
 use super::action::{Holder, Scene, normal, unit};
 use super::expression::{Expression, OpaqueTerms};
 use super::forces::{Forces, moment, multiplier};
-use super::parts::Part;
+use super::parts::CutSide;
 use super::{Motion, Products, Quantity, QuantityKind, dot};
 use crate::algebra::Series;
 use crate::kinematics::JointKind;
@@ -106,7 +106,7 @@ impl Forces<'_> {
                 continue;
             }
             let entering: Vec<usize> = (0..system.bodies.len()).filter(|&b| tree.entry[b] == point).collect();
-            let parts = || entering.iter().map(|&body| Part::beyond(&self.scene, body));
+            let parts = || entering.iter().map(|&body| CutSide::beyond(&self.scene, body));
             if !parts().all(|part| self.is_determined(&part)) {
                 continue;
             }
@@ -160,7 +160,7 @@ impl Forces<'_> {
                 tree.entry[*body] == point && tree.owner[point].is_some_and(|o| o == weld.body || o == other)
             });
             let Some((body, sign)) = below else { continue };
-            let part = Part::beyond(&self.scene, body);
+            let part = CutSide::beyond(&self.scene, body);
             if self.is_determined(&part) && self.turns_freely(&part, 1) {
                 let couple = self.couple(opaque_terms, &part, &self.scene.kinematics.points[point]);
                 let names = [other, weld.body].map(|body| system.bodies[body].name.as_str()).join(", ");
@@ -173,7 +173,7 @@ impl Forces<'_> {
     fn sections(&self, opaque_terms: &mut OpaqueTerms, named: &mut Vec<Quantity<Products>>) {
         let scene = &self.scene;
         for section in &scene.system.sections {
-            let parts = Part::section(scene, opaque_terms, section);
+            let parts = CutSide::section(scene, opaque_terms, section);
             if !parts.iter().all(|(part, _)| self.is_determined(part)) {
                 continue;
             }

@@ -39,12 +39,12 @@ pub struct Measure {
     /// Its kind.
     pub kind: MeasureKind,
     /// Its value.
-    pub value: Value,
+    pub value: MeasureValue,
 }
 
 /// What a measure is of the numbers.
 #[derive(Clone, Debug)]
-pub enum Value {
+pub enum MeasureValue {
     /// One of them.
     Number(usize),
     /// One over another.

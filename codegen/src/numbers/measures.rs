@@ -1,7 +1,7 @@
 //! Physical quantities of a model, and what its figure settled, each as a number to be checked.
 
-use super::Numbers;
-use super::measure::{Measure, MeasureKind, Value};
+use super::ParameterProgram;
+use super::measure::{Measure, MeasureKind, MeasureValue};
 use super::settled::Open;
 use crate::Analysis;
 use crate::algebra::Series;
@@ -12,7 +12,7 @@ use crate::system::{Guide, Spring, Support};
 #[derive(Clone, Debug)]
 pub struct Measures {
     /// What they are made of.
-    pub numbers: Numbers,
+    pub numbers: ParameterProgram,
     /// One by one.
     pub entries: Vec<Measure>,
     /// Whether some of them need the coordinates of the figure.
@@ -23,13 +23,13 @@ impl Measures {
     pub(super) fn lower(analysis: &Analysis) -> Self {
         let all = physical(analysis);
         let open = Open::new(analysis);
-        let numbers = Numbers::lower(&analysis.system, |lowering| {
+        let numbers = ParameterProgram::lower(&analysis.system, |lowering| {
             let values: Vec<Id> = all.iter().map(|(_, _, value)| lowering.series(value)).collect();
             values.into_iter().chain(open.lowered(lowering)).collect()
         });
         let settled = open.entries(all.len());
         let known = all.into_iter().enumerate();
-        let known = known.map(|(k, (of, kind, _))| Measure { of, kind, value: Value::Number(k) });
+        let known = known.map(|(k, (of, kind, _))| Measure { of, kind, value: MeasureValue::Number(k) });
         let entries = known.chain(settled).collect();
         Self { numbers, entries, reads_figure: open.reads_figure() }
     }

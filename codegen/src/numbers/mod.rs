@@ -12,20 +12,20 @@ use crate::geometry::{self, Geometry};
 use crate::program::{Id, Lowering, Program};
 use crate::system::System;
 
-pub use measure::{Measure, MeasureKind, Turned, Value};
+pub use measure::{Measure, MeasureKind, MeasureValue, Turned};
 pub use measures::Measures;
-pub use nominal::{Direction, Nominal, Reading, Reference};
+pub use nominal::{Nominal, NominalDirection, NominalReading, NominalReference};
 
 /// Values that parameters determine.
 #[derive(Clone, Debug)]
-pub struct Numbers {
+pub struct ParameterProgram {
     /// Their arithmetic.
     pub program: Program,
     /// The values.
     pub ids: Vec<Id>,
 }
 
-impl Numbers {
+impl ParameterProgram {
     fn lower(system: &System, lower: impl FnOnce(&mut Lowering) -> Vec<Id>) -> Self {
         let mut program = Program::default();
         let ids = lower(&mut Lowering::new(&mut program, system, &[], []));
@@ -42,7 +42,7 @@ impl Numbers {
 }
 
 /// Restitution of each contact, then the tangential one of each with friction; none where all are plastic.
-pub fn restitution(analysis: &Analysis) -> Option<Numbers> {
+pub fn restitution(analysis: &Analysis) -> Option<ParameterProgram> {
     let supports = analysis.motion.contacts.iter().map(|contact| contact.support(&analysis.system));
     let frictions = analysis.motion.frictions().map(|(contact, _)| {
         let support = analysis.motion.contacts[contact].support(&analysis.system);
@@ -54,7 +54,7 @@ pub fn restitution(analysis: &Analysis) -> Option<Numbers> {
         return None;
     }
     let zero = Series::zero();
-    Some(Numbers::lower(&analysis.system, |lowering| {
+    Some(ParameterProgram::lower(&analysis.system, |lowering| {
         restitution.iter().map(|e| lowering.series(e.as_ref().unwrap_or(&zero))).collect()
     }))
 }
@@ -70,8 +70,8 @@ pub fn nominal(analysis: &Analysis) -> Nominal {
 }
 
 /// Lengths, angles and places that a drawing refers to.
-pub fn drawn(analysis: &Analysis, geometry: &Geometry) -> Numbers {
-    Numbers::lower(&analysis.system, |lowering| {
+pub fn drawn(analysis: &Analysis, geometry: &Geometry) -> ParameterProgram {
+    ParameterProgram::lower(&analysis.system, |lowering| {
         let value = |value: &geometry::Value| match value {
             geometry::Value::Length(length) => lowering.series(length),
             geometry::Value::Angle(angle) => lowering.angle(angle),

@@ -1,6 +1,6 @@
 //! The coordinates of the nominal figure.
 
-use super::Numbers;
+use super::ParameterProgram;
 use crate::Analysis;
 use crate::program::Id;
 use crate::system::{self, CoordinateKind};
@@ -9,14 +9,14 @@ use crate::system::{self, CoordinateKind};
 #[derive(Clone, Debug)]
 pub struct Nominal {
     /// What they are made of.
-    pub numbers: Numbers,
+    pub numbers: ParameterProgram,
     /// One by one.
-    pub readings: Vec<Reading>,
+    pub readings: Vec<NominalReading>,
 }
 
 /// What a coordinate reads, opposite where it is counted the other way.
 #[derive(Clone, Copy, Debug)]
-pub enum Reading {
+pub enum NominalReading {
     /// A number.
     Position {
         /// Which.
@@ -27,9 +27,9 @@ pub enum Reading {
     /// The angle between two directions.
     Angle {
         /// From where.
-        from: Reference,
+        from: NominalReference,
         /// To where.
-        to: Direction,
+        to: NominalDirection,
         /// Whether it is counted the other way.
         is_opposite: bool,
     },
@@ -37,16 +37,16 @@ pub enum Reading {
 
 /// Where an angle begins.
 #[derive(Clone, Copy, Debug)]
-pub enum Reference {
+pub enum NominalReference {
     /// At a number.
     Ground(usize),
     /// At the direction of a body.
-    Body(Direction),
+    Body(NominalDirection),
 }
 
 /// The direction of a body: between two points, less that of an own line of the body which they are on.
 #[derive(Clone, Copy, Debug)]
-pub struct Direction {
+pub struct NominalDirection {
     /// The numbers of the two points, x and y of each.
     pub seen: [[usize; 2]; 2],
     /// Those of the same points in the body's own frame, where it is oblique.
@@ -58,7 +58,7 @@ impl Nominal {
         let system = &analysis.system;
         let frames: Vec<usize> =
             (0..system.bodies.len()).filter(|&body| system.oblique(body).is_some()).collect();
-        let numbers = Numbers::lower(system, |lowering| {
+        let numbers = ParameterProgram::lower(system, |lowering| {
             let mut ids: Vec<Id> = system.figure.iter().flatten().map(|s| lowering.series(s)).collect();
             for body in &frames {
                 let of = system.local(*body, system.bodies[*body].from);
@@ -80,7 +80,7 @@ impl Nominal {
         let direction = |body: usize| {
             let place = |point: usize| [2 * point, 2 * point + 1];
             let frame = frames.iter().position(|&frame| frame == body).map(|at| locals + 4 * at);
-            Direction {
+            NominalDirection {
                 seen: [place(system.bodies[body].from), place(system.bodies[body].to)],
                 own: frame.map(|k| [[k, k + 1], [k + 2, k + 3]]),
             }
@@ -89,14 +89,14 @@ impl Nominal {
             analysis.kinematics.coordinates.iter().zip(references..).map(|(coordinate, constant)| {
                 match &coordinate.reading {
                     CoordinateKind::Position { point, axis, sign } => {
-                        Reading::Position { number: 2 * point + axis, is_opposite: *sign < 0 }
+                        NominalReading::Position { number: 2 * point + axis, is_opposite: *sign < 0 }
                     }
                     CoordinateKind::Angle { body, reference, sign } => {
                         let from = match reference {
-                            system::Reference::Ground(_) => Reference::Ground(constant),
-                            system::Reference::Body(other) => Reference::Body(direction(*other)),
+                            system::Reference::Ground(_) => NominalReference::Ground(constant),
+                            system::Reference::Body(other) => NominalReference::Body(direction(*other)),
                         };
-                        Reading::Angle { from, to: direction(*body), is_opposite: *sign < 0 }
+                        NominalReading::Angle { from, to: direction(*body), is_opposite: *sign < 0 }
                     }
                 }
             });

@@ -1,9 +1,9 @@
 //! What the figure settled, as measures that are not negative where it holds with a model's own parameters.
 
-use super::measure::{Measure, MeasureKind, Turned, Value};
+use super::measure::{Measure, MeasureKind, MeasureValue, Turned};
 use crate::Analysis;
 use crate::algebra::{Angle, Series, Symbol};
-use crate::phases::Branch;
+use crate::phases::AngleBranch;
 use crate::program::{Id, Lowering};
 use crate::system::{Settled, Settles};
 
@@ -11,15 +11,15 @@ use crate::system::{Settled, Settles};
 pub(super) struct Open<'a> {
     analysis: &'a Analysis,
     lengths: Vec<&'a Settled>,
-    branches: Vec<(String, &'a Branch)>,
+    branches: Vec<(String, &'a AngleBranch)>,
 }
 
 impl<'a> Open<'a> {
     /// Everything that was settled for samples of the parameters.
     pub fn new(analysis: &'a Analysis) -> Self {
-        let mut branches: Vec<(String, &Branch)> = Vec::new();
+        let mut branches: Vec<(String, &AngleBranch)> = Vec::new();
         for elimination in analysis.phases.iter().flat_map(|phase| &phase.eliminated) {
-            let known = |branch: &Branch| branches.iter().any(|(_, other)| *other == branch);
+            let known = |branch: &AngleBranch| branches.iter().any(|(_, other)| *other == branch);
             if let Some(branch) = elimination.branch.as_ref().filter(|branch| !known(branch)) {
                 branches.push((row(analysis, elimination.row), branch));
             }
@@ -54,14 +54,14 @@ impl<'a> Open<'a> {
                 Settles::Direction => MeasureKind::Direction,
             };
             let plain = settled.factor == Series::one();
-            let value = if plain { Value::Number(k) } else { Value::Quotient(k, k + 1) };
+            let value = if plain { MeasureValue::Number(k) } else { MeasureValue::Quotient(k, k + 1) };
             Measure { of: settled.name.clone(), kind, value }
         });
         let lengths: Vec<Measure> = lengths.collect();
         let branches = self.branches.iter().zip((first + 2 * lengths.len()..).step_by(2));
         let branches = branches.map(|((name, branch), k)| {
             let turned = |angle, constant| Turned { constant, terms: self.terms(angle).collect() };
-            let value = Value::Branch([turned(&branch.zero, k), turned(&branch.other, k + 1)]);
+            let value = MeasureValue::Branch([turned(&branch.zero, k), turned(&branch.other, k + 1)]);
             Measure { of: name.clone(), kind: MeasureKind::Branch, value }
         });
         lengths.into_iter().chain(branches).collect()

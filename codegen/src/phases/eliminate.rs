@@ -4,7 +4,7 @@
 
 use std::collections::BTreeMap;
 
-use super::elimination::{Elimination, Value};
+use super::elimination::{CoordinateValue, Elimination};
 use super::rules::{Candidate, cheapest, equal_angles, equal_waves, linear, solved};
 use crate::algebra::{Angle, Quotient, Symbol};
 use crate::kinematics::Kinematics;
@@ -37,9 +37,9 @@ pub(super) fn eliminate(
         }
         for earlier in &mut done {
             earlier.value = match &earlier.value {
-                Value::Length(value) => Value::Length(substituted(value, &found)),
-                Value::Angle(angle) => Value::Angle(turned(angle, &found)),
-                Value::Rate(rate) => Value::Rate(substituted(rate, &found)),
+                CoordinateValue::Length(value) => CoordinateValue::Length(substituted(value, &found)),
+                CoordinateValue::Angle(angle) => CoordinateValue::Angle(turned(angle, &found)),
+                CoordinateValue::Rate(rate) => CoordinateValue::Rate(substituted(rate, &found)),
             };
             earlier.pivot = earlier.pivot.take().map(|p| substituted(&p.into(), &found).numerator().clone());
         }
@@ -48,8 +48,8 @@ pub(super) fn eliminate(
     for &row in rows.iter().filter(|&&row| row >= slips) {
         let found = stick(motion, row, &done, values)?;
         for earlier in &mut done {
-            if let Value::Rate(rate) = &earlier.value {
-                earlier.value = Value::Rate(substituted(rate, &found));
+            if let CoordinateValue::Rate(rate) = &earlier.value {
+                earlier.value = CoordinateValue::Rate(substituted(rate, &found));
             }
         }
         done.push(found);
@@ -68,7 +68,8 @@ fn stick(
     let free = (0..motion.n).filter(|i| done.iter().all(|e| e.coordinate != *i));
     let candidates = free.filter_map(|coordinate| {
         let (value, pivot, cost) = solved(slip.numerator(), Symbol::rate(coordinate), values)?;
-        let elimination = Elimination { coordinate, row, value: Value::Rate(value), pivot, branch: None };
+        let elimination =
+            Elimination { coordinate, row, value: CoordinateValue::Rate(value), pivot, branch: None };
         Some(Candidate { elimination, cost })
     });
     cheapest(candidates)
@@ -76,7 +77,7 @@ fn stick(
 
 /// An expression with everything eliminated replaced; rates twice, as the rate of one may bring in another.
 pub(super) fn substitute_all(expression: &Quotient, eliminated: &[Elimination]) -> Quotient {
-    let rates = eliminated.iter().filter(|e| matches!(e.value, Value::Rate(_)));
+    let rates = eliminated.iter().filter(|e| matches!(e.value, CoordinateValue::Rate(_)));
     eliminated.iter().chain(rates).fold(expression.clone(), |q, e| substituted(&q, e))
 }
 
@@ -84,8 +85,8 @@ pub(super) fn substitute_all(expression: &Quotient, eliminated: &[Elimination]) 
 pub(super) fn substituted(expression: &Quotient, elimination: &Elimination) -> Quotient {
     let index = elimination.coordinate;
     match &elimination.value {
-        Value::Angle(angle) => expression.substitute_angle(Symbol::coordinate(index), angle),
-        Value::Length(value) => {
+        CoordinateValue::Angle(angle) => expression.substitute_angle(Symbol::coordinate(index), angle),
+        CoordinateValue::Length(value) => {
             let mut result = expression.clone();
             let orders = [Symbol::acceleration(index), Symbol::rate(index), Symbol::coordinate(index)];
             for (order, symbol) in orders.into_iter().enumerate() {
@@ -96,7 +97,7 @@ pub(super) fn substituted(expression: &Quotient, elimination: &Elimination) -> Q
             }
             result
         }
-        Value::Rate(value) => {
+        CoordinateValue::Rate(value) => {
             let mut result = expression.clone();
             let rate = Symbol::rate(index);
             if result.depends_on(Symbol::acceleration(index)) {
@@ -112,8 +113,8 @@ pub(super) fn substituted(expression: &Quotient, elimination: &Elimination) -> Q
 
 pub(super) fn turned(angle: &Angle, elimination: &Elimination) -> Angle {
     match &elimination.value {
-        Value::Angle(value) => angle.substitute(Symbol::coordinate(elimination.coordinate), value),
-        Value::Length(_) | Value::Rate(_) => angle.clone(),
+        CoordinateValue::Angle(value) => angle.substitute(Symbol::coordinate(elimination.coordinate), value),
+        CoordinateValue::Length(_) | CoordinateValue::Rate(_) => angle.clone(),
     }
 }
 
@@ -121,11 +122,11 @@ pub(super) fn turned(angle: &Angle, elimination: &Elimination) -> Angle {
 /// number it stands for the sum of what the coordinates stand for.
 pub(super) fn turned_by_all(angle: &Angle, eliminated: &[Elimination]) -> (Angle, i64) {
     let quarters = |elimination: &Elimination| match &elimination.value {
-        Value::Angle(value) => {
+        CoordinateValue::Angle(value) => {
             let coordinate = Symbol::coordinate(elimination.coordinate);
             i64::from(angle.coefficient(coordinate)) * value.signed_quarters()
         }
-        Value::Length(_) | Value::Rate(_) => 0,
+        CoordinateValue::Length(_) | CoordinateValue::Rate(_) => 0,
     };
     let all = angle.signed_quarters() + eliminated.iter().map(quarters).sum::<i64>();
     let found = eliminated.iter().fold(angle.clone(), |angle, elimination| turned(&angle, elimination));

@@ -4,7 +4,7 @@ use crate::algebra::{Angle, Quotient, Series};
 
 /// A coordinate in terms of others.
 #[derive(Clone, Debug)]
-pub enum Value {
+pub enum CoordinateValue {
     /// A length.
     Length(Quotient),
     /// An angle.
@@ -21,16 +21,16 @@ pub struct Elimination {
     /// Index of the row that determines it.
     pub row: usize,
     /// Its value, in terms of the coordinates kept.
-    pub value: Value,
+    pub value: CoordinateValue,
     /// The row's coefficient of the coordinate, where it may be small.
     pub pivot: Option<Series>,
     /// Of an angle that might lie on another branch too, where the figure's parameters say which.
-    pub branch: Option<Branch>,
+    pub branch: Option<AngleBranch>,
 }
 
 /// Two angles of which one vanishes.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Branch {
+pub struct AngleBranch {
     /// The one taken for zero, the nearer to it in the figure.
     pub zero: Angle,
     /// The other.

@@ -17,7 +17,7 @@ use crate::kinematics::{Kinematics, nominal_values};
 use crate::motion::{ClosedSet, Dense, Motion, OpaqueTerm, SEARCHED};
 use crate::system::System;
 
-pub use elimination::{Branch, Elimination, Value};
+pub use elimination::{AngleBranch, CoordinateValue, Elimination};
 
 /// Term operations for all closed forms; those that would need more are left to the projected form.
 const WORK: u64 = 5_000_000;
@@ -38,7 +38,7 @@ pub struct Phase {
     /// What the elimination divides by, where it is not constant.
     pub pivots: Vec<Series>,
     /// Every coordinate in terms of those kept; an eliminated angle is given by [`Value::Angle`] only.
-    pub coordinates: Vec<Value>,
+    pub coordinates: Vec<CoordinateValue>,
     /// Every rate.
     pub rates: Vec<Quotient>,
     /// Every acceleration, in terms of the kept ones.

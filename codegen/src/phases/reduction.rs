@@ -1,7 +1,7 @@
 //! Reduced equations of a contact set from the full ones and the eliminated coordinates.
 
 use super::eliminate::{substitute_all, turned_by_all};
-use super::elimination::{Elimination, Value};
+use super::elimination::{CoordinateValue, Elimination};
 use super::{Phase, Sliding};
 use crate::algebra::{Angle, Quotient, Rational, Series, Symbol};
 use crate::motion::{ClosedSet, Dense, Expression, Motion, OpaqueTerm};
@@ -16,7 +16,7 @@ pub(super) fn reduce(
     set: ClosedSet,
     eliminated: Vec<Elimination>,
 ) -> Option<Phase> {
-    let follows = |e: &&Elimination| !matches!(e.value, Value::Rate(_));
+    let follows = |e: &&Elimination| !matches!(e.value, CoordinateValue::Rate(_));
     let follow: Vec<usize> = eliminated.iter().filter(follows).map(|e| e.coordinate).collect();
     let kept: Vec<usize> = (0..motion.n).filter(|i| !follow.contains(i)).collect();
     let stuck = |i: &usize| eliminated.iter().any(|e| e.coordinate == *i);
@@ -130,10 +130,13 @@ impl Substitution<'_> {
         Some(Sliding { contact, row, kinetic })
     }
 
-    fn coordinate(&self, i: usize) -> Value {
+    fn coordinate(&self, i: usize) -> CoordinateValue {
         match self.eliminated.iter().find(|e| e.coordinate == i) {
-            Some(Elimination { value: value @ (Value::Length(_) | Value::Angle(_)), .. }) => value.clone(),
-            _ => Value::Angle(Angle::from_symbol(Symbol::coordinate(i))),
+            Some(Elimination {
+                value: value @ (CoordinateValue::Length(_) | CoordinateValue::Angle(_)),
+                ..
+            }) => value.clone(),
+            _ => CoordinateValue::Angle(Angle::from_symbol(Symbol::coordinate(i))),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::elimination::{Branch, Elimination, Value};
+use super::elimination::{AngleBranch, CoordinateValue, Elimination};
 use crate::algebra::{Angle, Quotient, Series, Symbol};
 use crate::kinematics::Kinematics;
 
@@ -31,7 +31,8 @@ pub(super) fn linear<'a>(
     let lengths = kinematics.coordinates.iter().enumerate().filter(|(_, c)| !c.is_angle());
     lengths.filter_map(move |(coordinate, _)| {
         let (value, pivot, cost) = solved(gap, Symbol::coordinate(coordinate), nominal)?;
-        let elimination = Elimination { coordinate, row, value: Value::Length(value), pivot, branch: None };
+        let elimination =
+            Elimination { coordinate, row, value: CoordinateValue::Length(value), pivot, branch: None };
         Some(Candidate { elimination, cost })
     })
 }
@@ -123,7 +124,7 @@ pub(super) fn equal_waves(
 }
 
 /// The branch that is the nearer at every sample, and whether by how much depends on the parameters.
-pub(super) fn nearest([a, b]: [Angle; 2], samples: &[BTreeMap<Symbol, f64>]) -> Option<(Branch, bool)> {
+pub(super) fn nearest([a, b]: [Angle; 2], samples: &[BTreeMap<Symbol, f64>]) -> Option<(AngleBranch, bool)> {
     let snapped = |x: f64| if x.abs() < NEAR { 0.0 } else { x };
     let farther = |values| snapped(wrapped_value(&b, values).abs() - wrapped_value(&a, values).abs());
     let by: Vec<f64> = samples.iter().map(farther).collect();
@@ -131,9 +132,9 @@ pub(super) fn nearest([a, b]: [Angle; 2], samples: &[BTreeMap<Symbol, f64>]) -> 
         [&a, &b].into_iter().flat_map(Angle::terms).all(|(symbol, _)| samples[0].contains_key(symbol));
     let open = known && by.iter().any(|x| snapped(x - by[0]) != 0.0);
     if by.iter().all(|x| *x >= 0.0) {
-        Some((Branch { zero: a, other: b }, open))
+        Some((AngleBranch { zero: a, other: b }, open))
     } else {
-        by.iter().all(|x| *x <= 0.0).then_some((Branch { zero: b, other: a }, open))
+        by.iter().all(|x| *x <= 0.0).then_some((AngleBranch { zero: b, other: a }, open))
     }
 }
 
@@ -143,7 +144,7 @@ fn solve_angle(kinematics: &Kinematics, row: usize, zero: &Angle) -> Option<Elim
         (k.abs() == 1).then_some((i, k))
     })?;
     let own = Angle::from_symbol(Symbol::coordinate(coordinate)).scale(i32::from(k));
-    let value = Value::Angle((&own - zero).scale(i32::from(k)));
+    let value = CoordinateValue::Angle((&own - zero).scale(i32::from(k)));
     Some(Elimination { coordinate, row, value, pivot: None, branch: None })
 }
 

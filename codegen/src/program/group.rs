@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
-use super::polynomial::{Factored, Polynomial};
+use super::polynomial::{FactoredPolynomial, Polynomial};
 use crate::algebra::{Monomial, Series, Symbol, Wave};
 
-type Powers = Vec<(Symbol, i16)>;
+type Exponents = Vec<(Symbol, i16)>;
 
 /// A trigonometric polynomial: what multiplies each wave depends on parameters only.
 pub(super) type Group = BTreeMap<Wave, Series>;
@@ -18,7 +18,7 @@ const DEGREE: i16 = 6;
 pub(super) enum Plan {
     Plain,
     Versed,
-    Polynomial { direction: Powers, cosine: Factored, sine: Factored },
+    Polynomial { direction: Exponents, cosine: FactoredPolynomial, sine: FactoredPolynomial },
     Products(Vec<Product>),
 }
 
@@ -26,7 +26,7 @@ pub(super) enum Plan {
 pub(super) struct Product {
     pub coefficient: Series,
     /// The argument, and whether it is the sine.
-    pub factors: [(Powers, bool); 2],
+    pub factors: [(Exponents, bool); 2],
 }
 
 /// The terms by their powers of coordinates and rates; coefficients keep the parameters.
@@ -89,7 +89,7 @@ fn products(group: &Group) -> Option<Vec<Product>> {
             q.argument.iter().for_each(|&(symbol, k)| *half.entry(symbol).or_default() += sign * k);
             let even = half.values().all(|k| k % 2 == 0);
             let half = half.into_iter().filter(|(_, k)| *k != 0).map(|(symbol, k)| (symbol, k / 2));
-            even.then(|| half.collect::<Powers>())
+            even.then(|| half.collect::<Exponents>())
         };
         let (alpha, beta) = (half(1)?, half(-1)?);
         if alpha.is_empty() || beta.is_empty() {
@@ -110,11 +110,11 @@ fn products(group: &Group) -> Option<Vec<Product>> {
 }
 
 /// The primitive argument of which all arguments are multiples, if there is one.
-fn direction(group: &Group) -> Option<Powers> {
+fn direction(group: &Group) -> Option<Exponents> {
     let first = group.keys().find(|wave| !wave.is_one())?;
     let gcd = first.argument.iter().fold(0, |g, &(_, k)| gcd(g, k.unsigned_abs()));
     let divisor = i16::try_from(gcd).ok()?;
-    let direction: Powers = first.argument.iter().map(|&(symbol, k)| (symbol, k / divisor)).collect();
+    let direction: Exponents = first.argument.iter().map(|&(symbol, k)| (symbol, k / divisor)).collect();
     let along = |wave: &Wave| {
         let k = multiple(wave, &direction);
         wave.argument.len() == if k == 0 { 0 } else { direction.len() }

@@ -7,8 +7,8 @@
 use std::collections::BTreeMap;
 
 use super::group::{Group, Plan, Product, groups, may_cancel, plan};
-use super::polynomial::Factored;
-use super::wave::Waves;
+use super::polynomial::FactoredPolynomial;
+use super::wave::ComputedWaves;
 use super::{Id, Program, perfect};
 use crate::algebra::{Angle, Quotient, Rational, Series, Symbol};
 use crate::motion::{Expression, OpaqueTerm};
@@ -17,7 +17,7 @@ use crate::system::{Definition, Function, Operator, System};
 /// Lowers series into a program; what it lowers shares its sines and cosines.
 pub struct Lowering<'a> {
     pub(super) program: &'a mut Program,
-    pub(super) waves: Waves,
+    pub(super) waves: ComputedWaves,
     system: &'a System,
     opaque_terms: &'a [OpaqueTerm],
     defined: BTreeMap<Symbol, Id>,
@@ -31,7 +31,7 @@ impl<'a> Lowering<'a> {
         opaque_terms: &'a [OpaqueTerm],
         series: impl IntoIterator<Item = &'s Series>,
     ) -> Self {
-        let mut waves = Waves::default();
+        let mut waves = ComputedWaves::default();
         for group in series.into_iter().filter(|s| may_cancel(s)).flat_map(|s| groups(s).into_values()) {
             match plan(&group) {
                 Plan::Polynomial { direction, cosine, sine } if cosine.versed + sine.versed > 0 => {
@@ -254,7 +254,7 @@ impl<'a> Lowering<'a> {
         sum
     }
 
-    fn factored(&mut self, direction: &[(Symbol, i16)], polynomial: &Factored) -> Id {
+    fn factored(&mut self, direction: &[(Symbol, i16)], polynomial: &FactoredPolynomial) -> Id {
         let Some((last, rest)) = polynomial.rest.split_last() else { return self.program.integer(0) };
         let (sin, cos) = self.wave(direction);
         let mut value = self.constant(last);

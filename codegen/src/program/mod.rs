@@ -24,7 +24,7 @@ pub use cost::Cost;
 pub use lower::Lowering;
 pub(crate) use polynomial::Polynomial;
 pub use solve::{Factored, solve_symmetric};
-pub use wave::{Part, Wave};
+pub use wave::{Part, WaveStep};
 
 /// A value of the program.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -86,7 +86,7 @@ pub struct Program {
     known: FxHashMap<Operation, Id>,
     constant: Vec<bool>,
     names: BTreeMap<Id, String>,
-    waves: BTreeMap<Id, Wave>,
+    waves: BTreeMap<Id, WaveStep>,
     coordinates: Vec<String>,
 }
 
@@ -138,7 +138,7 @@ impl Program {
     }
 
     /// The angle whose sine, cosine or versed sine `id` is, where that is known of a value made by addition theorems.
-    pub fn wave(&self, id: Id) -> Option<&Wave> {
+    pub fn wave(&self, id: Id) -> Option<&WaveStep> {
         self.waves.get(&id)
     }
 

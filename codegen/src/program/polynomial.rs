@@ -10,7 +10,7 @@ pub(crate) struct Polynomial(Vec<Series>);
 
 /// `s^sines · vers^versed · c^cosines · rest(c)`.
 #[derive(Clone, Debug)]
-pub(super) struct Factored {
+pub(super) struct FactoredPolynomial {
     pub sines: u32,
     pub versed: u32,
     pub cosines: u32,
@@ -48,10 +48,10 @@ impl Polynomial {
     }
 
     /// Splits off the factors that vanish at `c = 0`, at `c = ±1` together, then at `c = 1`.
-    pub(super) fn factored(self) -> Factored {
+    pub(super) fn factored(self) -> FactoredPolynomial {
         let cosines = self.0.iter().take_while(|p| p.is_zero()).count();
         let rest = self.0[cosines..].to_vec();
-        let mut factored = Factored { sines: 0, versed: 0, cosines: cosines as u32, rest };
+        let mut factored = FactoredPolynomial { sines: 0, versed: 0, cosines: cosines as u32, rest };
         while factored.rest.len() > 2 && vanishes(&factored.rest, 1) && vanishes(&factored.rest, -1) {
             factored.rest = divided(&divided(&factored.rest, 1), -1);
             factored.sines += 2;

@@ -20,7 +20,7 @@ pub enum Part {
 
 /// What a value made by addition theorems is in one step.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Wave {
+pub struct WaveStep {
     /// Which function of the angle.
     pub part: Part,
     /// The angle: values, all of which vary, and their multiples.
@@ -31,7 +31,7 @@ pub struct Wave {
 
 /// Waves that are computed already, and the angles that are evaluated at their halves.
 #[derive(Default)]
-pub(super) struct Waves {
+pub(super) struct ComputedWaves {
     pub half: BTreeSet<Symbol>,
     pub known: BTreeMap<(bool, Argument), (Id, Id)>,
 }

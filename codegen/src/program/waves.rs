@@ -3,7 +3,7 @@
 //! An angle whose versed sine is wanted is evaluated at its half, `sin α = 2 sin ½α cos ½α`,
 //! `cos α = 1 − vers α`, `vers α = 2 sin² ½α`.
 
-use super::wave::{Argument, Part, Wave};
+use super::wave::{Argument, Part, WaveStep};
 use super::{Id, Lowering, Operation};
 use crate::algebra::{Rational, Symbol};
 
@@ -74,7 +74,7 @@ impl Lowering<'_> {
             return;
         }
         let angle = argument.iter().map(|&(symbol, k)| (self.symbol(symbol), k)).collect();
-        self.program.waves.insert(id, Wave { part, angle, sin_cos });
+        self.program.waves.insert(id, WaveStep { part, angle, sin_cos });
     }
 
     /// Whether a part of an angle that varies does not.

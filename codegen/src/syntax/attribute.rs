@@ -10,9 +10,9 @@ use super::{
     support, thread, torsion, value, weld,
 };
 
-type Reader = fn(ParseStream, &mut Description) -> syn::Result<()>;
+type AttributeParser = fn(ParseStream, &mut Description) -> syn::Result<()>;
 
-pub(super) const ATTRIBUTES: [(&str, &str, Reader); 29] = [
+pub(super) const ATTRIBUTES: [(&str, &str, AttributeParser); 29] = [
     ("liftoff", "#[liftoff(crate = path, sets = 16)]", settings),
     ("budget", "#[budget(flops = 120)]", |input, d| {
         budget::parse(input).map(|budget| d.budgets.push(budget))

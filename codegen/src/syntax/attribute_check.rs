@@ -76,8 +76,8 @@ pub fn check_attributes(item: &DeriveInput) -> syn::Result<()> {
     // On a field they are reported as misplaced, on the struct `value` is.
     own.push(value::NAME);
     let of_struct =
-        Known { own: &own, shown: &own[1..own.len() - 1], synonyms: &SYNONYMS, helpers: &helpers };
-    let of_fields = Known { shown: &own[own.len() - 1..], synonyms: &FIELD_SYNONYMS, ..of_struct };
+        Allowed { own: &own, shown: &own[1..own.len() - 1], synonyms: &SYNONYMS, helpers: &helpers };
+    let of_fields = Allowed { shown: &own[own.len() - 1..], synonyms: &FIELD_SYNONYMS, ..of_struct };
     of_struct.check(&item.attrs, &mut report);
     if let Data::Struct(data) = &item.data {
         for field in &data.fields {
@@ -88,7 +88,7 @@ pub fn check_attributes(item: &DeriveInput) -> syn::Result<()> {
 }
 
 /// What may stand at a place.
-struct Known<'a> {
+struct Allowed<'a> {
     own: &'a [&'a str],
     /// Those that are listed where nothing is near.
     shown: &'a [&'a str],
@@ -96,7 +96,7 @@ struct Known<'a> {
     helpers: &'a [String],
 }
 
-impl Known<'_> {
+impl Allowed<'_> {
     fn check(&self, attributes: &[Attribute], report: &mut Report) {
         for attribute in attributes {
             match parse_conditional(&attribute.meta) {

@@ -12,7 +12,7 @@ const MOST: usize = 512;
 
 /// Equal bars hinged one after the other.
 #[derive(Clone, Debug)]
-pub struct Chain {
+pub struct ChainDeclaration {
     /// Its name.
     pub name: Ident,
     /// How many bars.
@@ -26,12 +26,12 @@ pub struct Chain {
 }
 
 /// Reads a chain.
-pub(super) fn parse(input: ParseStream) -> syn::Result<Chain> {
+pub(super) fn parse(input: ParseStream) -> syn::Result<ChainDeclaration> {
     let name: Ident = input.parse()?;
     let mut options = Options::parse(input, &[&MASS_PROPERTIES[..], &["links", "from", "to"]].concat())?;
     let links = options::whole("links", &options.require("links", &name)?, 1..=MOST)?;
     let begin = syn::Error::new(name.span(), format!("`{name}` has no beginning; add `from = …`, a point"));
-    Ok(Chain {
+    Ok(ChainDeclaration {
         links,
         from: options.take_name("from")?.ok_or(begin)?,
         to: options.take_name("to")?,
@@ -40,7 +40,7 @@ pub(super) fn parse(input: ParseStream) -> syn::Result<Chain> {
     })
 }
 
-impl Chain {
+impl ChainDeclaration {
     /// Its bars, in order.
     pub(crate) fn bars(&self) -> impl Iterator<Item = Bar> + '_ {
         let span = self.name.span();

@@ -4,7 +4,7 @@
 use syn::Expr;
 
 use super::options::Options;
-use super::switch::Switch;
+use super::switch::SwitchDeclaration;
 
 /// How a support or a thread acts.
 #[derive(Clone, Debug)]
@@ -20,7 +20,7 @@ pub struct ContactLaw {
     /// Whether reaching it ends a run.
     pub stop: bool,
     /// The condition that it is there on.
-    pub armed: Option<Switch>,
+    pub armed: Option<SwitchDeclaration>,
 }
 
 /// Coulomb friction.

@@ -7,18 +7,18 @@ use super::options::Options;
 
 /// A generalised coordinate chosen by the user.
 #[derive(Clone, Debug)]
-pub struct Coordinate {
+pub struct CoordinateDeclaration {
     /// Its name.
     pub name: Ident,
     /// Whether it is counted the other way.
     pub negative: bool,
     /// What it measures.
-    pub reading: Reading,
+    pub reading: ReadingDeclaration,
 }
 
 /// What a coordinate measures.
 #[derive(Clone, Debug)]
-pub enum Reading {
+pub enum ReadingDeclaration {
     /// The direction of a bar.
     Angle {
         /// The bar.
@@ -47,7 +47,7 @@ pub enum Origin {
 }
 
 /// Reads a coordinate.
-pub(super) fn parse(input: ParseStream) -> syn::Result<Coordinate> {
+pub(super) fn parse(input: ParseStream) -> syn::Result<CoordinateDeclaration> {
     let name = input.parse()?;
     input.parse::<Token![=]>()?;
     let negative = input.parse::<Option<Token![-]>>()?.is_some();
@@ -57,19 +57,21 @@ pub(super) fn parse(input: ParseStream) -> syn::Result<Coordinate> {
     let text = "an angle from the horizontal or vertical is positive in the figure; remove the minus or \
                 measure it `from = right`, `up`, `left` or `down`";
     match &reading {
-        Reading::Angle { from: Origin::Line(_), .. } if negative => Err(syn::Error::new(kind.span(), text)),
-        _ => Ok(Coordinate { name, negative, reading }),
+        ReadingDeclaration::Angle { from: Origin::Line(_), .. } if negative => {
+            Err(syn::Error::new(kind.span(), text))
+        }
+        _ => Ok(CoordinateDeclaration { name, negative, reading }),
     }
 }
 
-fn reading(kind: &Ident, target: Ident, from: Option<&Ident>) -> syn::Result<Reading> {
+fn reading(kind: &Ident, target: Ident, from: Option<&Ident>) -> syn::Result<ReadingDeclaration> {
     let wrong = |at: &Ident, text: &str| Err(syn::Error::new(at.span(), text));
     match (kind.to_string().as_str(), from) {
-        ("angle", None) => Ok(Reading::Angle { bar: target, from: Origin::Direction(0) }),
-        ("angle", Some(from)) => Ok(Reading::Angle { bar: target, from: origin(from) }),
+        ("angle", None) => Ok(ReadingDeclaration::Angle { bar: target, from: Origin::Direction(0) }),
+        ("angle", Some(from)) => Ok(ReadingDeclaration::Angle { bar: target, from: origin(from) }),
         ("x" | "y", Some(from)) => wrong(from, "only an angle is measured `from` something"),
-        ("x", None) => Ok(Reading::Position { point: target, axis: 0 }),
-        ("y", None) => Ok(Reading::Position { point: target, axis: 1 }),
+        ("x", None) => Ok(ReadingDeclaration::Position { point: target, axis: 0 }),
+        ("y", None) => Ok(ReadingDeclaration::Position { point: target, axis: 1 }),
         _ => wrong(kind, "a coordinate is `angle(BAR)`, `x(POINT)` or `y(POINT)`"),
     }
 }

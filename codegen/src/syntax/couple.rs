@@ -4,7 +4,7 @@ use syn::parse::ParseStream;
 use syn::{Expr, Ident};
 
 use super::options::{self, Options};
-use super::switch::Switch;
+use super::switch::SwitchDeclaration;
 
 /// A couple on a bar.
 #[derive(Clone, Debug)]
@@ -18,7 +18,7 @@ pub struct Couple {
     /// Its value, counter-clockwise.
     pub value: Expr,
     /// The condition that it acts on.
-    pub armed: Option<Switch>,
+    pub armed: Option<SwitchDeclaration>,
 }
 
 /// Reads a couple.

@@ -6,7 +6,7 @@ use syn::punctuated::Punctuated;
 use syn::{Expr, Ident, Token};
 
 use super::options::{self, Options};
-use super::switch::Switch;
+use super::switch::SwitchDeclaration;
 
 /// A prescribed motion.
 #[derive(Clone, Debug)]
@@ -16,7 +16,7 @@ pub struct DriveDeclaration {
     /// Its value.
     pub value: Expr,
     /// The condition that it is there on.
-    pub armed: Option<Switch>,
+    pub armed: Option<SwitchDeclaration>,
 }
 
 /// What is driven.

@@ -5,7 +5,7 @@ use syn::parse::ParseStream;
 
 use super::Pair;
 use super::options::{self, Options};
-use super::switch::Switch;
+use super::switch::SwitchDeclaration;
 
 /// A force at a point.
 #[derive(Clone, Debug)]
@@ -19,7 +19,7 @@ pub struct Force {
     /// The bar along and across which they are.
     pub frame: Option<Ident>,
     /// The condition that it acts on.
-    pub armed: Option<Switch>,
+    pub armed: Option<SwitchDeclaration>,
 }
 
 /// Reads a force.

@@ -51,10 +51,10 @@ pub use attribute_check::check_attributes;
 pub use bar::{Bar, MassProperties};
 pub use body::RigidBody;
 pub use budget::Budget;
-pub use chain::Chain;
+pub use chain::ChainDeclaration;
 pub use contact_law::{ContactLaw, FrictionLaw, ImpactLaw};
 pub(crate) use coordinate::DIRECTIONS;
-pub use coordinate::{Coordinate, Origin, Reading};
+pub use coordinate::{CoordinateDeclaration, Origin, ReadingDeclaration};
 pub use couple::Couple;
 pub use disc::DiscDeclaration;
 pub use drive::{DriveDeclaration, Target};
@@ -67,12 +67,12 @@ pub use mirror::MirrorLine;
 pub use point::PointOnBar;
 pub use run::{RunDeclaration, StartValue};
 pub use section::SectionDeclaration;
-pub use shape::{Centre, Shape};
+pub use shape::{CentreDeclaration, ShapeDeclaration};
 pub use slider::{SliderDeclaration, Track};
 pub use spring::{Resistance, SpringDeclaration};
 pub use support::{Facing, SupportDeclaration};
-pub use switch::Switch;
-pub use thread::Thread;
+pub use switch::SwitchDeclaration;
+pub use thread::ThreadDeclaration;
 pub use torsion::TorsionDeclaration;
 pub use value::DefaultValue;
 pub use weld::WeldDeclaration;
@@ -90,7 +90,7 @@ pub enum Beam {
     /// One bar.
     Bar(Bar),
     /// Equal bars, one after the other.
-    Chain(Chain),
+    Chain(ChainDeclaration),
     /// A body of any shape.
     Body(RigidBody),
 }
@@ -159,11 +159,11 @@ pub struct Description {
     /// `#[section(…)]`.
     pub sections: Vec<SectionDeclaration>,
     /// `#[thread(…)]`.
-    pub threads: Vec<Thread>,
+    pub threads: Vec<ThreadDeclaration>,
     /// `#[support(…)]`.
     pub supports: Vec<SupportDeclaration>,
     /// `#[coordinate(…)]`.
-    pub coordinates: Vec<Coordinate>,
+    pub coordinates: Vec<CoordinateDeclaration>,
     /// `#[equal(…)]`.
     pub equal: Vec<EqualAngles>,
     /// `#[figure(…)]`.

@@ -6,7 +6,7 @@ use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
 use syn::{Expr, Ident, Lit, Token};
 
-use super::switch::{self, Switch};
+use super::switch::{self, SwitchDeclaration};
 use super::{Pair, unknown};
 
 /// What friction is asked for by instead of `friction = mu`.
@@ -115,8 +115,8 @@ impl Options {
     }
 
     /// Takes the condition that something is there on.
-    pub fn take_switch(&mut self) -> Option<Switch> {
-        self.take("while").and_then(Switch::from_value)
+    pub fn take_switch(&mut self) -> Option<SwitchDeclaration> {
+        self.take("while").and_then(SwitchDeclaration::from_value)
     }
 
     /// Takes the value of an option that `owner` cannot do without.

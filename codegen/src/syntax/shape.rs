@@ -9,7 +9,7 @@ use super::{Pair, unknown};
 
 /// What carries.
 #[derive(Clone, Debug)]
-pub enum Shape {
+pub enum ShapeDeclaration {
     /// The horizontal at this height, 0 if absent.
     Floor(Option<Expr>),
     /// The vertical at this x.
@@ -19,9 +19,9 @@ pub enum Shape {
     /// A corner or peg at a point.
     Corner(Pair),
     /// A circle's centre and radius, free outside.
-    Circle(Centre, Expr),
+    Circle(CentreDeclaration, Expr),
     /// A circle's centre and radius, free inside.
-    Bowl(Centre, Expr),
+    Bowl(CentreDeclaration, Expr),
     /// Two parallel lines of this direction, a point midway between them, and how far apart they are.
     Slot(Expr, Box<Pair>, Expr),
     /// A bar, along its length.
@@ -34,19 +34,20 @@ pub enum Shape {
 
 /// The centre of a circle.
 #[derive(Clone, Debug)]
-pub enum Centre {
+pub enum CentreDeclaration {
     /// A place of the ground.
     Ground(Box<Pair>),
     /// A point.
     Point(Ident),
 }
 
-impl Shape {
+impl ShapeDeclaration {
     /// The bar or the points that carry.
     pub fn movers(&self) -> Vec<&Ident> {
         match self {
             Self::Bar(name) | Self::Disc(name) => vec![name],
-            Self::Circle(Centre::Point(centre), _) | Self::Bowl(Centre::Point(centre), _) => vec![centre],
+            Self::Circle(CentreDeclaration::Point(centre), _)
+            | Self::Bowl(CentreDeclaration::Point(centre), _) => vec![centre],
             Self::Edge(ends) => ends.iter().collect(),
             _ => Vec::new(),
         }
@@ -57,26 +58,26 @@ const SHAPES: [&str; 10] =
     ["floor", "wall", "slope", "corner", "circle", "bowl", "slot", "bar", "edge", "disc"];
 
 /// The shape of a kind with its arguments.
-pub(super) fn shape(kind: &Ident, arguments: Vec<Expr>) -> syn::Result<Shape> {
+pub(super) fn shape(kind: &Ident, arguments: Vec<Expr>) -> syn::Result<ShapeDeclaration> {
     let wrong = |text: &str| Err(syn::Error::new(kind.span(), text));
     let mut arguments = arguments.into_iter();
     let [a, b, c, more] = [(); 4].map(|()| arguments.next());
     match (kind.to_string().as_str(), a, b, c, more) {
-        ("floor", height, None, ..) => Ok(Shape::Floor(height)),
-        ("wall", Some(x), None, ..) => Ok(Shape::Wall(x)),
+        ("floor", height, None, ..) => Ok(ShapeDeclaration::Floor(height)),
+        ("wall", Some(x), None, ..) => Ok(ShapeDeclaration::Wall(x)),
         ("slope", Some(angle), through, None, _) => {
-            Ok(Shape::Slope(angle, through.map(options::pair).transpose()?.map(Box::new)))
+            Ok(ShapeDeclaration::Slope(angle, through.map(options::pair).transpose()?.map(Box::new)))
         }
-        ("corner", Some(x), Some(y), None, _) => Ok(Shape::Corner([x, y])),
-        ("circle", Some(centre), Some(r), None, _) => Ok(Shape::Circle(self::centre(centre)?, r)),
-        ("bowl", Some(centre), Some(r), None, _) => Ok(Shape::Bowl(self::centre(centre)?, r)),
+        ("corner", Some(x), Some(y), None, _) => Ok(ShapeDeclaration::Corner([x, y])),
+        ("circle", Some(centre), Some(r), None, _) => Ok(ShapeDeclaration::Circle(self::centre(centre)?, r)),
+        ("bowl", Some(centre), Some(r), None, _) => Ok(ShapeDeclaration::Bowl(self::centre(centre)?, r)),
         ("slot", Some(angle), Some(through), Some(width), None) => {
-            Ok(Shape::Slot(angle, Box::new(options::pair(through)?), width))
+            Ok(ShapeDeclaration::Slot(angle, Box::new(options::pair(through)?), width))
         }
-        ("bar", Some(bar), None, ..) => options::identifier(&bar).map(Shape::Bar),
-        ("disc", Some(centre), None, ..) => options::identifier(&centre).map(Shape::Disc),
+        ("bar", Some(bar), None, ..) => options::identifier(&bar).map(ShapeDeclaration::Bar),
+        ("disc", Some(centre), None, ..) => options::identifier(&centre).map(ShapeDeclaration::Disc),
         ("edge", Some(from), Some(to), None, _) => {
-            Ok(Shape::Edge([options::identifier(&from)?, options::identifier(&to)?]))
+            Ok(ShapeDeclaration::Edge([options::identifier(&from)?, options::identifier(&to)?]))
         }
         ("floor", ..) => wrong("write `floor` or `floor(height)`"),
         ("wall", ..) => wrong("write `wall(x)`"),
@@ -95,9 +96,9 @@ pub(super) fn shape(kind: &Ident, arguments: Vec<Expr>) -> syn::Result<Shape> {
 }
 
 /// `(x, y)` or the name of a point.
-fn centre(value: Expr) -> syn::Result<Centre> {
+fn centre(value: Expr) -> syn::Result<CentreDeclaration> {
     match options::identifier(&value) {
-        Ok(point) => Ok(Centre::Point(point)),
-        Err(_) => options::pair(value).map(|pair| Centre::Ground(Box::new(pair))),
+        Ok(point) => Ok(CentreDeclaration::Point(point)),
+        Err(_) => options::pair(value).map(|pair| CentreDeclaration::Ground(Box::new(pair))),
     }
 }

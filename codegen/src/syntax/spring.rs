@@ -5,7 +5,7 @@ use syn::{Expr, Ident};
 
 use super::options::Options;
 use super::route;
-use super::switch::Switch;
+use super::switch::SwitchDeclaration;
 
 /// A spring, a damper or both between two points.
 #[derive(Clone, Debug)]
@@ -19,7 +19,7 @@ pub struct SpringDeclaration {
     /// What it resists with.
     pub law: Resistance,
     /// The condition that it acts on.
-    pub armed: Option<Switch>,
+    pub armed: Option<SwitchDeclaration>,
 }
 
 /// Stiffness, damping or both.

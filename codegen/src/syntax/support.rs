@@ -7,7 +7,7 @@ use syn::{Expr, Ident, Token};
 use super::contact_law::{CONTACT_LAW, ContactLaw, FRICTION};
 use super::options::{self, Options};
 use super::plain;
-use super::shape::{Shape, shape};
+use super::shape::{ShapeDeclaration, shape};
 
 /// A one-sided support.
 #[derive(Clone, Debug)]
@@ -15,7 +15,7 @@ pub struct SupportDeclaration {
     /// Its name.
     pub name: Ident,
     /// What it is.
-    pub shape: Shape,
+    pub shape: ShapeDeclaration,
     /// What it is under: a point, or for a corner a bar.
     pub under: Option<Ident>,
     /// The bar that a corner is over.
@@ -34,7 +34,9 @@ impl SupportDeclaration {
     /// The names of its one-sided constraints: a slot has two.
     pub fn names(&self) -> Vec<String> {
         match self.shape {
-            Shape::Slot(..) => ["lower", "upper"].map(|side| format!("{}_{side}", plain(&self.name))).into(),
+            ShapeDeclaration::Slot(..) => {
+                ["lower", "upper"].map(|side| format!("{}_{side}", plain(&self.name))).into()
+            }
             _ => vec![plain(&self.name)],
         }
     }
@@ -65,10 +67,14 @@ pub(super) fn parse(input: ParseStream) -> syn::Result<SupportDeclaration> {
     let facing = options.take_name("facing")?.map(facing).transpose()?;
     let wrong = |text: &str| Err(syn::Error::new(kind.span(), text));
     match (&shape, &under, &over, facing) {
-        (Shape::Corner(_), Some(_), None, None) | (Shape::Corner(_), None, Some(_), None) => {}
-        (Shape::Corner(_), ..) => return wrong("a corner is either `under = BAR` or `over = BAR`"),
+        (ShapeDeclaration::Corner(_), Some(_), None, None)
+        | (ShapeDeclaration::Corner(_), None, Some(_), None) => {}
+        (ShapeDeclaration::Corner(_), ..) => {
+            return wrong("a corner is either `under = BAR` or `over = BAR`");
+        }
         (_, _, Some(_), _) => return wrong("only a corner can be `over` something"),
-        (Shape::Wall(_) | Shape::Bar(_) | Shape::Edge(_), ..) | (.., None) => {}
+        (ShapeDeclaration::Wall(_) | ShapeDeclaration::Bar(_) | ShapeDeclaration::Edge(_), ..)
+        | (.., None) => {}
         (.., Some(_)) => return wrong("only a wall, a bar or an edge has `facing`"),
     }
     let contact_law = ContactLaw::take(&mut options)?;
@@ -81,9 +87,12 @@ pub(super) fn parse(input: ParseStream) -> syn::Result<SupportDeclaration> {
 }
 
 /// Why a surface does not move along itself.
-fn moves_along(shape: &Shape, rubs: bool) -> Option<&'static str> {
+fn moves_along(shape: &ShapeDeclaration, rubs: bool) -> Option<&'static str> {
     match shape {
-        Shape::Corner(_) | Shape::Circle(..) | Shape::Bowl(..) | Shape::Disc(_) => Some(
+        ShapeDeclaration::Corner(_)
+        | ShapeDeclaration::Circle(..)
+        | ShapeDeclaration::Bowl(..)
+        | ShapeDeclaration::Disc(_) => Some(
             "only a straight surface can be `moving` along itself: `floor`, `wall`, `slope`, `slot`, `bar`, `edge`",
         ),
         _ if !rubs => {

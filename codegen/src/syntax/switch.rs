@@ -5,14 +5,14 @@ use syn::{Expr, ExprLit, Lit, LitStr, parenthesized};
 
 /// The condition that something is there on.
 #[derive(Clone, Debug)]
-pub struct Switch {
+pub struct SwitchDeclaration {
     /// As conditions of runs are written.
     pub condition: String,
     /// What it compares, where both are expressions of a declaration too.
     pub sides: Option<[Expr; 2]>,
 }
 
-impl Switch {
+impl SwitchDeclaration {
     /// From the value that the option has been parsed to.
     pub(super) fn from_value(value: Expr) -> Option<Self> {
         match value {

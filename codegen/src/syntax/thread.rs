@@ -9,7 +9,7 @@ use super::route;
 
 /// An inextensible thread.
 #[derive(Clone, Debug)]
-pub struct Thread {
+pub struct ThreadDeclaration {
     /// Its name.
     pub name: Ident,
     /// The points it passes, from end to end.
@@ -21,10 +21,10 @@ pub struct Thread {
 }
 
 /// Reads a thread.
-pub(super) fn parse(input: ParseStream) -> syn::Result<Thread> {
+pub(super) fn parse(input: ParseStream) -> syn::Result<ThreadDeclaration> {
     let (name, path) = route::route("thread", input)?;
     let mut options = Options::with_flags(input, &[&["length"], &CONTACT_LAW[..]].concat(), &["stop"])?;
-    Ok(Thread {
+    Ok(ThreadDeclaration {
         path,
         length: options.require("length", &name)?,
         contact_law: ContactLaw::take(&mut options)?,

@@ -5,7 +5,7 @@ use syn::{Expr, Ident};
 
 use super::options::{self, Options};
 use super::spring::{RESISTANCE, Resistance};
-use super::switch::Switch;
+use super::switch::SwitchDeclaration;
 
 /// A spring, a damper or both between two directions, or one and the ground's.
 #[derive(Clone, Debug)]
@@ -19,7 +19,7 @@ pub struct TorsionDeclaration {
     /// What it resists with.
     pub law: Resistance,
     /// The condition that it acts on.
-    pub armed: Option<Switch>,
+    pub armed: Option<SwitchDeclaration>,
 }
 
 /// Reads a torsion spring.

@@ -3,7 +3,7 @@
 use syn::Ident;
 
 use super::bodies::Structure;
-use super::mass_properties::{Values, along_across};
+use super::mass_properties::{MassValues, along_across};
 use super::scope::Scope;
 use crate::algebra::Series;
 use crate::syntax::{Bar, Beam, PointOnBar, plain};
@@ -13,18 +13,18 @@ impl Structure {
     pub(super) fn beam(&mut self, scope: &mut Scope, beam: &Beam) {
         match beam {
             Beam::Bar(bar) => {
-                let values = Values::evaluate(scope, &bar.mass_properties, &bar.name);
+                let values = MassValues::evaluate(scope, &bar.mass_properties, &bar.name);
                 self.beam_between(scope, bar, &values);
             }
             Beam::Body(body) => self.rigid_body(scope, body),
             Beam::Chain(chain) => {
-                let values = Values::evaluate(scope, &chain.mass_properties, &chain.name);
+                let values = MassValues::evaluate(scope, &chain.mass_properties, &chain.name);
                 chain.bars().for_each(|bar| self.beam_between(scope, &bar, &values));
             }
         }
     }
 
-    fn beam_between(&mut self, scope: &mut Scope, bar: &Bar, values: &Values) {
+    fn beam_between(&mut self, scope: &mut Scope, bar: &Bar, values: &MassValues) {
         let Bar { name, from, to, .. } = bar;
         let text = plain(name);
         let known = self.bodies.iter().any(|other| text == other.name);

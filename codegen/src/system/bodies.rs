@@ -2,7 +2,7 @@
 
 use syn::Ident;
 
-use super::mass_properties::Values;
+use super::mass_properties::MassValues;
 use super::scope::Scope;
 use super::{Body, Disc, Particle, Pin, Point};
 use crate::algebra::Series;
@@ -121,7 +121,7 @@ impl Structure {
         &mut self,
         name: &Ident,
         points: &[(&Ident, [Series; 2])],
-        values: &Values,
+        values: &MassValues,
         uniform: bool,
     ) {
         let body = self.bodies.len();
@@ -132,7 +132,7 @@ impl Structure {
             self.attach(point, body, local.clone());
             outline.push(point);
         }
-        let Values { mass, length, extents, inertia, centre } = values.clone();
+        let MassValues { mass, length, extents, inertia, centre } = values.clone();
         let (name, span) = (plain(name), name.span());
         let [from, to] = [outline[0], outline[1]];
         self.bodies.push(Body {

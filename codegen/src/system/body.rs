@@ -2,7 +2,7 @@
 //! corners and the moment of inertia I = m (a² + b² + c²)/36 about it.
 
 use super::bodies::Structure;
-use super::mass_properties::{Values, not_negative};
+use super::mass_properties::{MassValues, not_negative};
 use super::scope::Scope;
 use crate::algebra::{Rational, Series};
 use crate::syntax::{RigidBody, plain};
@@ -49,7 +49,7 @@ fn coincident(places: &[Place]) -> Option<(usize, usize)> {
     (0..places.len()).find_map(equal)
 }
 
-fn values(scope: &mut Scope, declared: &RigidBody, places: &[Place]) -> Values {
+fn values(scope: &mut Scope, declared: &RigidBody, places: &[Place]) -> MassValues {
     let name = &declared.name;
     let mass = scope.number(&declared.mass);
     not_negative(scope, "the mass", name, &declared.mass, mass.as_ref());
@@ -75,7 +75,7 @@ fn values(scope: &mut Scope, declared: &RigidBody, places: &[Place]) -> Values {
     let centre = centre.unwrap_or_else(|| mean(places));
     let mut distance = |place: &Place| scope.norm(&minus(place, &places[0]));
     let (length, extents) = (distance(&places[1]), places[2..].iter().map(&mut distance).collect());
-    Values { length, extents, mass, inertia, centre }
+    MassValues { length, extents, mass, inertia, centre }
 }
 
 fn is_triangle(scope: &Scope, places: &[Place]) -> bool {

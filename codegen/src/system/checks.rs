@@ -4,7 +4,7 @@ use syn::Ident;
 
 use super::bodies::Structure;
 use super::scope::Scope;
-use crate::syntax::{Description, Member, Origin, Reading, Track, plain};
+use crate::syntax::{Description, Member, Origin, ReadingDeclaration, Track, plain};
 
 /// Reports bars that nothing ties to anything, where there is something to be tied to.
 pub(super) fn untied(scope: &mut Scope, structure: &Structure) {
@@ -43,9 +43,9 @@ fn named(description: &Description) -> Vec<&Ident> {
         Member::Bar(name) | Member::Coordinate(name) => Some(name),
     });
     let measured = description.coordinates.iter().flat_map(|c| match &c.reading {
-        Reading::Angle { bar, from: Origin::Bar(other) } => [Some(bar), Some(other)],
-        Reading::Angle { bar, .. } => [Some(bar), None],
-        Reading::Position { point, .. } => [Some(point), None],
+        ReadingDeclaration::Angle { bar, from: Origin::Bar(other) } => [Some(bar), Some(other)],
+        ReadingDeclaration::Angle { bar, .. } => [Some(bar), None],
+        ReadingDeclaration::Position { point, .. } => [Some(point), None],
     });
     supports.chain(constrained).chain(measured).flatten().chain(held(description)).collect()
 }

@@ -10,10 +10,10 @@ use super::sides::on_its_side;
 use super::threads::nothing_moves;
 use super::{Centre, OneSided};
 use crate::algebra::Series;
-use crate::syntax::{self, Shape, SupportDeclaration, plain};
+use crate::syntax::{self, ShapeDeclaration, SupportDeclaration, plain};
 
 /// A circle, and whether what it carries is inside.
-struct Ring {
+struct DeclaredCircle {
     centre: Centre,
     radius: Series,
     inside: bool,
@@ -36,7 +36,7 @@ pub(super) fn circle(
         Some(Centre::Point { .. }) => structure.point(scope, name),
         _ => structure.moving(scope, name),
     };
-    let (Ring { centre, radius, inside }, point) = (ring?, point?);
+    let (DeclaredCircle { centre, radius, inside }, point) = (ring?, point?);
     if let Centre::Point { point: centre, .. } = centre
         && (centre == point || structure.rigid(centre, point))
     {
@@ -53,10 +53,11 @@ pub(super) fn circle(
 }
 
 /// What is said of a circle that carries a bar along its length.
-fn under_a_bar(shape: &Shape, bar: &Ident) -> String {
+fn under_a_bar(shape: &ShapeDeclaration, bar: &Ident) -> String {
     let centre = match shape {
-        Shape::Circle(syntax::Centre::Point(centre), _) | Shape::Disc(centre) => centre.to_string(),
-        Shape::Bowl(..) => {
+        ShapeDeclaration::Circle(syntax::CentreDeclaration::Point(centre), _)
+        | ShapeDeclaration::Disc(centre) => centre.to_string(),
+        ShapeDeclaration::Bowl(..) => {
             return format!("`{bar}` is no point; name the points of it that the bowl keeps inside");
         }
         _ => "O".to_owned(),
@@ -68,29 +69,29 @@ fn under_a_bar(shape: &Shape, bar: &Ident) -> String {
     )
 }
 
-fn ring(scope: &mut Scope, structure: &Structure, declared: &SupportDeclaration) -> Option<Ring> {
+fn ring(scope: &mut Scope, structure: &Structure, declared: &SupportDeclaration) -> Option<DeclaredCircle> {
     let (centre, radius, inside) = match &declared.shape {
-        Shape::Circle(centre, radius) => (centre, radius, false),
-        Shape::Bowl(centre, radius) => (centre, radius, true),
-        Shape::Disc(centre) => return disc(scope, structure, centre),
+        ShapeDeclaration::Circle(centre, radius) => (centre, radius, false),
+        ShapeDeclaration::Bowl(centre, radius) => (centre, radius, true),
+        ShapeDeclaration::Disc(centre) => return disc(scope, structure, centre),
         _ => return None,
     };
     let centre = match centre {
-        syntax::Centre::Ground(at) => {
+        syntax::CentreDeclaration::Ground(at) => {
             let at = scope.position(at);
             scope.report.keep(at).map(Centre::Ground)
         }
-        syntax::Centre::Point(name) => about(scope, structure, declared, name),
+        syntax::CentreDeclaration::Point(name) => about(scope, structure, declared, name),
     };
     let radius = positive(scope, "the radius", &declared.name, radius);
-    Some(Ring { centre: centre?, radius: radius?, inside })
+    Some(DeclaredCircle { centre: centre?, radius: radius?, inside })
 }
 
-fn disc(scope: &mut Scope, structure: &Structure, name: &Ident) -> Option<Ring> {
+fn disc(scope: &mut Scope, structure: &Structure, name: &Ident) -> Option<DeclaredCircle> {
     let point = structure.point(scope, name)?;
     if let Some(disc) = structure.disc(point) {
         let centre = Centre::Point { point, body: disc.body };
-        return Some(Ring { centre, radius: disc.radius.clone(), inside: false });
+        return Some(DeclaredCircle { centre, radius: disc.radius.clone(), inside: false });
     }
     if !scope.description.malformed.contains(&plain(name)) {
         let text = format!(

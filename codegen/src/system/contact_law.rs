@@ -7,7 +7,7 @@ use super::formula::Readable;
 use super::scope::Scope;
 use super::{Disc, Drive, Formula, Friction, Law, OneSided, Support};
 use crate::algebra::{Rational, Series};
-use crate::syntax::{ContactLaw, FrictionLaw, SupportDeclaration, Switch, plain};
+use crate::syntax::{ContactLaw, FrictionLaw, SupportDeclaration, SwitchDeclaration, plain};
 
 /// One-sided constraints while they are resolved; no two have one name.
 #[derive(Default)]
@@ -45,7 +45,7 @@ impl Contacts {
     }
 
     /// Adds a drive on a condition, which holds both ways; its index.
-    pub fn drive(&mut self, drive: &Drive, index: usize, armed: &Switch) {
+    pub fn drive(&mut self, drive: &Drive, index: usize, armed: &SwitchDeclaration) {
         self.resolved.push(Support {
             name: format!("drive {}", drive.name),
             span: drive.span,

@@ -8,7 +8,7 @@ use super::figure::{Figure, Heading, Verdict};
 use super::scope::Scope;
 use super::{CoordinateKind, Declared, Reference, Settles};
 use crate::algebra::{Angle, Series};
-use crate::syntax::{Coordinate, Origin, Reading, plain};
+use crate::syntax::{CoordinateDeclaration, Origin, ReadingDeclaration, plain};
 
 /// Resolves all declared coordinates.
 pub(super) fn resolve(
@@ -36,15 +36,15 @@ fn kind(
     scope: &mut Scope,
     structure: &Structure,
     figure: &mut Option<Figure>,
-    declared: &Coordinate,
+    declared: &CoordinateDeclaration,
 ) -> Option<CoordinateKind> {
     let sign = if declared.negative { -1 } else { 1 };
     match &declared.reading {
-        Reading::Position { point, axis } => {
+        ReadingDeclaration::Position { point, axis } => {
             let point = structure.point(scope, point)?;
             Some(CoordinateKind::Position { point, axis: *axis, sign })
         }
-        Reading::Angle { bar, from } => {
+        ReadingDeclaration::Angle { bar, from } => {
             let body = structure.body(scope, bar);
             let (reference, sign) = match from {
                 Origin::Direction(quarters) => (ground(*quarters), sign),
@@ -82,7 +82,7 @@ fn acute(
     structure: &Structure,
     figure: &mut Figure,
     drawn: &Heading,
-    (line, declared): (i64, &Coordinate),
+    (line, declared): (i64, &CoordinateDeclaration),
 ) -> Option<(i64, i8)> {
     let ends = [(line, 1), (line + 2, 1), (line + 2, -1), (line, -1)];
     let lengths = ends.map(|(end, sign)| {

@@ -8,7 +8,7 @@ use super::scope::Scope;
 use super::sides::edge_side;
 use super::{Edge, OneSided, Point, Support};
 use crate::algebra::Series;
-use crate::syntax::{Shape, SupportDeclaration};
+use crate::syntax::{ShapeDeclaration, SupportDeclaration};
 
 /// The support by a bar or an edge; none if it is not understood.
 pub(super) fn support(
@@ -59,15 +59,15 @@ pub(super) fn both_sides(scope: &mut Scope, structure: &Structure, supports: &[S
 }
 
 /// The side that a shape names.
-fn edge(scope: &mut Scope, structure: &Structure, shape: &Shape) -> Option<Edge> {
+fn edge(scope: &mut Scope, structure: &Structure, shape: &ShapeDeclaration) -> Option<Edge> {
     match shape {
-        Shape::Bar(bar) => {
+        ShapeDeclaration::Bar(bar) => {
             let body = structure.bar(scope, bar)?;
             let bar = &structure.bodies[body];
             let (ends, length) = ([bar.from, bar.to], bar.length.clone());
             Some(Edge { body, ends, along: [Series::one(), Series::zero()], length })
         }
-        Shape::Edge(ends) => between(scope, structure, ends),
+        ShapeDeclaration::Edge(ends) => between(scope, structure, ends),
         _ => None,
     }
 }

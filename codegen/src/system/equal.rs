@@ -5,7 +5,7 @@ use syn::Ident;
 
 use super::bodies::Structure;
 use super::scope::Scope;
-use super::{CoordinateKind, Declared, Direction, Equal};
+use super::{ConstrainedAngle, CoordinateKind, Declared, Equal};
 use crate::syntax::{EqualAngles, Member, Multiple, plain, unknown};
 
 /// Resolves all equal-angle constraints.
@@ -28,7 +28,7 @@ fn pairs(
         })
         .collect();
     let directions = directions.unwrap_or_default();
-    let equal = |pair: &[(i32, Direction, Span)]| {
+    let equal = |pair: &[(i32, ConstrainedAngle, Span)]| {
         let [(a, left, _), (b, right, span)] = *pair else { return None };
         Some(Equal { factors: [a, b], left, right, span })
     };
@@ -40,10 +40,12 @@ fn direction(
     structure: &Structure,
     coordinates: &[Declared],
     member: &Member,
-) -> Option<Direction> {
+) -> Option<ConstrainedAngle> {
     match member {
-        Member::Bar(bar) => structure.body(scope, bar).map(Direction::Body),
-        Member::Coordinate(name) => angle(scope, structure, coordinates, name).map(Direction::Coordinate),
+        Member::Bar(bar) => structure.body(scope, bar).map(ConstrainedAngle::Body),
+        Member::Coordinate(name) => {
+            angle(scope, structure, coordinates, name).map(ConstrainedAngle::Coordinate)
+        }
     }
 }
 

@@ -24,7 +24,7 @@ pub(super) struct Readable<'a> {
 }
 
 /// An expression while it is read.
-struct Reader<'a, 's, 'd> {
+struct FormulaReader<'a, 's, 'd> {
     scope: &'s mut Scope<'d>,
     readable: &'a Readable<'a>,
     reads: Reads,
@@ -44,28 +44,28 @@ enum Reads {
 impl Readable<'_> {
     /// The formula of an expression, or its mistakes are kept.
     pub fn formula(&self, scope: &mut Scope, expr: &Expr) -> Option<Formula> {
-        let formula = Reader { scope, readable: self, reads: Reads::Motion }.parse(expr)?;
+        let formula = FormulaReader { scope, readable: self, reads: Reads::Motion }.parse(expr)?;
         scope.note(Signal::new(&scope.description.constants, expr, &formula, false));
         Some(formula)
     }
 
     /// The formula of an expression of time and parameters, or its mistakes are kept; `why` it contains no motion.
     pub fn of_time(&self, scope: &mut Scope, expr: &Expr, why: &'static str) -> Option<Formula> {
-        let formula = Reader { scope, readable: self, reads: Reads::Time(why) }.parse(expr)?;
+        let formula = FormulaReader { scope, readable: self, reads: Reads::Time(why) }.parse(expr)?;
         scope.note(Signal::new(&scope.description.constants, expr, &formula, false));
         Some(formula)
     }
 
     /// The same of a prescribed motion.
     pub fn prescribed(&self, scope: &mut Scope, expr: &Expr, why: &'static str) -> Option<Formula> {
-        let formula = Reader { scope, readable: self, reads: Reads::Time(why) }.parse(expr)?;
+        let formula = FormulaReader { scope, readable: self, reads: Reads::Time(why) }.parse(expr)?;
         scope.note(Signal::new(&scope.description.constants, expr, &formula, true));
         Some(formula)
     }
 
     /// The formula of an expression of a slip velocity `v` and parameters, or its mistakes are kept.
     pub fn of_slip(&self, scope: &mut Scope, expr: &Expr) -> Option<Formula> {
-        Reader { scope, readable: self, reads: Reads::Slip }.parse(expr)
+        FormulaReader { scope, readable: self, reads: Reads::Slip }.parse(expr)
     }
 
     /// The index of a coordinate.
@@ -82,7 +82,7 @@ impl Readable<'_> {
     }
 }
 
-impl Reader<'_, '_, '_> {
+impl FormulaReader<'_, '_, '_> {
     fn parse(&mut self, expr: &Expr) -> Option<Formula> {
         let formula = match expr {
             Expr::Lit(_) => self.scope.number(expr).map(Formula::Constant),

@@ -8,7 +8,7 @@ use crate::syntax::MassProperties;
 
 /// The values of a bar's mass properties.
 #[derive(Clone)]
-pub(super) struct Values {
+pub(super) struct MassValues {
     pub mass: Series,
     pub length: Series,
     /// Distances of the first point from those after the second.
@@ -17,7 +17,7 @@ pub(super) struct Values {
     pub centre: [Series; 2],
 }
 
-impl Values {
+impl MassValues {
     /// Evaluates and checks the mass properties of `owner`.
     pub fn evaluate(scope: &mut Scope, mass_properties: &MassProperties, owner: &Ident) -> Self {
         let mass = scope.number(&mass_properties.mass);

@@ -8,7 +8,7 @@ use proc_macro2::Span;
 
 use super::bodies::Structure;
 use super::scope::Scope;
-use super::value::Numbers;
+use super::value::ParameterValues;
 use crate::algebra::{Rational, Series};
 
 /// A mirror before its images are known.
@@ -56,7 +56,7 @@ impl Line {
 }
 
 /// A place at each sample.
-pub(super) fn sampled(samples: &[Numbers], place: &[Series; 2]) -> Vec<[f64; 2]> {
+pub(super) fn sampled(samples: &[ParameterValues], place: &[Series; 2]) -> Vec<[f64; 2]> {
     samples.iter().map(|numbers| numbers.pair(place)).collect()
 }
 

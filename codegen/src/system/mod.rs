@@ -61,7 +61,7 @@ pub use loads::{Formula, Function, Load, LoadKind, Operator, Reading, Section, S
 pub use names::ParameterNames;
 pub use one_sided::{Centre, Edge, Friction, OneSided, Support};
 pub use signals::Signal;
-pub use value::Numbers;
+pub use value::ParameterValues;
 
 pub(crate) use coordinates::measures_the_same;
 pub(crate) use expression::whole;
@@ -134,7 +134,7 @@ pub struct System {
     /// What the figure settled, to be checked with a model's own parameters.
     pub settled: Vec<Settled>,
     /// Values of the parameters with which the figure can be drawn; the first are all 1 if it can be there.
-    pub samples: Vec<Numbers>,
+    pub samples: Vec<ParameterValues>,
     /// The most contact sets that get own code.
     pub sets: usize,
 }
@@ -342,16 +342,16 @@ pub struct Equal {
     /// How many times each counts; not 0.
     pub factors: [i32; 2],
     /// One angle.
-    pub left: Direction,
+    pub left: ConstrainedAngle,
     /// The other.
-    pub right: Direction,
+    pub right: ConstrainedAngle,
     /// Where the constraint is declared.
     pub span: Span,
 }
 
 /// An angle that a constraint names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Direction {
+pub enum ConstrainedAngle {
     /// The direction of a body.
     Body(usize),
     /// A declared coordinate, by its index.

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::constants::PI;
 use super::scope::Scope;
 use super::{Definition, System};
-use crate::algebra::{Names, Rational, Series};
+use crate::algebra::{Rational, Series, SymbolNames};
 use crate::math::Math;
 use crate::syntax::plain;
 
@@ -68,7 +68,7 @@ fn collision(kind: &str, other: &str, name: &syn::Ident) -> String {
 #[derive(Clone, Debug)]
 pub struct ParameterNames(Vec<Math>);
 
-impl Names for ParameterNames {
+impl SymbolNames for ParameterNames {
     fn parameter(&self, index: u16) -> Math {
         self.0.get(usize::from(index)).cloned().unwrap_or(Math::ONE)
     }

@@ -8,7 +8,7 @@ use syn::{Expr, Ident};
 use super::Switch;
 use super::constants::Constants;
 use super::signals::Signal;
-use super::value::Numbers;
+use super::value::ParameterValues;
 use crate::algebra::{Series, Symbol};
 use crate::syntax::{self, Description, Report, identifiers, nearest, plain, unknown};
 
@@ -145,7 +145,7 @@ impl<'a> Scope<'a> {
     }
 
     /// The switch of what acts on a condition; one for all that act on the same.
-    pub fn switch(&mut self, label: &str, armed: Option<&syntax::Switch>) -> Option<usize> {
+    pub fn switch(&mut self, label: &str, armed: Option<&syntax::SwitchDeclaration>) -> Option<usize> {
         let condition = &armed?.condition;
         self.use_words(condition);
         let known = self.switches.iter().position(|switch| switch.condition == *condition);
@@ -179,28 +179,28 @@ impl<'a> Scope<'a> {
     }
 
     /// The first values of the figure.
-    pub fn nominal(&self) -> Numbers {
+    pub fn nominal(&self) -> ParameterValues {
         self.of_figure().next().unwrap_or_else(|| self.ones())
     }
 
     /// Values at a few generic parameters: what agrees there is taken to agree identically.
-    pub fn samples(&self) -> Vec<Numbers> {
+    pub fn samples(&self) -> Vec<ParameterValues> {
         self.generic().take(3).collect()
     }
 
     /// Values with every parameter 1, then at generic parameters, where every constant is a number.
-    pub fn candidates(&self) -> impl Iterator<Item = Numbers> + '_ {
-        core::iter::once(self.ones()).filter(Numbers::are_finite).chain(self.generic())
+    pub fn candidates(&self) -> impl Iterator<Item = ParameterValues> + '_ {
+        core::iter::once(self.ones()).filter(ParameterValues::are_finite).chain(self.generic())
     }
 
     /// Values with every parameter 1.
-    pub fn ones(&self) -> Numbers {
+    pub fn ones(&self) -> ParameterValues {
         self.numbers(&self.all_one())
     }
 
     /// Values with which the figure may be drawn: those that parameters have by default, others as in
     /// [`Self::candidates`].
-    pub fn of_figure(&self) -> impl Iterator<Item = Numbers> + '_ {
+    pub fn of_figure(&self) -> impl Iterator<Item = ParameterValues> + '_ {
         let defaults: Vec<Option<f64>> = self.description.values.iter().map(|known| known.value).collect();
         // Without a free parameter all samples are one.
         let count = if defaults.iter().all(Option::is_some) { 1 } else { TRIED + 1 };
@@ -208,15 +208,15 @@ impl<'a> Scope<'a> {
             free.iter().zip(&defaults).map(|(free, default)| default.unwrap_or(*free)).collect()
         };
         let values = (0..count).map(|k| k.checked_sub(1).map_or(self.all_one(), |k| self.generic_values(k)));
-        values.map(with_defaults).map(|values| self.numbers(&values)).filter(Numbers::are_finite)
+        values.map(with_defaults).map(|values| self.numbers(&values)).filter(ParameterValues::are_finite)
     }
 
-    fn generic(&self) -> impl Iterator<Item = Numbers> + '_ {
-        (0..TRIED).map(|k| self.numbers(&self.generic_values(k))).filter(Numbers::are_finite)
+    fn generic(&self) -> impl Iterator<Item = ParameterValues> + '_ {
+        (0..TRIED).map(|k| self.numbers(&self.generic_values(k))).filter(ParameterValues::are_finite)
     }
 
-    fn numbers(&self, parameters: &[f64]) -> Numbers {
-        Numbers::new(parameters, self.constants.definitions())
+    fn numbers(&self, parameters: &[f64]) -> ParameterValues {
+        ParameterValues::new(parameters, self.constants.definitions())
     }
 
     fn all_one(&self) -> Vec<f64> {

@@ -12,7 +12,7 @@ use super::mass_properties::positive;
 use super::scope::Scope;
 use super::sides::{free_side, side};
 use crate::algebra::{Angle, Rational, Series};
-use crate::syntax::{Facing, Pair, Shape, SupportDeclaration};
+use crate::syntax::{Facing, Pair, ShapeDeclaration, SupportDeclaration};
 
 /// Resolves all supports.
 pub(super) fn resolve(
@@ -44,10 +44,10 @@ pub(super) fn resolve(
 
 /// Whether a line's direction is against that in which its surface is said to move: upwards on a wall, along its angle in a
 /// slot.
-fn is_reversed(shape: &Shape, k: usize, contact: &OneSided) -> bool {
+fn is_reversed(shape: &ShapeDeclaration, k: usize, contact: &OneSided) -> bool {
     match (shape, contact) {
-        (Shape::Wall(_), OneSided::Line { direction, .. }) => *direction == Angle::quarters(3),
-        (Shape::Slot(..), _) => k == 1,
+        (ShapeDeclaration::Wall(_), OneSided::Line { direction, .. }) => *direction == Angle::quarters(3),
+        (ShapeDeclaration::Slot(..), _) => k == 1,
         _ => false,
     }
 }
@@ -59,14 +59,14 @@ fn one_sided(
     figure: &mut Option<Figure>,
     declared: &SupportDeclaration,
 ) -> Vec<OneSided> {
-    if let Shape::Corner(at) = &declared.shape {
+    if let ShapeDeclaration::Corner(at) = &declared.shape {
         return corner(scope, structure, figure, declared, at).into_iter().collect();
     }
     match &declared.shape {
-        Shape::Bar(_) | Shape::Edge(_) => {
+        ShapeDeclaration::Bar(_) | ShapeDeclaration::Edge(_) => {
             return edges::support(scope, structure, figure, declared).into_iter().collect();
         }
-        Shape::Circle(..) | Shape::Bowl(..) | Shape::Disc(_) => {
+        ShapeDeclaration::Circle(..) | ShapeDeclaration::Bowl(..) | ShapeDeclaration::Disc(_) => {
             return circle(scope, structure, figure, declared).into_iter().collect();
         }
         _ => {}
@@ -79,7 +79,9 @@ fn one_sided(
         .is_some_and(|(figure, point)| figure.demand(scope, structure, point, &why));
     let known = figure.as_mut().zip(point).filter(|_| given);
     let contacts = match &declared.shape {
-        Shape::Slot(angle, through, width) => slot(scope, point, declared, (angle, through, width)),
+        ShapeDeclaration::Slot(angle, through, width) => {
+            slot(scope, point, declared, (angle, through, width))
+        }
         _ => line(scope, structure, known, declared)
             .zip(point)
             .map(|((through, direction), point)| vec![OneSided::Line { point, through, direction }]),
@@ -138,18 +140,18 @@ fn line(
     declared: &SupportDeclaration,
 ) -> Option<([Series; 2], Angle)> {
     match &declared.shape {
-        Shape::Corner(_)
-        | Shape::Circle(..)
-        | Shape::Bowl(..)
-        | Shape::Slot(..)
-        | Shape::Bar(_)
-        | Shape::Edge(_)
-        | Shape::Disc(_) => None,
-        Shape::Floor(height) => {
+        ShapeDeclaration::Corner(_)
+        | ShapeDeclaration::Circle(..)
+        | ShapeDeclaration::Bowl(..)
+        | ShapeDeclaration::Slot(..)
+        | ShapeDeclaration::Bar(_)
+        | ShapeDeclaration::Edge(_)
+        | ShapeDeclaration::Disc(_) => None,
+        ShapeDeclaration::Floor(height) => {
             let height = height.as_ref().map_or_else(|| Some(Series::zero()), |h| scope.number(h))?;
             Some(([Series::zero(), height], Angle::zero()))
         }
-        Shape::Wall(x) => {
+        ShapeDeclaration::Wall(x) => {
             let x = scope.number(x)?;
             let facing = match (declared.facing, known) {
                 (Some(facing), _) => facing,
@@ -159,7 +161,7 @@ fn line(
             let quarters = if facing == Facing::Right { 3 } else { 1 };
             Some(([x, Series::zero()], Angle::quarters(quarters)))
         }
-        Shape::Slope(angle, through) => {
+        ShapeDeclaration::Slope(angle, through) => {
             let angle = scope.angle(angle);
             let through =
                 through.as_ref().map_or_else(|| Ok([Series::zero(), Series::zero()]), |p| scope.position(p));

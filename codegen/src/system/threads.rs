@@ -10,7 +10,7 @@ use super::contact_law::{Contacts, restitution};
 use super::figure::{Figure, NEAR};
 use super::mass_properties::positive;
 use super::scope::Scope;
-use crate::syntax::{Thread, plain};
+use crate::syntax::{ThreadDeclaration, plain};
 
 /// Resolves all threads.
 pub(super) fn resolve(
@@ -46,7 +46,7 @@ pub(super) fn resolve(
     }
 }
 
-fn path(scope: &mut Scope, structure: &Structure, declared: &Thread) -> Option<Vec<usize>> {
+fn path(scope: &mut Scope, structure: &Structure, declared: &ThreadDeclaration) -> Option<Vec<usize>> {
     let points: Vec<Option<usize>> = declared.path.iter().map(|name| structure.point(scope, name)).collect();
     let path: Vec<usize> = points.into_iter().collect::<Option<_>>()?;
     let (first, last) = (*path.first()?, *path.last()?);
@@ -68,7 +68,7 @@ fn path(scope: &mut Scope, structure: &Structure, declared: &Thread) -> Option<V
 }
 
 /// A thread passes its inner points as smooth eyes; about a disc it would take another way.
-fn refuse_discs(scope: &mut Scope, structure: &Structure, declared: &Thread, path: &[usize]) {
+fn refuse_discs(scope: &mut Scope, structure: &Structure, declared: &ThreadDeclaration, path: &[usize]) {
     let inner = declared.path.iter().zip(path).take(path.len() - 1).skip(1);
     for (point, _) in inner.filter(|(_, at)| structure.disc(**at).is_some()) {
         let text = format!(
@@ -93,7 +93,7 @@ fn drawn(scope: &Scope, figure: &Figure, path: &[usize]) -> Option<f64> {
     Some(places?.windows(2).map(distance).sum())
 }
 
-fn too_short(scope: &mut Scope, declared: &Thread, drawn: f64, length: f64) {
+fn too_short(scope: &mut Scope, declared: &ThreadDeclaration, drawn: f64, length: f64) {
     if drawn > length * (1.0 + NEAR) {
         let text = format!(
             "thread `{}` is {length} long, but its points are {drawn} apart in the figure",

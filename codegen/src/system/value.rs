@@ -7,9 +7,9 @@ use crate::algebra::{Series, Symbol};
 
 /// Values of all parameters and derived constants.
 #[derive(Clone, Debug)]
-pub struct Numbers(Vec<f64>);
+pub struct ParameterValues(Vec<f64>);
 
-impl Numbers {
+impl ParameterValues {
     /// Derived constants after the given parameters.
     pub fn new(parameters: &[f64], constants: &[Definition]) -> Self {
         let mut numbers = Self(parameters.to_vec());
@@ -55,6 +55,6 @@ impl System {
 
     /// The value of a series of parameters.
     pub fn parameter_value(&self, series: &Series, values: &[f64]) -> f64 {
-        Numbers::new(values, &self.constants).evaluate(series)
+        ParameterValues::new(values, &self.constants).evaluate(series)
     }
 }

@@ -1,11 +1,11 @@
 //! Expressions that are no series: `κ = (k Δ + c ḋ)/√(x² + y²)`.
 
-use super::Writer;
+use super::TextWriter;
 use crate::math::Math;
 use crate::motion::Expression;
 use crate::system::{Function, Operator};
 
-impl Writer<'_> {
+impl TextWriter<'_> {
     /// An expression.
     pub(super) fn expression(&self, expression: &Expression) -> Math {
         match expression {

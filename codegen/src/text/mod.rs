@@ -15,7 +15,7 @@ use crate::math::{Equation, Math};
 use crate::motion::{Dense, Scene};
 use crate::phases::{Phase, closed_forms};
 use crate::program::Cost;
-pub use writer::Writer;
+pub use writer::TextWriter;
 
 /// The equations of a model: those of the whole system, and those of each contact set in closed form. Its text is stable,
 /// fit for snapshots.
@@ -28,9 +28,9 @@ pub struct Equations {
     /// Parameters in the order declared.
     pub parameters: Vec<Parameter>,
     /// Bars, rigid bodies and particles.
-    pub bodies: Vec<Body>,
+    pub bodies: Vec<BodyText>,
     /// Generalised coordinates.
-    pub coordinates: Vec<Coordinate>,
+    pub coordinates: Vec<CoordinateText>,
     /// T and V.
     pub energies: Vec<Equation>,
     /// Entries of M that do not vanish, below the diagonal and on it.
@@ -68,7 +68,7 @@ pub struct Parameter {
 
 /// What has mass.
 #[derive(Clone, Debug)]
-pub struct Body {
+pub struct BodyText {
     /// Its name; a particle is called by its point.
     pub name: String,
     /// Bar, body or particle.
@@ -85,7 +85,7 @@ pub struct Body {
 
 /// A generalised coordinate.
 #[derive(Clone, Debug)]
-pub struct Coordinate {
+pub struct CoordinateText {
     /// As it is written.
     pub symbol: Math,
     /// What it measures.
@@ -145,7 +145,7 @@ impl Equations {
 
 /// The equations of `analysis`.
 pub(crate) fn equations(analysis: &Analysis) -> syn::Result<Equations> {
-    let writer = Writer::new(analysis);
+    let writer = TextWriter::new(analysis);
     let (dense, phases) = written_out(analysis)?;
     let mut equations = writer.system(&dense);
     equations.phases = phases.iter().map(|phase| writer.phase(phase)).collect();

@@ -1,7 +1,7 @@
 //! The equations of contact sets without a closed form: `M a + h = Q + Jᵀ λ`.
 
 use super::phase::times;
-use super::{PhaseEquations, Writer};
+use super::{PhaseEquations, TextWriter};
 use crate::algebra::Symbol;
 use crate::math::{Equation, Math};
 use crate::motion::{ClosedSet, Contact, Dense, contains};
@@ -10,7 +10,7 @@ use crate::phases::Phase;
 /// The sets of more contacts than this are not gone through.
 const MOST: usize = 6;
 
-impl Writer<'_> {
+impl TextWriter<'_> {
     /// Those of each set, and those of all of them.
     pub(super) fn without_closed_form(
         &self,

@@ -1,13 +1,13 @@
 //! The equations of a contact set.
 
-use super::{PhaseEquations, Writer};
+use super::{PhaseEquations, TextWriter};
 use crate::algebra::Symbol;
 use crate::math::{Equation, Math};
 use crate::motion::ClosedSet;
-use crate::phases::{Elimination, Phase, Value};
+use crate::phases::{CoordinateValue, Elimination, Phase};
 use crate::program::Cost;
 
-impl Writer<'_> {
+impl TextWriter<'_> {
     pub(super) fn phase(&self, phase: &Phase) -> PhaseEquations {
         let energies = [("T", &phase.kinetic), ("V", &phase.potential)];
         let energy = |(name, energy)| Equation::new(Math::symbol(name), self.quotient(energy));
@@ -54,9 +54,9 @@ impl Writer<'_> {
     fn elimination(&self, elimination: &Elimination) -> Equation {
         let Elimination { coordinate, value, .. } = elimination;
         let (left, right) = match value {
-            Value::Rate(rate) => (Symbol::rate(*coordinate), self.quotient(rate)),
-            Value::Length(length) => (Symbol::coordinate(*coordinate), self.quotient(length)),
-            Value::Angle(angle) => (Symbol::coordinate(*coordinate), angle.math(self)),
+            CoordinateValue::Rate(rate) => (Symbol::rate(*coordinate), self.quotient(rate)),
+            CoordinateValue::Length(length) => (Symbol::coordinate(*coordinate), self.quotient(length)),
+            CoordinateValue::Angle(angle) => (Symbol::coordinate(*coordinate), angle.math(self)),
         };
         Equation::new(self.symbol(left), right)
     }

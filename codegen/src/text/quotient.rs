@@ -1,6 +1,6 @@
 //! Quotients over a power of one cosine, written as books do: `y = ½ l tan φ`, `T = … (4 − 6/cos φ + 3/cos⁴ φ)`.
 
-use super::Writer;
+use super::TextWriter;
 use crate::algebra::{Angle, Monomial, Quotient, Rational, Series, Symbol, Wave, lead};
 use crate::math::Math;
 use crate::program::Polynomial;
@@ -13,7 +13,7 @@ struct Piece {
     power: i32,
 }
 
-impl Writer<'_> {
+impl TextWriter<'_> {
     /// A quotient; term by term where its denominator is a power of one cosine.
     pub fn quotient(&self, quotient: &Quotient) -> Math {
         if let Some(series) = quotient.as_series() {

@@ -2,29 +2,29 @@
 
 use std::collections::BTreeMap;
 
-use super::Writer;
+use super::TextWriter;
 use super::writer::MASS;
-use crate::algebra::{Monomial, Names, Rational, Series, Shorthand, Symbol, Term, Wave, lead, rank};
+use crate::algebra::{Monomial, Rational, Series, Shorthand, Symbol, SymbolNames, Term, Wave, lead, rank};
 use crate::math::Math;
 
 /// Coefficients (functions of parameters) by what they multiply.
 type Collected = BTreeMap<(Monomial, Wave), Series>;
 
-impl Writer<'_> {
+impl TextWriter<'_> {
     /// A series; as it stands where no coefficient is a sum.
     pub(super) fn series(&self, series: &Series) -> Math {
         let mut shorthand = Shorthand::new(self);
         let shortened = shorthand.shortened(series);
-        Sums { names: &shorthand }.series(&shortened)
+        SumWriter { names: &shorthand }.series(&shortened)
     }
 }
 
 /// Writes sums with some names.
-struct Sums<'a> {
-    names: &'a dyn Names,
+struct SumWriter<'a> {
+    names: &'a dyn SymbolNames,
 }
 
-impl Sums<'_> {
+impl SumWriter<'_> {
     fn series(&self, series: &Series) -> Math {
         let (number, monomial) = series.written_content();
         let Some(inside) = series.over(number, &monomial) else { return series.math(self.names) };

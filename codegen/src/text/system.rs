@@ -1,13 +1,13 @@
 //! The equations of the whole system.
 
-use super::{Body, Coordinate, Equations, Parameter, Writer};
+use super::{BodyText, CoordinateText, Equations, Parameter, TextWriter};
 use crate::algebra::{Series, Symbol};
 use crate::kinematics::DependentAngle;
 use crate::math::{Equation, Math};
 use crate::motion::Dense;
 use crate::syntax::plain;
 
-impl Writer<'_> {
+impl TextWriter<'_> {
     /// All but the phases and what is left out.
     pub(super) fn system(&self, dense: &Dense) -> Equations {
         let (system, motion) = (&self.analysis.system, &self.analysis.motion);
@@ -53,13 +53,13 @@ impl Writer<'_> {
         names.zip(&system.meanings).map(parameter).collect()
     }
 
-    fn coordinates(&self) -> Vec<Coordinate> {
+    fn coordinates(&self) -> Vec<CoordinateText> {
         let coordinates = self.analysis.kinematics.coordinates.iter().enumerate();
-        let meaning = |(i, coordinate): (usize, &crate::kinematics::Coordinate)| Coordinate {
+        let meaning = |(i, coordinate): (usize, &crate::kinematics::Coordinate)| CoordinateText {
             symbol: self.symbol(Symbol::coordinate(i)),
             meaning: self.meaning(&coordinate.reading),
         };
-        let dependent = self.analysis.kinematics.dependent.iter().map(|angle| Coordinate {
+        let dependent = self.analysis.kinematics.dependent.iter().map(|angle| CoordinateText {
             symbol: Math::symbol(&angle.declared.name),
             meaning: format!("{}; {}", self.meaning(&angle.declared.reading), self.follows(angle)),
         });
@@ -78,10 +78,10 @@ impl Writer<'_> {
         }
     }
 
-    fn bodies(&self) -> Vec<Body> {
+    fn bodies(&self) -> Vec<BodyText> {
         let system = &self.analysis.system;
         let name = |&point: &usize| system.points[point].name.clone();
-        let bodies = system.bodies.iter().map(|body| Body {
+        let bodies = system.bodies.iter().map(|body| BodyText {
             name: body.name.clone(),
             kind: body.kind(),
             mass: self.series(&body.mass),
@@ -89,7 +89,7 @@ impl Writer<'_> {
             inertia: Some(self.series(&body.inertia)),
             points: body.outline.iter().map(name).collect(),
         });
-        let particles = system.particles.iter().map(|particle| Body {
+        let particles = system.particles.iter().map(|particle| BodyText {
             name: name(&particle.point),
             kind: "particle",
             mass: self.series(&particle.mass),

@@ -1,18 +1,18 @@
 //! Names of parameters, coordinates and reactions as they are written.
 
 use crate::Analysis;
-use crate::algebra::{Angle, Names, Series, Symbol};
+use crate::algebra::{Angle, Series, Symbol, SymbolNames};
 use crate::math::Math;
 use crate::system::{CoordinateKind, ParameterNames, Reference};
 
 /// Writes with the names of one model.
-pub struct Writer<'a> {
+pub struct TextWriter<'a> {
     pub(crate) analysis: &'a Analysis,
     parameters: ParameterNames,
     places: Vec<u8>,
 }
 
-impl<'a> Writer<'a> {
+impl<'a> TextWriter<'a> {
     /// With the names of this model.
     pub fn new(analysis: &'a Analysis) -> Self {
         let places = (0..analysis.system.parameters.len()).map(|i| rank_parameter(analysis, i)).collect();
@@ -38,7 +38,7 @@ pub(super) const MASS: u8 = 1;
 const TIME: u8 = 2;
 const LENGTH: u8 = 3;
 
-impl Names for Writer<'_> {
+impl SymbolNames for TextWriter<'_> {
     fn parameter(&self, index: u16) -> Math {
         self.parameters.parameter(index)
     }
@@ -60,7 +60,7 @@ impl Names for Writer<'_> {
     }
 }
 
-impl Writer<'_> {
+impl TextWriter<'_> {
     pub(super) fn symbol(&self, symbol: Symbol) -> Math {
         Series::symbol(symbol).math(self)
     }

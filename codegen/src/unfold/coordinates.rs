@@ -7,7 +7,7 @@ use syn::{Attribute, Ident, parse_quote};
 use crate::algebra::Angle;
 use crate::kinematics::Kinematics;
 use crate::syntax::{DIRECTIONS, ident, plain};
-use crate::system::{CoordinateKind, Direction, Equal, Mirror, Reference, System, measures_the_same};
+use crate::system::{ConstrainedAngle, CoordinateKind, Equal, Mirror, Reference, System, measures_the_same};
 
 /// Coordinates that are declared, and attributes that declare more.
 pub(super) struct Coordinates<'a> {
@@ -80,14 +80,14 @@ impl Coordinates<'_> {
         Ok(())
     }
 
-    fn image_of_angle(&mut self, direction: &Direction, span: Span) -> syn::Result<Ident> {
+    fn image_of_angle(&mut self, direction: &ConstrainedAngle, span: Span) -> syn::Result<Ident> {
         let (name, kind) = match direction {
-            Direction::Body(body) => {
+            ConstrainedAngle::Body(body) => {
                 let reference = Reference::Ground(Angle::zero());
                 let name = format!("theta_{}", self.system.bodies[*body].name);
                 (name, CoordinateKind::Angle { body: *body, reference, sign: 1 })
             }
-            Direction::Coordinate(i) => {
+            ConstrainedAngle::Coordinate(i) => {
                 let declared = &self.system.coordinates[*i];
                 (plain(&declared.name), declared.kind.clone())
             }

@@ -1,7 +1,7 @@
 //! Angles that a mirrored model keeps equal: a relation `Σ kᵢ δᵢ = constant` of directions has the image `Σ kᵢ δᵢ' = constant'`.
 
 use crate::kinematics::dependent;
-use crate::system::{CoordinateKind, Direction, Equal, Mirror, Reference, System};
+use crate::system::{ConstrainedAngle, CoordinateKind, Equal, Mirror, Reference, System};
 
 /// Equal angles whose images are not equal by what is declared already.
 pub(super) fn without_image<'a>(system: &'a System, mirror: &Mirror) -> Vec<&'a Equal> {
@@ -24,10 +24,10 @@ fn of_equal(system: &System, Equal { factors, left, right, .. }: &Equal) -> Vec<
     row
 }
 
-fn add(system: &System, row: &mut [f64], direction: &Direction, factor: f64) {
+fn add(system: &System, row: &mut [f64], direction: &ConstrainedAngle, factor: f64) {
     match *direction {
-        Direction::Body(body) => row[body] += factor,
-        Direction::Coordinate(i) => {
+        ConstrainedAngle::Body(body) => row[body] += factor,
+        ConstrainedAngle::Coordinate(i) => {
             if let CoordinateKind::Angle { body, reference, sign } = &system.coordinates[i].kind {
                 row[*body] += factor * f64::from(*sign);
                 if let Reference::Body(other) = reference {

@@ -20,7 +20,7 @@ use syn::DeriveInput;
 use crate::Analysis;
 use crate::algebra::{Series, Symbol};
 use crate::kinematics::{Kinematics, nominal_values};
-use crate::system::{CoordinateKind, Mirror, NEAR, Numbers, Reference, System};
+use crate::system::{CoordinateKind, Mirror, NEAR, ParameterValues, Reference, System};
 
 /// Attributes that hold of one half alone: its motions have other starts and other equations.
 const LEFT_OUT: [&str; 3] = ["mirror", "run", "budget"];
@@ -112,7 +112,7 @@ impl Unfolded {
         let parameters: Vec<f64> = (0..self.system.parameters.len())
             .map(|i| numbers.evaluate(&Series::symbol(Symbol::parameter(i))))
             .collect();
-        let whole = Numbers::new(&parameters, &self.analysis.system.constants);
+        let whole = ParameterValues::new(&parameters, &self.analysis.system.constants);
         let places = self.system.figure.iter().zip(&self.analysis.system.figure);
         for (point, (a, b)) in self.system.points.iter().zip(places) {
             let [a, b] = [numbers.pair(a), whole.pair(b)];
@@ -130,6 +130,6 @@ impl Unfolded {
 
 /// Values of parameters, derived constants and coordinates.
 fn values(system: &System, parameters: &[f64], coordinates: &[f64]) -> impl Fn(Symbol) -> f64 {
-    let values = nominal_values(system, &Numbers::new(parameters, &system.constants), coordinates);
+    let values = nominal_values(system, &ParameterValues::new(parameters, &system.constants), coordinates);
     move |symbol| values.get(&symbol).copied().unwrap_or(f64::NAN)
 }

@@ -2,7 +2,7 @@ use super::Unfolded;
 use crate::Analysis;
 use crate::algebra::Symbol;
 use crate::kinematics::nominal_values;
-use crate::system::Numbers;
+use crate::system::ParameterValues;
 use crate::tests::{PAIR, analysis};
 
 /// Mirrored models of parameters m, l, g and a.
@@ -102,8 +102,9 @@ impl Case {
             _ => 0.4,
         };
         let parameters: Vec<f64> = half.system.parameters.iter().map(value).collect();
-        let closed =
-            || half.kinematics.nominal(&half.system, &Numbers::new(&parameters, &half.system.constants));
+        let closed = || {
+            half.kinematics.nominal(&half.system, &ParameterValues::new(&parameters, &half.system.constants))
+        };
         let free = || (1..=half.motion.n).map(|i| 0.3 + (1.7 * i as f64 * k).sin()).collect();
         let q = if half.kinematics.joints.is_empty() { free() } else { closed() };
         Self { declaration, half, unfolded, parameters, q }
@@ -167,7 +168,7 @@ impl Case {
 
 /// The places of all points.
 fn places(analysis: &Analysis, parameters: &[f64], q: &[f64]) -> Vec<[f64; 2]> {
-    let numbers = Numbers::new(parameters, &analysis.system.constants);
+    let numbers = ParameterValues::new(parameters, &analysis.system.constants);
     let values = nominal_values(&analysis.system, &numbers, q);
     let value = |symbol: Symbol| values[&symbol];
     analysis.kinematics.points.iter().map(|place| place.each_ref().map(|c| c.evaluate(&value))).collect()

@@ -3,11 +3,11 @@
 use std::collections::BTreeSet;
 
 use liftoff_codegen::Analysis;
-use liftoff_codegen::algebra::{Names, Quotient, Series, Symbol};
+use liftoff_codegen::algebra::{Quotient, Series, Symbol, SymbolNames};
 use liftoff_codegen::math::Math;
 use liftoff_codegen::phases::Phase;
 use liftoff_codegen::system::{Formula, Spring, Torsion};
-use liftoff_codegen::text::Writer;
+use liftoff_codegen::text::TextWriter;
 
 use crate::error::ConditionError;
 
@@ -15,7 +15,7 @@ use crate::error::ConditionError;
 pub(crate) struct Named<'a> {
     pub analysis: &'a Analysis,
     pub phase: &'a Phase,
-    pub writer: Writer<'a>,
+    pub writer: TextWriter<'a>,
 }
 
 /// The contact set with these supports closed, in any order, or `free`.
@@ -39,7 +39,7 @@ pub(crate) fn find<'a>(analysis: &'a Analysis, asked: &str) -> Result<&'a Phase,
 
 impl<'a> Named<'a> {
     pub fn new(analysis: &'a Analysis, phase: &'a Phase) -> Self {
-        Self { analysis, phase, writer: Writer::new(analysis) }
+        Self { analysis, phase, writer: TextWriter::new(analysis) }
     }
 
     /// `on A, E, C`, or `free`.
@@ -166,7 +166,7 @@ impl<'a> Named<'a> {
 }
 
 /// Names of a model, and those of the starts of its coordinates: `phi_0`.
-impl Names for Named<'_> {
+impl SymbolNames for Named<'_> {
     fn parameter(&self, index: u16) -> Math {
         self.writer.parameter(index)
     }

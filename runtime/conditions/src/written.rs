@@ -2,7 +2,7 @@
 
 use std::cmp::Reverse;
 
-use liftoff_codegen::algebra::{Names, Series, Symbol};
+use liftoff_codegen::algebra::{Series, Symbol, SymbolNames};
 use liftoff_codegen::math::Math;
 use num_bigint::BigInt;
 use num_traits::{One, Signed, ToPrimitive};
@@ -14,7 +14,7 @@ use crate::algebra::ring::{Ring, Variable};
 /// Writes with the names of one model.
 pub(crate) struct Written<'a> {
     pub ring: &'a Ring,
-    pub names: &'a dyn Names,
+    pub names: &'a dyn SymbolNames,
 }
 
 impl Written<'_> {

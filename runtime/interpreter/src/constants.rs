@@ -1,7 +1,7 @@
 //! What parameters, and the senses of sliding contacts, alone determine.
 
 use liftoff_codegen::algebra::Symbol;
-use liftoff_codegen::numbers::Numbers;
+use liftoff_codegen::numbers::ParameterProgram;
 use liftoff_codegen::program::{Id, Program};
 use liftoff_core::model::ContactSet;
 
@@ -42,7 +42,7 @@ impl Constants {
 }
 
 /// Numbers that parameters alone determine.
-pub(crate) fn of_parameters(numbers: &Numbers, parameters: usize) -> Code {
+pub(crate) fn of_parameters(numbers: &ParameterProgram, parameters: usize) -> Code {
     let source = |symbol: Symbol| match symbol {
         Symbol::Parameter(i) => Source::Input(i.into()),
         _ => Source::Missing,

@@ -2,7 +2,9 @@
 
 use liftoff_codegen::Analysis;
 use liftoff_codegen::geometry::Geometry;
-use liftoff_codegen::numbers::{self, Direction, Nominal, Numbers, Reading, Reference, Turned, Value};
+use liftoff_codegen::numbers::{
+    self, MeasureValue, Nominal, NominalDirection, NominalReading, NominalReference, ParameterProgram, Turned,
+};
 use liftoff_core::figure::{direction, wrapped};
 use liftoff_core::model::{Measure, MeasureKind};
 
@@ -11,10 +13,10 @@ use crate::layout::text;
 /// What parameters alone determine, as arithmetic.
 #[derive(Debug)]
 pub(crate) struct ParameterNumbers {
-    measures: Numbers,
-    entries: Vec<(&'static str, MeasureKind, Value)>,
+    measures: ParameterProgram,
+    entries: Vec<(&'static str, MeasureKind, MeasureValue)>,
     nominal: Nominal,
-    drawn: Numbers,
+    drawn: ParameterProgram,
 }
 
 impl ParameterNumbers {
@@ -41,17 +43,17 @@ impl ParameterNumbers {
             let [from, to] = ends.map(|place| place.map(|number| numbers[number]));
             direction(from, to)
         };
-        let turned = |direction: &Direction| match direction.own {
+        let turned = |direction: &NominalDirection| match direction.own {
             Some(own) => between(direction.seen) - between(own),
             None => between(direction.seen),
         };
-        let value = |reading: &Reading| {
+        let value = |reading: &NominalReading| {
             let (value, is_opposite) = match reading {
-                Reading::Position { number, is_opposite } => (numbers[*number], *is_opposite),
-                Reading::Angle { from, to, is_opposite } => {
+                NominalReading::Position { number, is_opposite } => (numbers[*number], *is_opposite),
+                NominalReading::Angle { from, to, is_opposite } => {
                     let from = match from {
-                        Reference::Ground(constant) => numbers[*constant],
-                        Reference::Body(other) => turned(other),
+                        NominalReference::Ground(constant) => numbers[*constant],
+                        NominalReference::Body(other) => turned(other),
                     };
                     (wrapped(turned(to) - from), *is_opposite)
                 }
@@ -67,12 +69,12 @@ impl ParameterNumbers {
             let turned = terms.iter().map(|&(i, k)| f64::from(k) * nominal[i]);
             wrapped(turned.fold(numbers[*constant], |sum, term| sum + term)).abs()
         };
-        let value = |value: &Value| match value {
-            Value::Number(k) => numbers[*k],
-            Value::Quotient(a, b) => numbers[*a] / numbers[*b],
-            Value::Branch([zero, other]) => distance(other) - distance(zero),
+        let value = |value: &MeasureValue| match value {
+            MeasureValue::Number(k) => numbers[*k],
+            MeasureValue::Quotient(a, b) => numbers[*a] / numbers[*b],
+            MeasureValue::Branch([zero, other]) => distance(other) - distance(zero),
         };
-        let measure = |(of, kind, given): &(&'static str, MeasureKind, Value)| Measure {
+        let measure = |(of, kind, given): &(&'static str, MeasureKind, MeasureValue)| Measure {
             of,
             kind: *kind,
             value: value(given),

@@ -2,7 +2,7 @@
 
 use crate::pair::Pair;
 use liftoff_codegen::Analysis;
-use liftoff_codegen::functions::{Functions, Mass, Solution, recursion};
+use liftoff_codegen::functions::{Functions, HeldSolution, Mass, recursion};
 use liftoff_codegen::motion::{Scene, Tree};
 use liftoff_tests::random::{Source, Vocabulary};
 
@@ -59,16 +59,16 @@ fn held(seeds: core::ops::Range<u64>, vocabulary: Vocabulary) -> [usize; 3] {
 }
 
 /// The solutions from the leaves and by entries with the rows that are closed in a set.
-fn both(pair: &Pair, set: u64) -> Option<(Pair, [Solution; 2])> {
+fn both(pair: &Pair, set: u64) -> Option<(Pair, [HeldSolution; 2])> {
     let Analysis { system, kinematics, motion, functions, .. } = &pair.analysis;
     let (kernel, mut program) = (&functions.kernel, functions.program.clone());
     let rows = pair.rows(set);
     let jacobian: Vec<_> = rows.iter().map(|&row| kernel.jacobian[row].clone()).collect();
     let bias: Vec<_> = rows.iter().map(|&row| kernel.bias[row]).collect();
     let free = recursion(&mut program, system, kinematics, motion, motion.tree.as_ref()?, &jacobian);
-    let from_leaves = Solution::from_free(&mut program, &free, &jacobian, &bias);
+    let from_leaves = HeldSolution::from_free(&mut program, &free, &jacobian, &bias);
     let Mass::Entries(mass) = &kernel.mass else { panic!("a small system") };
-    let by_entries = Solution::by_entries(&mut program, mass, &kernel.force, &jacobian, &bias);
+    let by_entries = HeldSolution::by_entries(&mut program, mass, &kernel.force, &jacobian, &bias);
     let functions = Functions { program, ..functions.clone() };
     let analysis = Analysis { functions, ..pair.analysis.clone() };
     Some((

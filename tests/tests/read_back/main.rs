@@ -5,10 +5,10 @@ mod reader;
 use std::collections::BTreeSet;
 
 use liftoff_codegen::Analysis;
-use liftoff_codegen::algebra::{Names, Quotient, Series, Symbol};
+use liftoff_codegen::algebra::{Quotient, Series, Symbol, SymbolNames};
 use liftoff_codegen::math::{Equation, Math};
 use liftoff_codegen::phases::Phase;
-use liftoff_codegen::text::Writer;
+use liftoff_codegen::text::TextWriter;
 use liftoff_compiled::models;
 use liftoff_conditions::{Conditions, Request};
 use liftoff_tests::random::{Source, Vocabulary, sample_of};
@@ -113,7 +113,7 @@ fn symbols(
     all: &BTreeSet<Symbol>,
     source: &mut Source,
 ) -> (Valued<Symbol>, Valued<Math>) {
-    let writer = Writer::new(analysis);
+    let writer = TextWriter::new(analysis);
     let coordinates = analysis.kinematics.coordinates.len() as u16;
     let places =
         (0..coordinates).flat_map(|index| (0..3).map(move |order| Symbol::Coordinate { index, order }));
@@ -158,7 +158,7 @@ fn is_well_conditioned(quotient: &Quotient, values: &[(Symbol, f64)]) -> Option<
 }
 
 fn check_model(analysis: &Analysis, source: &mut Source, seen: &mut usize) {
-    let writer = Writer::new(analysis);
+    let writer = TextWriter::new(analysis);
     for phase in &analysis.phases {
         let all = quotients(phase);
         let (values, shown) = symbols(analysis, &symbols_of(&all), source);
@@ -228,7 +228,7 @@ fn motion(analysis: &Analysis, phase: &Phase, values: &[(Symbol, f64)], from: f6
 
 /// Conditions of a start at rest, anywhere or at a given place, which has the formulas without the symbol of the start.
 fn check_conditions(analysis: &Analysis, at: Option<f64>, source: &mut Source, seen: &mut usize) {
-    let writer = Writer::new(analysis);
+    let writer = TextWriter::new(analysis);
     for phase in analysis.phases.iter().filter(|phase| phase.kept.len() == 1) {
         let (values, shown) = symbols(analysis, &symbols_of(&quotients(phase)), source);
         let name = writer.coordinate(phase.kept[0] as u16);

@@ -1,10 +1,10 @@
-use super::super::{Angle, Names, Quotient, Rational, Series, Shorthand, Symbol};
+use super::super::{Angle, Quotient, Rational, Series, Shorthand, Symbol, SymbolNames};
 use super::random::*;
 use crate::math::Math;
 
 pub(super) struct Pair;
 
-impl Names for Pair {
+impl SymbolNames for Pair {
     fn parameter(&self, index: u16) -> Math {
         Math::symbol(["m", "l", "g", "m1", "slope"][usize::from(index)])
     }

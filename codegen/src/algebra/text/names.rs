@@ -7,7 +7,7 @@ use crate::math::{Math, Name};
 pub(super) const PRODUCT: u8 = u8::MAX;
 
 /// The names under which symbols are written; Greek letters are given spelled out.
-pub trait Names {
+pub trait SymbolNames {
     /// Parameter `index`, as it is written.
     fn parameter(&self, index: u16) -> Math;
     /// Where parameter `index` stands among the parameters of a product: numbers, masses, `g` and what else has time in it,
@@ -40,7 +40,7 @@ pub fn printed(name: &str, order: u8) -> String {
 }
 
 /// A symbol as it is written.
-pub(super) fn symbol(symbol: Symbol, names: &dyn Names) -> Math {
+pub(super) fn symbol(symbol: Symbol, names: &dyn SymbolNames) -> Math {
     match symbol {
         Symbol::Parameter(i) => names.parameter(i),
         Symbol::Reaction(i) => names.reaction(i),

@@ -1,11 +1,11 @@
 //! Single terms as they are written: number, parameters, reactions, coordinates by order, wave.
 
 use super::super::{Angle, Monomial, Rational, Symbol, Term, Wave};
-use super::names::{Names, PRODUCT, symbol};
+use super::names::{PRODUCT, SymbolNames, symbol};
 use crate::math::Math;
 
 /// c · term.
-pub(super) fn term(c: Rational, term: &Term, names: &dyn Names) -> Math {
+pub(super) fn term(c: Rational, term: &Term, names: &dyn SymbolNames) -> Math {
     let waves = (!term.wave.is_one()).then(|| wave(&term.wave, 1, names));
     let (above, below) = term.monomial.over_parameters();
     let [above, below] = [above, below].map(|part| monomial(&part, names));
@@ -26,7 +26,7 @@ pub(super) fn numbered(c: Rational, factors: Vec<Math>) -> Math {
 }
 
 /// The factors of a monomial; parameters with negative exponents make one fraction of parameters.
-pub(super) fn monomial(monomial: &Monomial, names: &dyn Names) -> Vec<Math> {
+pub(super) fn monomial(monomial: &Monomial, names: &dyn SymbolNames) -> Vec<Math> {
     let mut sorted = monomial.factors().to_vec();
     sorted.sort_by_key(|&(symbol, _)| rank_symbol(symbol, names));
     let (parameters, others): (Vec<_>, Vec<_>) =
@@ -37,7 +37,7 @@ pub(super) fn monomial(monomial: &Monomial, names: &dyn Names) -> Vec<Math> {
 }
 
 /// Parameters, reactions, then coordinates by order of derivative; products of waves last.
-fn rank_symbol(symbol: Symbol, names: &dyn Names) -> (u16, u8, Symbol) {
+fn rank_symbol(symbol: Symbol, names: &dyn SymbolNames) -> (u16, u8, Symbol) {
     let (class, among) = match symbol {
         Symbol::Parameter(index) => (0, names.rank_parameter(index)),
         Symbol::Opaque { order: PRODUCT, .. } => (u16::MAX, 0),
@@ -49,11 +49,11 @@ fn rank_symbol(symbol: Symbol, names: &dyn Names) -> (u16, u8, Symbol) {
     (class, among, symbol)
 }
 
-fn factor(s: Symbol, exponent: i16, names: &dyn Names) -> Math {
+fn factor(s: Symbol, exponent: i16, names: &dyn SymbolNames) -> Math {
     symbol(s, names).power(i32::from(exponent.unsigned_abs()))
 }
 
-fn fraction(parameters: &[(Symbol, i16)], names: &dyn Names) -> Vec<Math> {
+fn fraction(parameters: &[(Symbol, i16)], names: &dyn SymbolNames) -> Vec<Math> {
     let written = |sign: i16| -> Vec<Math> {
         let chosen = parameters.iter().filter(|(_, k)| k.signum() == sign);
         chosen.map(|&(s, k)| factor(s, k, names)).collect()
@@ -66,7 +66,7 @@ fn fraction(parameters: &[(Symbol, i16)], names: &dyn Names) -> Vec<Math> {
 }
 
 /// sinᵏ or cosᵏ of an argument, in brackets unless it is one symbol or a multiple of one letter.
-pub(super) fn wave(wave: &Wave, k: u32, names: &dyn Names) -> Math {
+pub(super) fn wave(wave: &Wave, k: u32, names: &dyn SymbolNames) -> Math {
     let argument = match (combination(&wave.argument, names), &*wave.argument) {
         (single @ Math::Symbol(..), _) => single,
         (Math::Multiple(n, s), [_]) if is_letter(&s) => Math::Multiple(n, s),
@@ -79,7 +79,7 @@ fn is_letter(symbol: &Math) -> bool {
     matches!(symbol, Math::Symbol(name, _) if name.is_letter())
 }
 
-fn combination(arguments: &[(Symbol, i16)], names: &dyn Names) -> Math {
+fn combination(arguments: &[(Symbol, i16)], names: &dyn SymbolNames) -> Math {
     Math::sum(arguments.iter().map(|&(s, k)| multiple(k, symbol(s, names))))
 }
 
@@ -94,7 +94,7 @@ fn multiple(k: i16, symbol: Math) -> Math {
 
 impl Angle {
     /// The angle as it is written: integer multiples of symbols, then of ½π.
-    pub fn math(&self, names: &dyn Names) -> Math {
+    pub fn math(&self, names: &dyn SymbolNames) -> Math {
         let mut terms = self.terms().to_vec();
         lead(&mut terms, |(_, k)| k.is_positive());
         let terms = terms.into_iter().map(|(s, k)| multiple(k, symbol(s, names)));

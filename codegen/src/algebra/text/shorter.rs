@@ -14,7 +14,7 @@
 use std::collections::BTreeMap;
 
 use super::super::{Monomial, Powers, Rational, Series, Symbol, Term, Wave};
-use super::names::{Names, PRODUCT};
+use super::names::{PRODUCT, SymbolNames};
 use super::products::wave;
 use crate::math::Math;
 
@@ -23,7 +23,7 @@ const MOST: usize = 48;
 
 /// Names that know the products of waves too.
 pub struct Shorthand<'a> {
-    names: &'a dyn Names,
+    names: &'a dyn SymbolNames,
     pub(in crate::algebra) products: Vec<[Wave; 2]>,
 }
 
@@ -32,7 +32,7 @@ type Waves = BTreeMap<Wave, Series>;
 
 impl<'a> Shorthand<'a> {
     /// The names, without products.
-    pub fn new(names: &'a dyn Names) -> Self {
+    pub fn new(names: &'a dyn SymbolNames) -> Self {
         Self { names, products: Vec::new() }
     }
 
@@ -86,7 +86,7 @@ impl<'a> Shorthand<'a> {
     }
 }
 
-impl Names for Shorthand<'_> {
+impl SymbolNames for Shorthand<'_> {
     fn parameter(&self, index: u16) -> Math {
         self.names.parameter(index)
     }
@@ -117,7 +117,7 @@ impl Names for Shorthand<'_> {
 }
 
 /// Two waves, and what their sum is written as.
-struct Pair {
+struct WavePair {
     pair: [Wave; 2],
     /// Products of waves, none for the constant 1, by their coefficients.
     products: Vec<(Option<[Wave; 2]>, Series)>,
@@ -125,7 +125,7 @@ struct Pair {
     saves: (usize, i128, i128),
 }
 
-fn pairs(waves: &Waves) -> Vec<Pair> {
+fn pairs(waves: &Waves) -> Vec<WavePair> {
     let mut pairs = Vec::new();
     for (i, first) in waves.iter().enumerate() {
         for second in waves.iter().skip(i + 1) {
@@ -141,7 +141,7 @@ fn pairs(waves: &Waves) -> Vec<Pair> {
 }
 
 /// `p cos 2a + q` by a square.
-fn squares((double, p): (&Wave, &Series), q: &Series) -> Vec<Pair> {
+fn squares((double, p): (&Wave, &Series), q: &Series) -> Vec<WavePair> {
     let Some(half) = halved(&double.argument).filter(|_| !double.sine) else { return Vec::new() };
     let twice = p.scale(Rational::integer(2));
     let square = |sine| Some([Wave { argument: half.clone(), sine }, Wave { argument: half.clone(), sine }]);
@@ -149,7 +149,7 @@ fn squares((double, p): (&Wave, &Series), q: &Series) -> Vec<Pair> {
     let before = measure([p, q]);
     let pair = forms.into_iter().filter_map(|(constant, coefficient, sine)| {
         let after = measure([&constant, &coefficient]);
-        (after < before).then(|| Pair {
+        (after < before).then(|| WavePair {
             pair: [double.clone(), Wave::ONE],
             products: vec![(square(sine), coefficient), (None, constant)],
             saves: (before.0.saturating_sub(after.0), before.1 - after.1, before.2 - after.2),
@@ -159,7 +159,7 @@ fn squares((double, p): (&Wave, &Series), q: &Series) -> Vec<Pair> {
 }
 
 /// `p cos α + q cos β`, or the same of sines, by one product of waves or two.
-fn product((alpha, p): (&Wave, &Series), (beta, q): (&Wave, &Series)) -> Option<Pair> {
+fn product((alpha, p): (&Wave, &Series), (beta, q): (&Wave, &Series)) -> Option<WavePair> {
     if alpha.sine != beta.sine {
         return None;
     }
@@ -183,7 +183,7 @@ fn product((alpha, p): (&Wave, &Series), (beta, q): (&Wave, &Series)) -> Option<
     }
     let after = products.iter().map(|(_, coefficient)| coefficient.len()).sum::<usize>();
     let saves = (p.len() + q.len()).checked_sub(after).filter(|&saved| saved > 0)?;
-    Some(Pair { pair: [alpha.clone(), beta.clone()], products, saves: (saves, 0, 0) })
+    Some(WavePair { pair: [alpha.clone(), beta.clone()], products, saves: (saves, 0, 0) })
 }
 
 /// Terms, signs among them, and the sum of their numbers over the greatest that they have in common.

@@ -2,14 +2,14 @@
 //! monomial, constants before waves, low multiples first; a positive term leads where there is one.
 
 use super::super::{Powers, Quotient, Rational, Series, Symbol, Term};
-use super::names::{Names, PRODUCT};
+use super::names::{PRODUCT, SymbolNames};
 use super::products::{lead, monomial, numbered, term, wave};
 use crate::math::Math;
 use std::cmp::Reverse;
 
 impl Series {
     /// The series as it is written.
-    pub fn math(&self, names: &dyn Names) -> Math {
+    pub fn math(&self, names: &dyn SymbolNames) -> Math {
         if self.is_overflow() {
             return Math::Words("overflow".to_owned());
         }
@@ -21,12 +21,12 @@ impl Series {
     }
 
     /// The series in textbook notation.
-    pub fn text(&self, names: &dyn Names) -> String {
+    pub fn text(&self, names: &dyn SymbolNames) -> String {
         self.math(names).to_string()
     }
 
     /// common factor (sum), or the sum alone where nothing is common.
-    fn sum(&self, names: &dyn Names) -> Math {
+    fn sum(&self, names: &dyn SymbolNames) -> Math {
         let (number, common, rest) = self.factored();
         let sum = rest.terms_in_order(names);
         let (above, below) = common.over_parameters();
@@ -51,7 +51,7 @@ impl Series {
         (number, monomial, rest)
     }
 
-    fn terms_in_order(&self, names: &dyn Names) -> Math {
+    fn terms_in_order(&self, names: &dyn SymbolNames) -> Math {
         let mut terms: Vec<_> = self.entries().iter().collect();
         terms.sort_by_cached_key(|(term, _)| rank(term));
         lead(&mut terms, |(_, c)| !c.is_negative());
@@ -59,7 +59,7 @@ impl Series {
     }
 
     /// As one factor of a denominator.
-    fn factor(&self, k: u32, names: &dyn Names) -> Math {
+    fn factor(&self, k: u32, names: &dyn SymbolNames) -> Math {
         let power = i32::try_from(k).unwrap_or(i32::MAX);
         match self.entries() {
             [(single, _)] if single.monomial.is_one() => wave(&single.wave, k, names),
@@ -71,7 +71,7 @@ impl Series {
 
 impl Quotient {
     /// The quotient as it is written, the denominator in factors.
-    pub fn math(&self, names: &dyn Names) -> Math {
+    pub fn math(&self, names: &dyn SymbolNames) -> Math {
         let above = self.numerator().math(names);
         let mut factors: Vec<_> = self.factors().iter().collect();
         factors.sort_by_key(|(factor, _)| factor.len());
@@ -83,7 +83,7 @@ impl Quotient {
     }
 
     /// The quotient in textbook notation.
-    pub fn text(&self, names: &dyn Names) -> String {
+    pub fn text(&self, names: &dyn SymbolNames) -> String {
         self.math(names).to_string()
     }
 }

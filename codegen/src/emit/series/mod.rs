@@ -6,25 +6,25 @@ mod writer;
 
 use proc_macro2::{Ident, TokenStream};
 
-use super::constants::Constants;
+use super::constants::UsedConstants;
 use super::count;
 use super::functions::{Entries, State, kernel_of, kernel_outputs, pattern};
 use crate::Analysis;
-use crate::functions::{PhaseFunctions, Scope};
+use crate::functions::{PhaseFunctions, SeriesScope};
 use crate::program::Id;
 use writer::{Written, write};
 
 /// `PhaseSeries` for the phase of this name.
 pub(super) fn implementation(
     analysis: &Analysis,
-    constants: &Constants,
+    constants: &UsedConstants,
     phase: &PhaseFunctions,
     (name, entries): (&Ident, Entries),
 ) -> TokenStream {
     let functions = &analysis.functions;
     let along = functions.series(&analysis.motion, phase);
     let state = State { analysis, constants };
-    let scope = Scope { phase, program: &functions.program };
+    let scope = SeriesScope { phase, program: &functions.program };
     let Written { statements, results, inputs, columns } = write(&scope, &state, &along.outputs());
     let (rates, rest) = results.split_at(along.rates.len());
     let (forces, rest) = rest.split_at(along.reactions.len());
@@ -58,11 +58,11 @@ pub(super) fn implementation(
 }
 
 /// `KernelSeries`, where phases need it.
-pub(super) fn of_kernel(analysis: &Analysis, constants: &Constants) -> Option<TokenStream> {
+pub(super) fn of_kernel(analysis: &Analysis, constants: &UsedConstants) -> Option<TokenStream> {
     let phase = analysis.functions.projected.as_ref()?;
     let entries = Entries { kept: &phase.kept, moving: &phase.moving, motion: &analysis.motion };
     let state = State { analysis, constants };
-    let scope = Scope { phase, program: &analysis.functions.program };
+    let scope = SeriesScope { phase, program: &analysis.functions.program };
     let kernel = kernel_outputs(analysis);
     let outputs: Vec<Id> = kernel.iter().chain(&analysis.functions.feet).copied().collect();
     let Written { statements, results, inputs, columns } = write(&scope, &state, &outputs);

@@ -3,11 +3,11 @@
 use proc_macro2::{Literal, TokenStream};
 
 use super::super::body::{self, Inputs, ratio};
-use super::writer::Writer;
+use super::writer::SeriesWriter;
 use crate::algebra::{Rational, Symbol};
 use crate::program::{Id, Operation, Part};
 
-impl Writer<'_> {
+impl SeriesWriter<'_> {
     /// The sine and the cosine of a value.
     pub(super) fn sin_cos(&mut self, angle: Id) {
         let program = self.scope.program;
@@ -97,7 +97,7 @@ impl Writer<'_> {
 }
 
 /// What is written so far, at order 0.
-struct Known<'a, 'b>(&'a Writer<'b>);
+struct Known<'a, 'b>(&'a SeriesWriter<'b>);
 
 impl Known<'_, '_> {
     fn written(&self, id: Id) -> Option<TokenStream> {

@@ -5,10 +5,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::{Literal, TokenStream};
 
-use super::super::body::{self, Inputs, Names};
+use super::super::body::{self, Inputs, VariableNames};
 use super::super::functions::State;
 use crate::algebra::Symbol;
-use crate::functions::Scope;
+use crate::functions::SeriesScope;
 use crate::program::{Id, Operation};
 
 /// An expression nested deeper than this is split.
@@ -24,27 +24,27 @@ pub(super) struct Written {
     pub columns: usize,
 }
 
-pub(super) struct Writer<'a> {
-    pub(super) scope: &'a Scope<'a>,
+pub(super) struct SeriesWriter<'a> {
+    pub(super) scope: &'a SeriesScope<'a>,
     pub(super) state: &'a State<'a>,
     pub(super) uses: BTreeMap<Id, usize>,
     pub(super) written: BTreeMap<Id, (TokenStream, usize)>,
     /// How late in an order each coefficient is known.
     pub(super) lateness: BTreeMap<Id, usize>,
     pub(super) waves: BTreeMap<Vec<(Id, i16)>, [TokenStream; 2]>,
-    pub(super) names: Names,
+    pub(super) names: VariableNames,
     pub(super) statements: TokenStream,
     pub(super) inputs: BTreeSet<Symbol>,
     pub(super) columns: usize,
 }
 
 /// Writes one order of `outputs`.
-pub(super) fn write(scope: &Scope, state: &State, outputs: &[Id]) -> Written {
+pub(super) fn write(scope: &SeriesScope, state: &State, outputs: &[Id]) -> Written {
     let (needed, uses) = scope.needed(outputs);
     let read = needed.iter().filter_map(|&id| scope.input(id)).collect::<BTreeSet<Symbol>>();
     let names = read.iter().map(|&symbol| state.input(symbol).to_string());
-    let names = Names::besides(names.chain(["order", "k", "state"].map(str::to_owned)));
-    let mut writer = Writer {
+    let names = VariableNames::besides(names.chain(["order", "k", "state"].map(str::to_owned)));
+    let mut writer = SeriesWriter {
         scope,
         state,
         uses,
@@ -58,11 +58,11 @@ pub(super) fn write(scope: &Scope, state: &State, outputs: &[Id]) -> Written {
     };
     needed.iter().for_each(|&id| writer.write(id));
     let results = outputs.iter().map(|&id| writer.term(id)).collect();
-    let Writer { statements, inputs, columns, .. } = writer;
+    let SeriesWriter { statements, inputs, columns, .. } = writer;
     Written { statements, results, inputs, columns }
 }
 
-impl Writer<'_> {
+impl SeriesWriter<'_> {
     fn write(&mut self, id: Id) {
         let program = self.scope.program;
         let lateness = self.scope.lateness(id, &self.lateness);

@@ -1,7 +1,7 @@
 //! The function of what parameters alone determine.
 
 use super::Library;
-use super::statements::{Inputs, statements};
+use super::statements::{CInputs, statements};
 use super::text::unused;
 use crate::algebra::Symbol;
 use crate::program::Id;
@@ -9,7 +9,7 @@ use crate::program::Id;
 /// Parameters and senses of sliding.
 struct Parameters<'a>(&'a Library<'a>);
 
-impl Inputs for Parameters<'_> {
+impl CInputs for Parameters<'_> {
     fn input(&self, symbol: Symbol) -> String {
         match symbol {
             Symbol::Parameter(i) => format!("p->{}", self.0.names.parameters[usize::from(i)]),

@@ -1,7 +1,7 @@
 //! The equations of the full state: M, f, J, b of all rows, and the forces of hinges.
 
 use super::Library;
-use super::function::{Function, places};
+use super::function::{CFunction, places};
 use crate::Analysis;
 use crate::emit::Entries;
 use crate::functions::{Mass, Paths};
@@ -27,7 +27,7 @@ impl Library<'_> {
         };
         let rest = kernel.force.iter().chain(&kernel.gap).chain(kernel.jacobian.iter().flatten());
         let rest = rest.chain(&kernel.bias).chain(&kernel.prescribed_gap_rate).chain(&kernel.friction);
-        self.function(&Function {
+        self.function(&CFunction {
             head: format!("void {}_equations_of", self.names.prefix),
             entries,
             takes: &format!("{}_equations *e", self.names.prefix),
@@ -54,7 +54,7 @@ impl Library<'_> {
         let hinges: Vec<String> =
             contacts.filter(|(_, contact)| contact.force.is_some()).map(|(i, _)| i.to_string()).collect();
         let (count, hinges) = (hinges.len(), hinges.join(", "));
-        let forces = self.function(&Function {
+        let forces = self.function(&CFunction {
             head: "static void hinge_forces".to_owned(),
             entries,
             takes: "const double *acceleration, const double *multiplier, double *out",

@@ -3,14 +3,14 @@
 use std::collections::BTreeSet;
 
 use super::Library;
-use super::statements::{Inputs, Statements, statements};
+use super::statements::{CInputs, Statements, statements};
 use super::text::unused;
 use crate::algebra::Symbol;
 use crate::emit::Entries;
 use crate::program::Id;
 
 /// What a function of a state reads and writes.
-pub(super) struct Function<'a> {
+pub(super) struct CFunction<'a> {
     /// Its type and name.
     pub head: String,
     /// What the state has.
@@ -37,7 +37,7 @@ pub(super) fn places(count: usize) -> Vec<String> {
     (0..count).map(|i| format!("out[{i}]")).collect()
 }
 
-impl Inputs for Library<'_> {
+impl CInputs for Library<'_> {
     fn input(&self, symbol: Symbol) -> String {
         self.names.inputs[&symbol].clone()
     }
@@ -49,7 +49,7 @@ impl Inputs for Library<'_> {
 
 impl Library<'_> {
     /// The definition of a function.
-    pub(super) fn function(&self, function: &Function<'_>) -> String {
+    pub(super) fn function(&self, function: &CFunction<'_>) -> String {
         let p = &self.names.prefix;
         let program = &self.analysis.functions.program;
         let Statements { text, results, reads } =
@@ -71,7 +71,7 @@ impl Library<'_> {
     }
 
     /// Variables for the entries of a state that are read, and for its accelerations.
-    fn bound(&self, function: &Function<'_>, reads: &BTreeSet<Symbol>) -> String {
+    fn bound(&self, function: &CFunction<'_>, reads: &BTreeSet<Symbol>) -> String {
         let line = |(i, symbol): (usize, Symbol), from: &str| {
             let name = self.names.inputs.get(&symbol).filter(|_| reads.contains(&symbol));
             name.map_or(String::new(), |name| format!("    const double {name} = {from}[{i}];\n"))

@@ -3,7 +3,7 @@
 use super::Library;
 use super::text::{comment, unit};
 use crate::syntax::plain;
-use crate::text::Writer;
+use crate::text::TextWriter;
 
 /// What every library declares, whatever the model; its names begin with `model_` and `MODEL_`.
 const DECLARATIONS: &str = include_str!("declarations.h");
@@ -78,7 +78,7 @@ impl Library<'_> {
 
     fn entries_of_states(&self) -> Vec<String> {
         let Self { analysis, .. } = self;
-        let writer = Writer::new(analysis);
+        let writer = TextWriter::new(analysis);
         let n = analysis.motion.n;
         let mut lines: Vec<String> = Vec::new();
         for (i, coordinate) in analysis.kinematics.coordinates.iter().enumerate() {

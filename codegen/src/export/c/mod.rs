@@ -27,12 +27,12 @@ use super::File;
 use crate::Analysis;
 use crate::functions::{constant_names, phase_names};
 use crate::program::Id;
-use names::Names;
+use names::CNames;
 
 /// A model with the names of its library.
 struct Library<'a> {
     analysis: &'a Analysis,
-    names: Names,
+    names: CNames,
     /// The fields of what parameters alone determine.
     constants: BTreeMap<Id, String>,
     /// What the functions of each closed form begin with.
@@ -41,11 +41,11 @@ struct Library<'a> {
 
 /// The files of the library.
 pub(super) fn project(analysis: &Analysis) -> Vec<File> {
-    let names = Names::from_analysis(analysis);
+    let names = CNames::from_analysis(analysis);
     let constants = constant_names(&analysis.system, &analysis.functions.program, &outputs(analysis));
-    let mut fields = Names::fields();
+    let mut fields = CNames::fields();
     let constants = constants.into_iter().map(|(id, name)| (id, fields.make_unique(&name))).collect();
-    let mut identifiers = Names::fields();
+    let mut identifiers = CNames::fields();
     let phases = phase_names(analysis).into_iter();
     let phases = phases
         .map(|name| identifiers.make_unique(&name.replacen("On_", "on_", 1).replacen("Free", "free", 1)));

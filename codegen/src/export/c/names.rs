@@ -20,7 +20,7 @@ const LOCAL: &str = "sqrt sin cos fabs fmax k p e state senses out rates acceler
      slip_of contact_of";
 
 /// Identifiers of a model.
-pub(super) struct Names {
+pub(super) struct CNames {
     /// What every name of the library begins with.
     pub prefix: String,
     /// The same of numbers.
@@ -31,7 +31,7 @@ pub(super) struct Names {
     pub inputs: BTreeMap<Symbol, String>,
 }
 
-impl Names {
+impl CNames {
     pub fn from_analysis(analysis: &Analysis) -> Self {
         let system = &analysis.system;
         let prefix = Identifiers::new(WORDS.split(' ')).make_unique(&snake(&plain(&system.ident)));

@@ -1,7 +1,7 @@
 //! The contact sets in closed form.
 
 use super::Library;
-use super::function::{Function, places};
+use super::function::{CFunction, places};
 use super::text::{comment, ended, string};
 use crate::algebra::Symbol;
 use crate::emit::Entries;
@@ -39,7 +39,7 @@ impl Library<'_> {
         let kept = entries.places(motion.n).into_iter().enumerate();
         let restricted: String = kept.map(|(i, place)| format!("    out[{i}] = state[{place}];\n")).collect();
         let unread = if size == 0 { "    (void)state;\n    (void)out;\n" } else { "" };
-        let function = |kind: &str, outputs: Vec<Id>, behind: String| Function {
+        let function = |kind: &str, outputs: Vec<Id>, behind: String| CFunction {
             head: format!("void {name}_{kind}"),
             entries,
             takes: "double *out",

@@ -1,7 +1,7 @@
 //! The source.
 
 use super::Library;
-use super::function::{Function, places};
+use super::function::{CFunction, places};
 use super::text::{ended, string};
 use crate::emit::Entries;
 use crate::program::Id;
@@ -17,7 +17,7 @@ impl Library<'_> {
         let all: Vec<usize> = (0..self.analysis.motion.n).collect();
         let entries = Entries { kept: &all, moving: &all, motion: &self.analysis.motion };
         let of_state = |name: &str, outputs: &[Id]| {
-            self.function(&Function {
+            self.function(&CFunction {
                 head: format!("void {p}_{name}"),
                 entries,
                 takes: "double *out",

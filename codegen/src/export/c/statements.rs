@@ -13,7 +13,7 @@ const LONG: usize = 72;
 const EXACT: i128 = 1 << f64::MANTISSA_DIGITS;
 
 /// Where the inputs of a function come from.
-pub(super) trait Inputs {
+pub(super) trait CInputs {
     /// The expression of a parameter, coordinate or rate.
     fn input(&self, symbol: Symbol) -> String;
     /// The expression of a value that is stored with the constants, if `id` is one.
@@ -42,7 +42,7 @@ enum Level {
 pub(super) fn statements(
     program: &Program,
     outputs: &[Id],
-    inputs: &dyn Inputs,
+    inputs: &dyn CInputs,
     names: Identifiers,
 ) -> Statements {
     let needed = program.reachable_beyond(outputs, |id| inputs.constant(id).is_some());
@@ -51,7 +51,7 @@ pub(super) fn statements(
     let operands = operands.flat_map(|&id| program.operation(id).operands());
     operands.chain(outputs.iter().copied()).for_each(|id| *uses.entry(id).or_default() += 1);
     let mut writer =
-        Writer { program, names, uses, written: BTreeMap::new(), unnamed: 0, text: String::new() };
+        CWriter { program, names, uses, written: BTreeMap::new(), unnamed: 0, text: String::new() };
     let mut reads = BTreeSet::new();
     for &id in &needed {
         if let Some(constant) = inputs.constant(id) {
@@ -67,7 +67,7 @@ pub(super) fn statements(
     Statements { text: writer.text, results, reads }
 }
 
-struct Writer<'a> {
+struct CWriter<'a> {
     program: &'a Program,
     names: Identifiers,
     uses: BTreeMap<Id, usize>,
@@ -77,7 +77,7 @@ struct Writer<'a> {
     text: String,
 }
 
-impl Writer<'_> {
+impl CWriter<'_> {
     fn write(&mut self, id: Id) {
         let operation = self.program.operation(id);
         let (expression, level) = self.expression(operation);

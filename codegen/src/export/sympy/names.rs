@@ -7,7 +7,7 @@ use crate::export::formula::Formulas;
 use crate::export::identifiers::Identifiers;
 use crate::syntax::plain;
 use crate::system::Definition;
-use crate::text::Writer;
+use crate::text::TextWriter;
 
 /// The names, and the lines.
 pub(super) fn names(analysis: &Analysis) -> (Formulas, String) {
@@ -62,7 +62,7 @@ impl Naming<'_> {
     }
 
     fn coordinates(&mut self) {
-        let writer = Writer::new(self.analysis);
+        let writer = TextWriter::new(self.analysis);
         self.line("# Time, coordinates, their first and second derivatives.");
         self.symbol(Symbol::Time, "t", "");
         for (order, list, suffix) in [(0, "coordinates", ""), (1, "rates", "_d"), (2, "accelerations", "_dd")]

@@ -4,7 +4,7 @@ use super::Exported;
 use super::python::{column, dictionary, matrix, string, tuple};
 use crate::algebra::{Quotient, Symbol};
 use crate::motion::contains;
-use crate::phases::{Phase, Value};
+use crate::phases::{CoordinateValue, Phase};
 use std::collections::BTreeSet;
 
 impl Exported<'_> {
@@ -32,8 +32,8 @@ impl Exported<'_> {
             format!("[{}]", symbols.join(", "))
         };
         let coordinates = phase.coordinates.iter().map(|value| match value {
-            Value::Length(value) | Value::Rate(value) => quotient(value),
-            Value::Angle(angle) => formulas.angle(angle),
+            CoordinateValue::Length(value) | CoordinateValue::Rate(value) => quotient(value),
+            CoordinateValue::Angle(angle) => formulas.angle(angle),
         });
         let mass: Vec<Vec<String>> =
             phase.mass.iter().map(|row| row.iter().map(quotient).collect()).collect();
@@ -74,8 +74,8 @@ impl Exported<'_> {
 /// Every symbol that the equations of a closed form read.
 fn symbols(phase: &Phase) -> BTreeSet<Symbol> {
     let coordinates = phase.coordinates.iter().filter_map(|value| match value {
-        Value::Length(value) | Value::Rate(value) => Some(value),
-        Value::Angle(_) => None,
+        CoordinateValue::Length(value) | CoordinateValue::Rate(value) => Some(value),
+        CoordinateValue::Angle(_) => None,
     });
     let matrices = phase.mass.iter().flatten().chain(&phase.velocity_terms).chain(&phase.forces);
     let reactions = phase.reactions.iter().map(|(_, reaction)| reaction);
@@ -83,7 +83,7 @@ fn symbols(phase: &Phase) -> BTreeSet<Symbol> {
     let quotients = coordinates.chain(matrices).chain(reactions).chain(laws);
     let quotients = quotients.chain(&phase.rates).chain(&phase.accelerations);
     let angles = phase.coordinates.iter().filter_map(|value| match value {
-        Value::Angle(angle) => Some(angle.terms().iter().map(|(symbol, _)| *symbol)),
+        CoordinateValue::Angle(angle) => Some(angle.terms().iter().map(|(symbol, _)| *symbol)),
         _ => None,
     });
     let angles: BTreeSet<Symbol> = angles.flatten().collect();

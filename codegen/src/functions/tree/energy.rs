@@ -1,6 +1,6 @@
 //! Positions, energies and momenta of a tree.
 
-use super::geometry::Geometry;
+use super::geometry::TreeGeometry;
 use super::vector::{Vector, add, dot, normal, scaled_add};
 use crate::algebra::{Rational, Series};
 use crate::motion::{Branch, LumpedMass, Motion, Quantity};
@@ -15,7 +15,7 @@ struct Moving {
     velocity: Vector,
 }
 
-fn moving(lowering: &mut Lowering, geometry: &Geometry) -> Vec<Moving> {
+fn moving(lowering: &mut Lowering, geometry: &TreeGeometry) -> Vec<Moving> {
     let places = geometry.places(lowering.program());
     let velocities = geometry.velocities(lowering.program());
     let lumped_masses = |(i, branch): (usize, &Branch)| {
@@ -34,7 +34,11 @@ fn moving(lowering: &mut Lowering, geometry: &Geometry) -> Vec<Moving> {
 }
 
 /// `T = Σ ½ m v² + ½ I ω²` and V.
-pub(in crate::functions) fn energy(lowering: &mut Lowering, geometry: &Geometry, motion: &Motion) -> [Id; 2] {
+pub(in crate::functions) fn energy(
+    lowering: &mut Lowering,
+    geometry: &TreeGeometry,
+    motion: &Motion,
+) -> [Id; 2] {
     let moving = moving(lowering, geometry);
     let program = lowering.program();
     let mut twice = program.integer(0);
@@ -49,7 +53,7 @@ pub(in crate::functions) fn energy(lowering: &mut Lowering, geometry: &Geometry,
 }
 
 /// `Σ m v` and `Σ m r × v + I ω`, by name.
-pub(in crate::functions) fn momenta(lowering: &mut Lowering, geometry: &Geometry) -> [Quantity<Id>; 3] {
+pub(in crate::functions) fn momenta(lowering: &mut Lowering, geometry: &TreeGeometry) -> [Quantity<Id>; 3] {
     let moving = moving(lowering, geometry);
     let program = lowering.program();
     let [mut x, mut y, mut z] = [program.integer(0); 3];
@@ -65,7 +69,7 @@ pub(in crate::functions) fn momenta(lowering: &mut Lowering, geometry: &Geometry
 }
 
 /// x and y of every point.
-pub(in crate::functions) fn points(lowering: &mut Lowering, geometry: &Geometry) -> Vec<Id> {
+pub(in crate::functions) fn points(lowering: &mut Lowering, geometry: &TreeGeometry) -> Vec<Id> {
     let places = geometry.places(lowering.program());
     let (system, tree) = (geometry.system, &geometry.kinematics.tree);
     let mut points = Vec::new();

@@ -1,6 +1,6 @@
 //! What the elimination of a tree from its leaves makes of its masses, whatever acts on them.
 
-use super::geometry::Geometry;
+use super::geometry::TreeGeometry;
 use super::vector::{Vector, dot_add, normal};
 use crate::program::{Id, Lowering, Program};
 
@@ -25,22 +25,25 @@ pub(super) struct Factor {
 }
 
 /// A branch with those eliminated that it carries.
-struct Sums {
+struct ArticulatedInertia {
     inertia: Symmetric,
     moment: Vector,
     turning: Id,
 }
 
 impl Factors {
-    pub fn lower(lowering: &mut Lowering, geometry: &Geometry) -> Self {
+    pub fn lower(lowering: &mut Lowering, geometry: &TreeGeometry) -> Self {
         let tree = geometry.tree;
         let masses: Vec<[Id; 2]> =
             tree.branches.iter().map(|b| [b.mass(), b.inertia()].map(|s| lowering.series(&s))).collect();
         let program = lowering.program();
         let zero = program.integer(0);
-        let start =
-            |&[mass, turning]: &[Id; 2]| Sums { inertia: [mass, zero, mass], moment: [zero; 2], turning };
-        let mut sums: Vec<Sums> = masses.iter().map(start).collect();
+        let start = |&[mass, turning]: &[Id; 2]| ArticulatedInertia {
+            inertia: [mass, zero, mass],
+            moment: [zero; 2],
+            turning,
+        };
+        let mut sums: Vec<ArticulatedInertia> = masses.iter().map(start).collect();
         let mut bases = vec![[zero; 3]; tree.bases.len()];
         let mut factors = Vec::new();
         for (i, branch) in tree.branches.iter().enumerate().rev() {
@@ -58,7 +61,7 @@ impl Factors {
     }
 }
 
-impl Sums {
+impl ArticulatedInertia {
     /// `B += A`, `b += A e⊥`, `J += e⊥ · A e⊥`.
     fn carry(&mut self, program: &mut Program, inertia: Symmetric, reach: Vector) {
         let (across, zero) = (normal(program, reach), program.integer(0));
@@ -69,7 +72,7 @@ impl Sums {
     }
 
     /// `A = B − b bᵀ/J`, once p⊥ is added to b.
-    fn eliminate(&self, program: &mut Program, geometry: &Geometry, branch: usize) -> Factor {
+    fn eliminate(&self, program: &mut Program, geometry: &TreeGeometry, branch: usize) -> Factor {
         let moment = geometry.first_normal_add(program, branch, self.moment);
         let one = program.integer(1);
         let inverse = program.div(one, self.turning);

@@ -8,7 +8,7 @@ use crate::program::{Id, Lowering, Program};
 use crate::system::System;
 
 /// A tree at a state; each list has an entry for each branch.
-pub(in crate::functions) struct Geometry<'a> {
+pub(in crate::functions) struct TreeGeometry<'a> {
     pub system: &'a System,
     pub kinematics: &'a Kinematics,
     pub tree: &'a Tree,
@@ -24,7 +24,7 @@ pub(in crate::functions) struct Geometry<'a> {
     pub square: Vec<Id>,
 }
 
-impl<'a> Geometry<'a> {
+impl<'a> TreeGeometry<'a> {
     pub fn lower(
         lowering: &mut Lowering,
         system: &'a System,

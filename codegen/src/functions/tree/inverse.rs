@@ -5,7 +5,7 @@
 //!
 //! sums over the bodies that it carries (Luh, Walker & Paul 1980).
 
-use super::geometry::{Geometry, signed};
+use super::geometry::{TreeGeometry, signed};
 use super::vector::{Vector, add, normal, scaled_add};
 use crate::motion::Action;
 use crate::program::{Id, Lowering};
@@ -22,7 +22,7 @@ impl Inverse {
     /// At these accelerations of the coordinates, under these loads.
     pub fn lower(
         lowering: &mut Lowering,
-        geometry: &Geometry,
+        geometry: &TreeGeometry,
         accelerations: &[Id],
         loads: &[Action],
     ) -> Self {

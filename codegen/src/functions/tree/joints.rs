@@ -1,6 +1,6 @@
 //! The force of each joint on each of its bodies, and of the ground where it holds one.
 
-use super::geometry::Geometry;
+use super::geometry::TreeGeometry;
 use super::inverse::Inverse;
 use super::vector::{add, sub};
 use crate::algebra::Symbol;
@@ -10,7 +10,7 @@ use crate::program::{Id, Lowering};
 /// `fx(D, AD)`, …, by name; nothing where supports share a reaction in an unknown way.
 pub(in crate::functions) fn joints(
     lowering: &mut Lowering,
-    geometry: &Geometry,
+    geometry: &TreeGeometry,
     motion: &Motion,
 ) -> Vec<Quantity<Id>> {
     let (system, kinematics) = (geometry.system, geometry.kinematics);

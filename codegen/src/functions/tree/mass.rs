@@ -1,7 +1,7 @@
 //! The mass matrix of a tree by paths: where body i carries body j, `M_ij = e_i · s_j`, e_i the reach of i towards j and
 //! `s_j = p_j + Σ m' e'` the first moment of j with what it carries put where it begins; `M_jj = I_j + Σ m' |e'|²`.
 
-use super::geometry::{Geometry, signed};
+use super::geometry::{TreeGeometry, signed};
 use super::vector::Vector;
 use crate::algebra::Series;
 use crate::motion::{Tree, square};
@@ -35,7 +35,7 @@ fn local(tree: &Tree) -> (Vec<[Series; 2]>, Vec<Series>) {
 }
 
 /// M of a tree.
-pub(in crate::functions) fn paths(lowering: &mut Lowering, geometry: &Geometry) -> Paths {
+pub(in crate::functions) fn paths(lowering: &mut Lowering, geometry: &TreeGeometry) -> Paths {
     let branches = &geometry.tree.branches;
     let (moments, own) = local(geometry.tree);
     let zero = lowering.program().integer(0);

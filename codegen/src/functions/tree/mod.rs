@@ -17,7 +17,7 @@ mod vector;
 pub use mass::Paths;
 
 pub(super) use energy::{energy, momenta, points};
-pub(super) use geometry::Geometry;
+pub(super) use geometry::TreeGeometry;
 pub(super) use inverse::Inverse;
 pub(super) use joints::joints;
 pub(super) use mass::paths;

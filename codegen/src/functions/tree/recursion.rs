@@ -14,7 +14,7 @@
 //! At a free point that a force s drives, `Σ A a + Σ d = s`.
 
 use super::factors::{Factor, Factors, times_add};
-use super::geometry::{Geometry, signed};
+use super::geometry::{TreeGeometry, signed};
 use super::vector::{Vector, add, dot_add, normal, scaled_add, sub};
 use crate::kinematics::Kinematics;
 use crate::motion::{Motion, Tree};
@@ -22,7 +22,7 @@ use crate::program::{Id, Lowering, Program, solve_symmetric};
 use crate::system::System;
 
 /// What acts on a tree.
-struct Drive {
+struct TreeLoads {
     /// f on each branch.
     forces: Vec<Vector>,
     /// c on each branch about the point it turns about.
@@ -49,19 +49,20 @@ pub fn accelerations(
     forces: &[Vec<Id>],
 ) -> Vec<Vec<Id>> {
     let mut lowering = Lowering::new(program, system, &motion.opaque_terms, []);
-    let geometry = Geometry::lower(&mut lowering, system, kinematics, tree);
+    let geometry = TreeGeometry::lower(&mut lowering, system, kinematics, tree);
     let factors = Factors::lower(&mut lowering, &geometry);
     let (pulls, couples) = geometry.loads(&mut lowering, &motion.loads.actions);
     let ground = Some(geometry.ground(&mut lowering));
     let zero = program.integer(0);
     let bases = vec![[zero; 2]; tree.bases.len()];
-    let moving = Drive { forces: pulls, couples, bases, ground };
-    let units: Vec<Drive> = forces.iter().map(|force| Drive::generalised(program, tree, force)).collect();
+    let moving = TreeLoads { forces: pulls, couples, bases, ground };
+    let units: Vec<TreeLoads> =
+        forces.iter().map(|force| TreeLoads::generalised(program, tree, force)).collect();
     let drives = core::iter::once(moving).chain(units);
     drives.map(|drive| drive.accelerate(program, &geometry, &factors, motion.n)).collect()
 }
 
-impl Drive {
+impl TreeLoads {
     /// Generalised forces alone.
     fn generalised(program: &mut Program, tree: &Tree, force: &[Id]) -> Self {
         let zero = program.integer(0);
@@ -72,7 +73,13 @@ impl Drive {
         Self { forces: vec![[zero; 2]; tree.branches.len()], couples, bases, ground: None }
     }
 
-    fn accelerate(&self, program: &mut Program, geometry: &Geometry, factors: &Factors, n: usize) -> Vec<Id> {
+    fn accelerate(
+        &self,
+        program: &mut Program,
+        geometry: &TreeGeometry,
+        factors: &Factors,
+        n: usize,
+    ) -> Vec<Id> {
         let biases = self.inwards(program, geometry, &factors.branches);
         let zero = program.integer(0);
         let ground = self.ground.unwrap_or([zero; 2]);
@@ -113,7 +120,7 @@ impl Drive {
     fn outwards(
         &self,
         program: &mut Program,
-        geometry: &Geometry,
+        geometry: &TreeGeometry,
         i: usize,
         parent: usize,
         v: Vector,
@@ -125,7 +132,7 @@ impl Drive {
         scaled_add(program, minus, geometry.reach[i], v)
     }
 
-    fn inwards(&self, program: &mut Program, geometry: &Geometry, factors: &[Factor]) -> Vec<Bias> {
+    fn inwards(&self, program: &mut Program, geometry: &TreeGeometry, factors: &[Factor]) -> Vec<Bias> {
         let mut forces: Vec<Vector> = self.forces.iter().map(|f| f.map(|part| program.neg(part))).collect();
         let mut couples: Vec<Id> = self.couples.iter().map(|&couple| program.neg(couple)).collect();
         let (mut biases, zero) = (Vec::new(), program.integer(0));

@@ -4,7 +4,7 @@ use core::f64::consts::{FRAC_PI_2, PI};
 use std::collections::BTreeMap;
 
 use super::super::rules::{equal_angles, equal_waves, nearest};
-use super::super::{Elimination, Value};
+use super::super::{CoordinateValue, Elimination};
 use crate::Analysis;
 use crate::algebra::{Angle, Rational, Series, Symbol};
 use crate::tests::analysis;
@@ -32,7 +32,7 @@ fn values(phi: f64, psi: f64) -> BTreeMap<Symbol, f64> {
 
 /// ψ of an elimination at φ.
 fn psi_at(found: &Elimination, phi: f64) -> f64 {
-    let Value::Angle(angle) = &found.value else { panic!("{found:?}") };
+    let CoordinateValue::Angle(angle) = &found.value else { panic!("{found:?}") };
     assert_eq!((found.coordinate, angle.coefficient(PSI)), (1, 0));
     angle.evaluate(&|symbol| values(phi, f64::NAN)[&symbol])
 }

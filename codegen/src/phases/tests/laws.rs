@@ -1,7 +1,7 @@
 //! With `u = G u_k`, `a = G a_k + β` and `r = M a + h − Q − J_tᵀ R`: closed rows stay closed, `Gᵀ r = M̂ a_k + ĥ − Q̂`,
 //! `J_eᵀ λ = r_e`, `T = ½ uᵀ M u`.
 
-use super::super::{Phase, Value, rows};
+use super::super::{CoordinateValue, Phase, rows};
 use crate::Analysis;
 use crate::algebra::tests::random::point;
 use crate::algebra::{Quotient, Series, Symbol};
@@ -53,8 +53,8 @@ impl Embedded<'_> {
 
     fn motion(&self, i: usize, order: u8) -> f64 {
         match (order, &self.phase.coordinates[i]) {
-            (0, Value::Length(length) | Value::Rate(length)) => self.kept(length),
-            (0, Value::Angle(angle)) => angle.evaluate(&point(self.seed)),
+            (0, CoordinateValue::Length(length) | CoordinateValue::Rate(length)) => self.kept(length),
+            (0, CoordinateValue::Angle(angle)) => angle.evaluate(&point(self.seed)),
             (1, _) => self.kept(&self.phase.rates[i]),
             _ => self.kept(&self.phase.accelerations[i]),
         }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use super::super::reduction::solve;
 use super::super::rules::solved;
-use super::super::{Phase, SLIDING, Value, rows};
+use super::super::{CoordinateValue, Phase, SLIDING, rows};
 use super::laws::MORE;
 use super::phase;
 use crate::Analysis;
@@ -47,8 +47,8 @@ fn keeps_its_figure(analysis: &Analysis, phase: &Phase) -> bool {
     for (i, coordinate) in phase.coordinates.iter().enumerate() {
         let shown = of(Symbol::coordinate(i));
         let apart = match coordinate {
-            Value::Length(length) | Value::Rate(length) => length.evaluate(&of) - shown,
-            Value::Angle(angle) => (angle.evaluate(&of) - shown + PI).rem_euclid(2.0 * PI) - PI,
+            CoordinateValue::Length(length) | CoordinateValue::Rate(length) => length.evaluate(&of) - shown,
+            CoordinateValue::Angle(angle) => (angle.evaluate(&of) - shown + PI).rem_euclid(2.0 * PI) - PI,
         };
         assert!(apart.abs() < 1e-9, "{}, {:?}: {i} is {apart} away", analysis.system.ident, phase.set);
     }
@@ -99,7 +99,7 @@ fn branches_are_checked_where_parameters_may_change_them() {
 #[test]
 fn of_branches_equally_near_the_first_is_taken() {
     let crank = crank("A = (0, l), B = (0, 0)");
-    let Value::Angle(angle) = &phase(&crank, 1).unwrap().eliminated[0].value else { panic!() };
+    let CoordinateValue::Angle(angle) = &phase(&crank, 1).unwrap().eliminated[0].value else { panic!() };
     assert_eq!(angle, &(Angle::from_symbol(Symbol::coordinate(0)) + Angle::quarters(2)));
 }
 

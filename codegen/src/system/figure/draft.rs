@@ -5,14 +5,14 @@ use super::{Line, Place, Scope, Structure};
 use crate::algebra::Series;
 
 /// Places found so far.
-pub(super) struct Draft<'a> {
+pub(super) struct FigureDraft<'a> {
     pub structure: &'a Structure,
     pub places: Vec<Option<Place>>,
     /// Which of them hang where nothing is known.
     pub assumed: Vec<bool>,
 }
 
-impl<'a> Draft<'a> {
+impl<'a> FigureDraft<'a> {
     /// The places of the figure and of the pins.
     pub fn given(scope: &mut Scope, structure: &'a Structure) -> Self {
         let mut places = vec![None; structure.points.len()];

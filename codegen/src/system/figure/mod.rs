@@ -14,7 +14,7 @@ use super::mirror_line::{self, Line};
 use super::scope::Scope;
 use super::{Body, Settled};
 use crate::algebra::Series;
-use draft::Draft;
+use draft::FigureDraft;
 
 pub(super) use sample::{SAMPLES, Sample};
 pub(super) use settle::{Heading, Verdict, unturned};
@@ -47,7 +47,7 @@ pub(super) struct Figure {
 impl Figure {
     /// Places every point, or reports why not.
     pub fn complete(scope: &mut Scope, structure: &Structure, line: Option<&Line>) -> Option<Self> {
-        let mut draft = Draft::given(scope, structure);
+        let mut draft = FigureDraft::given(scope, structure);
         let described = scope.description.mirror.is_none() || line.is_some();
         if !scope.joined || !scope.placed || !described {
             return None;
@@ -94,7 +94,7 @@ fn needed(scope: &mut Scope, structure: &Structure, point: usize, why: &str) {
         .add_message(point.span, format!("point `{}` is needed in `#[figure(…)]`: {why}", point.name));
 }
 
-impl Draft<'_> {
+impl FigureDraft<'_> {
     fn settle(self, scope: &mut Scope, images: Option<Vec<usize>>) -> Option<Figure> {
         let positions: Vec<Place> = self.places.iter().flatten().cloned().collect();
         if positions.len() < self.places.len() {

@@ -1,7 +1,7 @@
 //! The figure in numbers, where it can be drawn.
 
 use super::{Figure, NEAR, Place, Scope, Structure};
-use crate::system::value::Numbers;
+use crate::system::value::ParameterValues;
 
 /// At so many samples of the parameters a decision is taken.
 pub(crate) const SAMPLES: usize = 6;
@@ -10,13 +10,13 @@ pub(crate) const SAMPLES: usize = 6;
 #[derive(Clone, Debug)]
 pub(in crate::system) struct Sample {
     /// Values of the parameters and constants.
-    pub numbers: Numbers,
+    pub numbers: ParameterValues,
     /// The position of every point.
     pub points: Vec<[f64; 2]>,
 }
 
 impl Sample {
-    pub(super) fn new(numbers: Numbers, positions: &[Place]) -> Self {
+    pub(super) fn new(numbers: ParameterValues, positions: &[Place]) -> Self {
         let points = positions.iter().map(|place| numbers.pair(place)).collect();
         Self { numbers, points }
     }
@@ -88,7 +88,7 @@ impl Fault {
 
 impl Figure {
     /// Values of all parameters and constants with which the figure can be drawn.
-    pub fn numbers(&self, scope: &Scope, structure: &Structure) -> Vec<Numbers> {
+    pub fn numbers(&self, scope: &Scope, structure: &Structure) -> Vec<ParameterValues> {
         let all = Self::drawable(scope, structure, &self.positions);
         let samples = if all.is_empty() { &self.samples } else { &all };
         samples.iter().map(|sample| sample.numbers.clone()).collect()

@@ -5,7 +5,7 @@
 use super::{Figure, NEAR, Place, SAMPLES};
 use crate::algebra::{Series, Symbol};
 use crate::system::scope::Scope;
-use crate::system::{Body, Definition, Numbers, Settled, Settles, Structure, System};
+use crate::system::{Body, Definition, ParameterValues, Settled, Settles, Structure, System};
 
 /// How the samples of the figure decide between alternatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,7 +42,7 @@ impl Figure {
     }
 
     /// The first samples with the constants derived by now, where all are numbers, and what is near to zero there.
-    fn now(&self, scope: &Scope, count: usize) -> Vec<(Numbers, f64)> {
+    fn now(&self, scope: &Scope, count: usize) -> Vec<(ParameterValues, f64)> {
         let (fields, constants) = (scope.description.fields.len(), scope.constants.definitions());
         let samples = self.samples.iter();
         let samples = samples.map(|sample| (sample.numbers.with(fields, constants), NEAR * sample.extent()));
@@ -59,7 +59,7 @@ impl Figure {
         lengths: &[Series],
         factor: &Series,
     ) {
-        let known = Known { definition: &|i| scope.constants.definition(i), bodies: &structure.bodies };
+        let known = SignFacts { definition: &|i| scope.constants.definition(i), bodies: &structure.bodies };
         let open = lengths.iter().filter(|length| !known.never_negative(length));
         let settled = open.map(|length| Settled {
             settles,
@@ -91,7 +91,7 @@ pub(in crate::system) fn unturned(scope: &Scope, a: &Place, b: &Place) -> Place 
 }
 
 /// The alternatives that hold at all of some samples, of which there is one at least.
-fn hold(samples: &[(Numbers, f64)], alternatives: &[Vec<Series>]) -> Vec<usize> {
+fn hold(samples: &[(ParameterValues, f64)], alternatives: &[Vec<Series>]) -> Vec<usize> {
     let not_negative =
         |length: &Series| samples.iter().all(|(numbers, near)| numbers.evaluate(length) >= -near);
     let holds = |i: &usize| !samples.is_empty() && alternatives[*i].iter().all(not_negative);
@@ -108,7 +108,7 @@ impl System {
         let [x, y] = [&(&x * &along) + &(&y * &across), &(&y * &along) - &(&x * &across)];
         let holds = [x.clone(), y.clone(), -x, -y][quarters.rem_euclid(4) as usize].clone();
         let constant = |i: usize| self.constants.get(i.checked_sub(self.parameters.len())?);
-        let known = Known { definition: &constant, bodies: &self.bodies };
+        let known = SignFacts { definition: &constant, bodies: &self.bodies };
         let open = !known.never_negative(&holds);
         let (name, factor) = (name.clone(), length.clone());
         open.then_some(Settled { settles: Settles::Direction, name, length: holds, factor })
@@ -116,12 +116,12 @@ impl System {
 }
 
 /// What is known of parameters without their values.
-struct Known<'a> {
+struct SignFacts<'a> {
     definition: &'a dyn Fn(usize) -> Option<&'a Definition>,
     bodies: &'a [Body],
 }
 
-impl Known<'_> {
+impl SignFacts<'_> {
     /// Whether every term is a positive number times lengths of bars, roots and even powers.
     fn never_negative(&self, series: &Series) -> bool {
         series.terms().all(|(term, coefficient)| {

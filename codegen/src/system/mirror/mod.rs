@@ -18,7 +18,7 @@ use super::figure::Figure;
 use super::mirror_line::{Line, agree, sampled};
 use super::parts::Parts;
 use super::scope::Scope;
-use super::value::Numbers;
+use super::value::ParameterValues;
 use crate::algebra::Series;
 use crate::syntax::Description;
 use images::{Images, check};
@@ -29,7 +29,7 @@ struct Pairing<'a> {
     line: &'a Line,
     figure: &'a Figure,
     points: &'a [usize],
-    samples: Vec<Numbers>,
+    samples: Vec<ParameterValues>,
 }
 
 impl Pairing<'_> {

@@ -5,7 +5,7 @@ use core::f64::consts::{PI, TAU};
 
 use super::agree;
 use super::images::Images;
-use crate::system::value::Numbers;
+use crate::system::value::ParameterValues;
 use crate::system::{CoordinateKind, Formula, Function, Operator, Reading, Reference};
 
 /// Instants at each sample of the parameters.
@@ -45,7 +45,7 @@ fn compared(images: &Images, formulas: [&Formula; 2], place: impl Fn(usize, f64)
 /// An instant of a symmetric motion.
 struct Instant<'a> {
     images: &'a Images<'a>,
-    numbers: &'a Numbers,
+    numbers: &'a ParameterValues,
     seed: usize,
 }
 

@@ -1,6 +1,6 @@
 //! An energy level as rational functions, and what follows from them.
 
-use liftoff_codegen::algebra::{Names, Quotient, Series, Symbol};
+use liftoff_codegen::algebra::{Quotient, Series, Symbol, SymbolNames};
 use liftoff_codegen::math::{Equation, Math};
 
 use super::{Coincidence, Condition, Request};

@@ -11,9 +11,9 @@ use super::{list, text};
 /// The same forms, lasting.
 pub(super) fn geometry(drawn: &derived::Geometry) -> Geometry {
     let spiral =
-        |(point, from): &(usize, derived::Direction)| Spiral { point: *point, from: direction(from) };
+        |(point, from): &(usize, derived::DrawnDirection)| Spiral { point: *point, from: direction(from) };
     let block =
-        |(point, along): &(usize, derived::Direction)| Block { point: *point, along: direction(along) };
+        |(point, along): &(usize, derived::DrawnDirection)| Block { point: *point, along: direction(along) };
     let mark = |(point, of): &(usize, derived::Look)| Mark { point: *point, look: look(*of) };
     Geometry {
         bodies: list(drawn.bodies.iter().map(|body| Body {
@@ -78,11 +78,11 @@ fn spot(spot: &derived::Spot) -> Spot {
     }
 }
 
-fn direction(direction: &derived::Direction) -> Direction {
+fn direction(direction: &derived::DrawnDirection) -> Direction {
     match direction {
-        derived::Direction::Fixed(angle) => Direction::Fixed(*angle),
-        derived::Direction::Towards(from, to) => Direction::Towards(spot(from), spot(to)),
-        derived::Direction::Axis(ends, step) => Direction::Axis { ends: *ends, step: *step },
+        derived::DrawnDirection::Fixed(angle) => Direction::Fixed(*angle),
+        derived::DrawnDirection::Towards(from, to) => Direction::Towards(spot(from), spot(to)),
+        derived::DrawnDirection::Axis(ends, step) => Direction::Axis { ends: *ends, step: *step },
     }
 }
 
@@ -97,13 +97,13 @@ fn look(look: derived::Look) -> Look {
     }
 }
 
-fn shape(shape: &derived::Shape) -> Shape {
+fn shape(shape: &derived::DrawnShape) -> Shape {
     match shape {
-        derived::Shape::Line { angle, solid } => Shape::Line { angle: *angle, solid: *solid },
-        derived::Shape::Circle { radius, solid: bounds, text: formula } => {
+        derived::DrawnShape::Line { angle, solid } => Shape::Line { angle: *angle, solid: *solid },
+        derived::DrawnShape::Circle { radius, solid: bounds, text: formula } => {
             Shape::Circle { radius: *radius, solid: solid(*bounds), text: text(formula) }
         }
-        derived::Shape::Wedge => Shape::Wedge,
+        derived::DrawnShape::Wedge => Shape::Wedge,
     }
 }
 
@@ -115,11 +115,11 @@ fn solid(solid: derived::Solid) -> Solid {
     }
 }
 
-fn reading(reading: &derived::Reading) -> Reading {
+fn reading(reading: &derived::DrawnReading) -> Reading {
     match *reading {
-        derived::Reading::Angle { vertex, tip, ref from, against, sign } => {
+        derived::DrawnReading::Angle { vertex, tip, ref from, against, sign } => {
             Reading::Angle { vertex, tip, from: direction(from), against, sign }
         }
-        derived::Reading::Position { point, axis, sign } => Reading::Position { point, axis, sign },
+        derived::DrawnReading::Position { point, axis, sign } => Reading::Position { point, axis, sign },
     }
 }

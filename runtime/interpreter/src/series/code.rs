@@ -2,7 +2,7 @@
 
 use liftoff_codegen::Analysis;
 use liftoff_codegen::algebra::Symbol;
-use liftoff_codegen::functions::{PhaseFunctions, Scope};
+use liftoff_codegen::functions::{PhaseFunctions, SeriesScope};
 use liftoff_codegen::program::Id;
 use liftoff_core::series::SeriesOps;
 
@@ -84,7 +84,7 @@ impl SeriesCode {
         source: &dyn Fn(Symbol) -> Source,
     ) -> Self {
         let along = analysis.functions.series(&analysis.motion, phase);
-        let scope = Scope { phase, program: &analysis.functions.program };
+        let scope = SeriesScope { phase, program: &analysis.functions.program };
         let mut writer = Writer::new(&scope, constants, entries, source, &along.outputs());
         let mut all = |ids: &[Id]| ids.iter().map(|&id| writer.term(id)).collect::<Vec<Register>>();
         let (rates, reactions, feet) = (all(&along.rates), all(&along.reactions), all(&along.feet));

@@ -4,14 +4,14 @@
 use std::collections::BTreeMap;
 
 use liftoff_codegen::algebra::Symbol;
-use liftoff_codegen::functions::Scope;
+use liftoff_codegen::functions::SeriesScope;
 use liftoff_codegen::program::{self, Id, Part};
 
 use super::code::{Instruction, Operation, SeriesCode};
 use crate::code::{self, Lowering, Register, Source};
 
 pub(super) struct Writer<'a> {
-    scope: &'a Scope<'a>,
+    scope: &'a SeriesScope<'a>,
     /// What is computed at order 0 alone, and all registers.
     values: Lowering<'a>,
     terms: BTreeMap<Id, Register>,
@@ -28,7 +28,7 @@ type Outputs = (Vec<Register>, Vec<Register>, Vec<Option<Register>>, Vec<Registe
 impl<'a> Writer<'a> {
     /// Writes one order of `outputs`.
     pub fn new(
-        scope: &'a Scope<'a>,
+        scope: &'a SeriesScope<'a>,
         constants: &[Id],
         entries: usize,
         source: &'a dyn Fn(Symbol) -> Source,
@@ -256,7 +256,7 @@ impl<'a> Writer<'a> {
     }
 
     /// What is made by addition theorems: its value is, its coefficients are those of a sine and cosine.
-    fn wave(&mut self, id: Id, wave: &program::Wave) {
+    fn wave(&mut self, id: Id, wave: &program::WaveStep) {
         let [sine, cosine] = match self.waves.get(&wave.angle) {
             Some(&known) => known,
             None => {

@@ -2,7 +2,7 @@
 
 use liftoff_codegen::Analysis;
 use liftoff_codegen::algebra::Symbol;
-use liftoff_codegen::functions::Scope;
+use liftoff_codegen::functions::SeriesScope;
 use liftoff_codegen::program::Id;
 use liftoff_core::model::Varying;
 use liftoff_core::series::TapeOf;
@@ -32,7 +32,7 @@ impl KernelCode {
         source: &dyn Fn(Symbol) -> Source,
     ) -> Option<Self> {
         let functions = &analysis.functions;
-        let scope = Scope { phase: functions.projected.as_ref()?, program: &functions.program };
+        let scope = SeriesScope { phase: functions.projected.as_ref()?, program: &functions.program };
         let entries = analysis.motion.entries();
         let outputs: Vec<Id> = kernel.iter().chain(&functions.feet).copied().collect();
         let mut writer = Writer::new(&scope, constants, entries, source, &outputs);

@@ -4,7 +4,7 @@ use core::ops::Range;
 
 use liftoff_codegen::Analysis;
 use liftoff_codegen::algebra::Symbol;
-use liftoff_codegen::functions::{Functions, HeldMotion, Mass, Solution};
+use liftoff_codegen::functions::{Functions, HeldMotion, HeldSolution, Mass};
 use liftoff_codegen::motion::Motion;
 use liftoff_codegen::program::Id;
 
@@ -49,7 +49,7 @@ pub(crate) struct HeldCode {
 
 impl HeldCode {
     fn lower(motion: &Motion, held: &HeldMotion, code: impl Fn(&[Id]) -> Code) -> Self {
-        let Solution { accelerations, multipliers, pivots } = &held.solution;
+        let HeldSolution { accelerations, multipliers, pivots } = &held.solution;
         let derivative = held.rates.iter().chain(accelerations);
         let outputs: Vec<Id> = derivative.chain(pivots.as_flattened()).chain(multipliers).copied().collect();
         let place = |row: usize| held.rows.iter().position(|&closed| closed == row);

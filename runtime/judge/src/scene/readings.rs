@@ -3,7 +3,7 @@
 use super::{Builder, Row, SceneError};
 use crate::tape::{Node, Tape, whole};
 use liftoff_codegen::algebra::{Angle, Series};
-use liftoff_codegen::system::{CoordinateKind, Direction, Reading, Reference};
+use liftoff_codegen::system::{ConstrainedAngle, CoordinateKind, Reading, Reference};
 use liftoff_core::scalar::Scalar;
 
 impl<S: Scalar> Builder<'_, S> {
@@ -61,10 +61,10 @@ impl<S: Scalar> Builder<'_, S> {
         }
     }
 
-    pub(super) fn angle_of(&mut self, direction: &Direction) -> Node {
+    pub(super) fn angle_of(&mut self, direction: &ConstrainedAngle) -> Node {
         match *direction {
-            Direction::Body(body) => self.direction(body),
-            Direction::Coordinate(i) => self.coordinate(i),
+            ConstrainedAngle::Body(body) => self.direction(body),
+            ConstrainedAngle::Coordinate(i) => self.coordinate(i),
         }
     }
 

@@ -1,6 +1,6 @@
 //! Closed forms against the oracle.
 
-use liftoff_codegen::functions::{PhaseFunctions, Solution};
+use liftoff_codegen::functions::{HeldSolution, PhaseFunctions};
 use liftoff_tests::oracle::State;
 
 use super::{Full, Pair};
@@ -11,7 +11,7 @@ const CLEAR_PIVOT: f64 = 0.2;
 
 impl Pair {
     /// The motion with a set closed, solved by this; false where its rows nearly repeat each other, or the motion is not definite.
-    pub fn held(&self, solution: &Solution, set: u64, state: &State) -> bool {
+    pub fn held(&self, solution: &HeldSolution, set: u64, state: &State) -> bool {
         let Some(motion) = self.motion(state, set) else {
             return false;
         };
