@@ -28,7 +28,10 @@ pub struct Finding {
 }
 
 /// All statements; `zigzag` are the runs of Fig. 1b that the paper shows.
-pub(super) fn findings(study: &Study, zigzag: &published::Runs) -> Result<Vec<Finding>, ReportError> {
+pub(super) fn findings(
+    study: &Study,
+    zigzag: &published::PublishedRuns,
+) -> Result<Vec<Finding>, ReportError> {
     let Study { pair, tolerance, .. } = study;
     let mut all = vec![problem_books(pair, zigzag)?, sizes(pair, *tolerance)?];
     all.extend(no_second_contact(pair)?);
@@ -41,7 +44,10 @@ pub(super) fn findings(study: &Study, zigzag: &published::Runs) -> Result<Vec<Fi
     Ok(all)
 }
 
-fn problem_books(pair: &falling_pair::Runs, zigzag: &published::Runs) -> Result<Finding, ReportError> {
+fn problem_books(
+    pair: &falling_pair::FallingPairRuns,
+    zigzag: &published::PublishedRuns,
+) -> Result<Finding, ReportError> {
     let (held, fall) = (pair.held(), pair.fall());
     let end = held.interval()[1];
     let free = time_of(fall, "phi", FRAC_PI_3, fall.interval())?;
@@ -66,7 +72,7 @@ fn problem_books(pair: &falling_pair::Runs, zigzag: &published::Runs) -> Result<
     Ok(Finding { anchor: "kept", title: "What a support that cannot pull changes", text })
 }
 
-fn no_second_contact(pair: &falling_pair::Runs) -> Result<Option<Finding>, ReportError> {
+fn no_second_contact(pair: &falling_pair::FallingPairRuns) -> Result<Option<Finding>, ReportError> {
     let (Some(open), fall) = (pair.opening(), pair.fall()) else { return Ok(None) };
     let passes = time_of(fall, "phi", FRAC_PI_3, [open, fall.interval()[1]])?;
     let text = format!(
@@ -94,7 +100,7 @@ fn starts(tolerance: f64) -> Result<Finding, ReportError> {
 }
 
 /// φ₁ of Fig. 1a again with another mass and length.
-fn sizes(pair: &falling_pair::Runs, tolerance: f64) -> Result<Finding, ReportError> {
+fn sizes(pair: &falling_pair::FallingPairRuns, tolerance: f64) -> Result<Finding, ReportError> {
     let model = models().find(falling_pair::MODEL)?;
     let other = RunSpec {
         parameters: named(&[("m", 7.0), ("l", 0.3), ("g", GRAVITY)]),
@@ -129,14 +135,15 @@ fn not_symmetric(asymmetry: &Asymmetry) -> Finding {
     Finding { anchor: "beside", title: "Fig. 1a, not quite symmetric", text }
 }
 
-fn masses(published: &[published::Runs]) -> Result<Finding, ReportError> {
+fn masses(published: &[published::PublishedRuns]) -> Result<Finding, ReportError> {
     let mut most = Vec::new();
     for runs in published {
         let turning = runs.turning_points()?;
         let star = turning.iter().map(|it| decimals(2.0 * (1.0 - it.value), 6)).collect::<Vec<_>>();
         most.push(format!("{} at λ = {}", star.join(" and "), runs.ratio().1));
     }
-    let touches = published.iter().find(|runs| runs.ratio().1 == 0.0).and_then(published::Runs::lift_off);
+    let touches =
+        published.iter().find(|runs| runs.ratio().1 == 0.0).and_then(published::PublishedRuns::lift_off);
     let text = format!(
         "μ of (3.19), with N = 2(m₁ + m₂)<i>g</i>(1 − μ/2), has one extremum on the way down for each λ of Table 1: {}. From          φ(0) = π/2 the bars lift off where it exceeds 2, that is for every λ but 0, where N touches zero at φ = {} (arcsin ⅓) and          comes back at once: φ₁ = φ₂, no flight. (B and D are <i>l</i>/3 above the floor there and reach it at φ = 0.) λ = 1 leaves          inner bars without mass, which has no sense, as the paper says; its column of Table 1 holds for the equal angles of the          published scheme only.",
         most.join(", "),
@@ -146,7 +153,10 @@ fn masses(published: &[published::Runs]) -> Result<Finding, ReportError> {
 }
 
 /// The flight of Fig. 1a again from a state shortly behind its beginning, without gravity.
-fn without_gravity(pair: &falling_pair::Runs, tolerance: f64) -> Result<Option<Finding>, ReportError> {
+fn without_gravity(
+    pair: &falling_pair::FallingPairRuns,
+    tolerance: f64,
+) -> Result<Option<Finding>, ReportError> {
     let (Some(open), fall) = (pair.opening(), pair.fall()) else { return Ok(None) };
     let end = fall.interval()[1];
     let begin = open + 0.1 * (end - open);
@@ -172,7 +182,10 @@ fn without_gravity(pair: &falling_pair::Runs, tolerance: f64) -> Result<Option<F
     Ok(Some(Finding { anchor: "weightless", title: "φ(t) in flight is that without gravity", text }))
 }
 
-fn first_strike(zigzag: &published::Runs, strikes: &Strikes) -> Result<Option<Finding>, ReportError> {
+fn first_strike(
+    zigzag: &published::PublishedRuns,
+    strikes: &Strikes,
+) -> Result<Option<Finding>, ReportError> {
     let Some([_, touch]) = zigzag.interval() else { return Ok(None) };
     let value = |output: &str| evaluate_output(zigzag.flight(), output, touch);
     let text = format!(

@@ -153,9 +153,9 @@ fn pictures(page: &page::Page, picture: Option<String>) -> Vec<(&'static str, St
 /// All runs that are not made for one figure or statement.
 struct Study {
     tolerance: f64,
-    pair: falling_pair::Runs,
+    pair: falling_pair::FallingPairRuns,
     asymmetry: Asymmetry,
-    published: Vec<published::Runs>,
+    published: Vec<published::PublishedRuns>,
     strict: Vec<strict::Run>,
     strikes: Strikes,
 }
@@ -164,9 +164,9 @@ impl Study {
     fn new(tolerance: f64) -> Result<Self, ReportError> {
         Ok(Self {
             tolerance,
-            pair: falling_pair::Runs::new(tolerance)?,
+            pair: falling_pair::FallingPairRuns::new(tolerance)?,
             asymmetry: Asymmetry::new(tolerance)?,
-            published: published::Runs::all(tolerance)?,
+            published: published::PublishedRuns::all(tolerance)?,
             strict: strict::Run::all(tolerance)?,
             strikes: Strikes::new(tolerance)?,
         })
@@ -218,7 +218,7 @@ mod tests {
     /// `models/picture.svg` is a copy of what the main job writes.
     #[test]
     fn the_picture_of_the_readme_is_the_one_drawn() {
-        let pair = falling_pair::Runs::new(1e-12).expect("the pair falls");
+        let pair = falling_pair::FallingPairRuns::new(1e-12).expect("the pair falls");
         let svg = pair.picture().expect("drawn").expect("the corners let go");
         assert!(with_theme(&svg) == include_str!("../../picture.svg"), "copy target/liftoff/picture.svg");
     }

@@ -15,13 +15,13 @@ const RADIUS: f64 = 0.22;
 
 /// Both drawings.
 pub fn figures(
-    pair: &falling_pair::Runs,
-    zigzag: &published::Runs,
+    pair: &falling_pair::FallingPairRuns,
+    zigzag: &published::PublishedRuns,
 ) -> Result<[CaptionedFigure; 2], ReportError> {
     Ok([two_bars(pair)?, four_bars(zigzag)?])
 }
 
-fn two_bars(runs: &falling_pair::Runs) -> Result<CaptionedFigure, ReportError> {
+fn two_bars(runs: &falling_pair::FallingPairRuns) -> Result<CaptionedFigure, ReportError> {
     let bars = at_angle(runs.fall(), &BARS, ANGLES[0])?;
     let [a, d, b] = [bars[0], bars[1], bars[2]];
     let mut strokes = falling_pair::ground(1.0);
@@ -58,7 +58,7 @@ fn two_bars(runs: &falling_pair::Runs) -> Result<CaptionedFigure, ReportError> {
     })
 }
 
-fn four_bars(runs: &published::Runs) -> Result<CaptionedFigure, ReportError> {
+fn four_bars(runs: &published::PublishedRuns) -> Result<CaptionedFigure, ReportError> {
     let points = at_angle(runs.flight(), &["A", "B", "C", "D", "E"], ANGLES[1])?;
     let [a, b, c, d, e] = [points[0], points[1], points[2], points[3], points[4]];
     let thread = Stroke { dash: Dash::Dashed, ..line(vec![b, d], Colour::Green, 1) };

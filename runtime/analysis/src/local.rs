@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use liftoff_core::model::{ContactSet, Form};
 use liftoff_core::scalar::{DoubleDouble, Real};
-use liftoff_core::system::Phase;
+use liftoff_core::system::PhaseEquations;
 use nalgebra::{DMatrix, DVector};
 
 use crate::{AnalysisError, Subject};
@@ -26,7 +26,7 @@ const SPAN: f64 = 1e-9;
 /// One contact set near a position at rest.
 pub(crate) struct Local<'a> {
     subject: &'a Subject,
-    phase: Arc<dyn Phase<DoubleDouble>>,
+    phase: Arc<dyn PhaseEquations<DoubleDouble>>,
     /// The reduced state at rest.
     rest: Vec<DoubleDouble>,
     /// δr = into · ξ, of the reduced coordinates.
@@ -63,7 +63,7 @@ impl<'a> Local<'a> {
 
     fn in_closed_form(
         subject: &'a Subject,
-        phase: &Arc<dyn Phase<DoubleDouble>>,
+        phase: &Arc<dyn PhaseEquations<DoubleDouble>>,
         rest: &[DoubleDouble],
         state: &[DoubleDouble],
     ) -> Option<Self> {
@@ -160,13 +160,17 @@ impl<'a> Local<'a> {
     }
 }
 
-fn restricted(phase: &dyn Phase<DoubleDouble>, state: &[DoubleDouble]) -> Vec<DoubleDouble> {
+fn restricted(phase: &dyn PhaseEquations<DoubleDouble>, state: &[DoubleDouble]) -> Vec<DoubleDouble> {
     let mut reduced = vec![DoubleDouble::from_f64(0.0); phase.info().entries];
     phase.restrict(state, &mut reduced);
     reduced
 }
 
-fn embedded(subject: &Subject, phase: &dyn Phase<DoubleDouble>, y: &[DoubleDouble]) -> Vec<DoubleDouble> {
+fn embedded(
+    subject: &Subject,
+    phase: &dyn PhaseEquations<DoubleDouble>,
+    y: &[DoubleDouble],
+) -> Vec<DoubleDouble> {
     let mut state = vec![DoubleDouble::from_f64(0.0); subject.layout().entries()];
     phase.embed(y, &mut state);
     state
@@ -175,7 +179,7 @@ fn embedded(subject: &Subject, phase: &dyn Phase<DoubleDouble>, y: &[DoubleDoubl
 /// Whether a closed form gives a position back.
 fn is_image(
     subject: &Subject,
-    phase: &dyn Phase<DoubleDouble>,
+    phase: &dyn PhaseEquations<DoubleDouble>,
     rest: &[DoubleDouble],
     state: &[DoubleDouble],
 ) -> bool {

@@ -7,7 +7,7 @@ use crate::scalar::dispatch::{ForVector, widest};
 use crate::scalar::{Inside, Lanes, Vector};
 
 /// States side by side: twice as many as a vector holds, as elimination is a chain of operations that wait for one another.
-pub type Side = Lanes<2>;
+pub type BatchLanes = Lanes<2>;
 
 /// The right-hand side of a phase in closed form, for [`Side::COUNT`] states side by side, by the widest instructions that the
 /// processor has. The bits of each do not depend on the others; where the program is compiled for the same instructions they are
@@ -15,7 +15,7 @@ pub type Side = Lanes<2>;
 pub struct Batch<M: BarSystem>(Box<dyn Evaluate<M>>);
 
 trait Evaluate<M: BarSystem>: Send + Sync {
-    fn evaluate(&self, states: &[M::State<Side>], accelerations: &mut [M::Accelerations<Side>]);
+    fn evaluate(&self, states: &[M::State<BatchLanes>], accelerations: &mut [M::Accelerations<BatchLanes>]);
 }
 
 /// A phase that is not solved in closed form, so that there is no batch of it.
@@ -42,19 +42,19 @@ impl<M: BarSystem> Batch<M> {
     /// contacts. Of slices that are not equally long, the rest is left alone.
     pub fn reduced_accelerations(
         &self,
-        states: &[M::State<Side>],
-        accelerations: &mut [M::Accelerations<Side>],
+        states: &[M::State<BatchLanes>],
+        accelerations: &mut [M::Accelerations<BatchLanes>],
     ) {
         self.0.evaluate(states, accelerations);
     }
 
     /// States side by side; the last is repeated where [`Side::COUNT`] does not divide their number.
-    pub fn pack(states: &[M::State<f64>]) -> Vec<M::State<Side>> {
+    pub fn pack(states: &[M::State<f64>]) -> Vec<M::State<BatchLanes>> {
         let packed = |chunk: &[M::State<f64>]| {
             let lane = |lane: usize| chunk[lane.min(chunk.len() - 1)].as_ref();
-            M::State::from_fn(|i| Side::from_fn(|k| lane(k)[i]))
+            M::State::from_fn(|i| BatchLanes::from_fn(|k| lane(k)[i]))
         };
-        states.chunks(Side::COUNT).map(packed).collect()
+        states.chunks(BatchLanes::COUNT).map(packed).collect()
     }
 }
 
@@ -93,7 +93,7 @@ struct Closed<M: BarSystem, Q, X: Vector, const N: usize> {
 }
 
 impl<M: BarSystem, Q: ClosedForm<M, N>, X: Vector, const N: usize> Evaluate<M> for Closed<M, Q, X, N> {
-    fn evaluate(&self, states: &[M::State<Side>], accelerations: &mut [M::Accelerations<Side>]) {
+    fn evaluate(&self, states: &[M::State<BatchLanes>], accelerations: &mut [M::Accelerations<BatchLanes>]) {
         X::inside(All { closed: self, states, accelerations });
     }
 }
@@ -101,8 +101,8 @@ impl<M: BarSystem, Q: ClosedForm<M, N>, X: Vector, const N: usize> Evaluate<M> f
 /// All states.
 struct All<'a, M: BarSystem, Q, X: Vector, const N: usize> {
     closed: &'a Closed<M, Q, X, N>,
-    states: &'a [M::State<Side>],
-    accelerations: &'a mut [M::Accelerations<Side>],
+    states: &'a [M::State<BatchLanes>],
+    accelerations: &'a mut [M::Accelerations<BatchLanes>],
 }
 
 impl<M: BarSystem, Q: ClosedForm<M, N>, X: Vector, const N: usize> Inside for All<'_, M, Q, X, N> {
@@ -120,12 +120,12 @@ impl<M: BarSystem, Q: ClosedForm<M, N>, X: Vector, const N: usize> Inside for Al
 #[inline(always)]
 fn one<M: BarSystem, Q: ClosedForm<M, N>, X: Vector, const N: usize>(
     constants: &M::Constants<Lanes<2, X>>,
-    state: &M::State<Side>,
-    accelerations: &mut M::Accelerations<Side>,
+    state: &M::State<BatchLanes>,
+    accelerations: &mut M::Accelerations<BatchLanes>,
 ) {
     let Some(state) = M::State::of_slice(X::view(state.as_ref())) else { return };
     let derivative = Q::derivative(constants, &Q::restrict(state));
     let (kept, rest) = accelerations.as_mut().split_at_mut(Q::RATES);
     X::view_mut(kept).copy_from_slice(&derivative[Q::COORDINATES..][..Q::RATES]);
-    rest.fill(Side::splat(0.0));
+    rest.fill(BatchLanes::splat(0.0));
 }

@@ -67,7 +67,7 @@ pub fn solve<S: Scalar, K: KernelView<S>>(
     multipliers: &mut [S],
 ) -> bool {
     let mut rubbing =
-        Rubbing { count: 0, constant: [[S::ZERO; 2]; MOST], gains: [[[S::ZERO; 2]; MOST]; MOST] };
+        SlidingHinges { count: 0, constant: [[S::ZERO; 2]; MOST], gains: [[[S::ZERO; 2]; MOST]; MOST] };
     let slides = |of: &(usize, Friction, [usize; 2])| set.sense(of.1.contact) != 0;
     let sliding = || layout.hinges().filter(slides).take(MOST);
     kernel.solve(layout, set, accelerations, multipliers);
@@ -107,13 +107,13 @@ pub fn solve<S: Scalar, K: KernelView<S>>(
 const MOST: usize = Layout::HINGES;
 
 /// The hinges that slide: F⁰, and what a unit of each s adds to each F.
-struct Rubbing<S> {
+struct SlidingHinges<S> {
     count: usize,
     constant: [[S; 2]; MOST],
     gains: [[[S; 2]; MOST]; MOST],
 }
 
-impl<S: Scalar> Rubbing<S> {
+impl<S: Scalar> SlidingHinges<S> {
     /// The size of the forces; one where there are none.
     fn size(&self) -> S {
         let most = self.constant.iter().flatten().fold(S::ZERO, |most, x| largest(most, x.abs()));

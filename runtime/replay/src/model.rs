@@ -6,7 +6,7 @@ use crate::Number;
 use crate::extrapolation::Field;
 use liftoff::{Scales, Trajectory};
 use liftoff_core::model::{ContactSet, Energy, Form, Layout};
-use liftoff_core::system::{ModelOn, Phase};
+use liftoff_core::system::{ModelOn, PhaseEquations};
 
 /// A model's equations and values, with the natural units of the run.
 pub(crate) struct ReplayModel<S: Number> {
@@ -51,7 +51,7 @@ impl<S: Number> ReplayModel<S> {
 
 /// The equations of a phase, brought back on their constraints after each step.
 pub(crate) struct ReplayPhase<S: Number> {
-    phase: Arc<dyn Phase<S>>,
+    phase: Arc<dyn PhaseEquations<S>>,
     length: f64,
 }
 

@@ -22,11 +22,11 @@ pub struct Trebuchet {
 }
 
 /// Angles of beam, chest and sling, and their rates.
-pub type State = [f64; 6];
+pub type TrebuchetState = [f64; 6];
 
 impl Trebuchet {
     /// Accelerations of the angles, and the trough's force.
-    fn solve(&self, y: &State, trough: bool) -> Vector4<f64> {
+    fn solve(&self, y: &TrebuchetState, trough: bool) -> Vector4<f64> {
         let [a, b, c, s] = self.lengths;
         let [theta, psi, chi, p, q, r] = *y;
         let (first, second) = (-self.weight * a * c, self.stone * b * s);
@@ -61,9 +61,14 @@ impl Trebuchet {
     }
 
     /// When something of the state first is zero, and the state then.
-    fn until(&self, mut y: State, trough: bool, zero: impl Fn(&State) -> f64) -> Option<(f64, State)> {
+    fn until(
+        &self,
+        mut y: TrebuchetState,
+        trough: bool,
+        zero: impl Fn(&TrebuchetState) -> f64,
+    ) -> Option<(f64, TrebuchetState)> {
         const STEP: f64 = 5e-3;
-        let rates = |y: &State| {
+        let rates = |y: &TrebuchetState| {
             let turn = self.solve(y, trough);
             [y[3], y[4], y[5], turn[0], turn[1], turn[2]]
         };
@@ -79,18 +84,18 @@ impl Trebuchet {
     }
 
     /// From rest: when the stone leaves the trough, and with what angles.
-    pub fn lifted(&self, start: [f64; 3]) -> Option<(f64, State)> {
+    pub fn lifted(&self, start: [f64; 3]) -> Option<(f64, TrebuchetState)> {
         let [theta, psi, chi] = start;
         self.until([theta, psi, chi, 0.0, 0.0, 0.0], true, |y| self.solve(y, true)[3])
     }
 
     /// From there: when the beam has come to an angle, and with what.
-    pub fn released(&self, from: State, theta: f64) -> Option<(f64, State)> {
+    pub fn released(&self, from: TrebuchetState, theta: f64) -> Option<(f64, TrebuchetState)> {
         self.until(from, false, |y| y[0] - theta)
     }
 
     /// Velocity of the stone.
-    pub fn velocity(&self, y: &State) -> [f64; 2] {
+    pub fn velocity(&self, y: &TrebuchetState) -> [f64; 2] {
         let [_, b, _, s] = self.lengths;
         let [theta, _, chi, p, _, r] = *y;
         [b * theta.cos() * p + s * chi.cos() * r, b * theta.sin() * p + s * chi.sin() * r]

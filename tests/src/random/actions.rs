@@ -2,7 +2,7 @@
 
 use super::builder::Builder;
 use super::expression::Expression;
-use super::parts::{Couple, Force, Section, Spring, Torsion};
+use super::parts::{CoupleSpec, Force, Section, SpringSpec, TorsionSpec};
 use super::quantity::Quantity;
 use super::vocabulary::occurs;
 
@@ -51,7 +51,7 @@ impl Builder<'_> {
         let long = stiffness.is_some() && self.source.chance(0.7);
         let length = long.then(|| self.spec.parameters.positive(self.source, "l"));
         let name = format!("coil{}", self.spec.parts.springs.len());
-        self.spec.parts.springs.push(Spring { name, ends, stiffness, length, damping });
+        self.spec.parts.springs.push(SpringSpec { name, ends, stiffness, length, damping });
     }
 
     fn torsion(&mut self) {
@@ -60,7 +60,7 @@ impl Builder<'_> {
         let [stiffness, damping] = self.resistance();
         let angle =
             (stiffness.is_some() && self.source.chance(0.6)).then(|| self.spec.parameters.angle(self.source));
-        self.spec.parts.torsions.push(Torsion { first, second, stiffness, angle, damping });
+        self.spec.parts.torsions.push(TorsionSpec { first, second, stiffness, angle, damping });
     }
 
     fn force(&mut self) {
@@ -80,7 +80,7 @@ impl Builder<'_> {
         let value = self.expression(2);
         let own = from.is_none() && self.source.chance(0.5);
         let name = if own { self.spec.bars[on].name.clone() } else { "motor".into() };
-        self.spec.parts.couples.push(Couple { name, on, from, value });
+        self.spec.parts.couples.push(CoupleSpec { name, on, from, value });
     }
 
     /// A section of a uniform bar whose joints bear no couples.

@@ -93,7 +93,7 @@ fn gravity(gravity: &Gravity) -> Vector2<f64> {
 }
 
 /// The two of a slot, else one.
-fn supports(spec: &Spec, declared: &super::spec::Support, places: &Places) -> Vec<Support> {
+fn supports(spec: &Spec, declared: &super::spec::SupportSpec, places: &Places) -> Vec<Support> {
     let support = |name: String, contact| Support { name, contact, rough: declared.manner.rough };
     let line = |through, normal| Contact::Point { point: places[&declared.point], through, normal };
     let contact = match &declared.shape {

@@ -3,7 +3,7 @@
 use nalgebra::Vector2;
 
 use super::assemble::{Places, coordinate, normal, vector};
-use super::parts::{Slider, Target, Track, Weld};
+use super::parts::{SliderSpec, Target, Track, Weld};
 use super::quantity::Quantity;
 use super::spec::Spec;
 use crate::oracle;
@@ -53,7 +53,7 @@ pub fn parts(spec: &Spec, places: &Places, assembly: &mut Assembly) {
     }));
 }
 
-fn slider(slider: &Slider, places: &Places) -> oracle::Slider {
+fn slider(slider: &SliderSpec, places: &Places) -> oracle::Slider {
     let line = |through, normal| Guide::Line { through, normal };
     let guide = match &slider.track {
         Track::Horizontal(height) => line(Vector2::new(0.0, height.value), Vector2::y()),

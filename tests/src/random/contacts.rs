@@ -3,7 +3,7 @@
 use super::builder::Builder;
 use super::parts::Manner;
 use super::quantity::Quantity;
-use super::spec::{Shape, Support};
+use super::spec::{Shape, SupportSpec};
 use super::vocabulary::occurs;
 
 impl Builder<'_> {
@@ -33,7 +33,7 @@ impl Builder<'_> {
         let curved = self.mirrored.is_none() && occurs(self.source, self.vocabulary.curved);
         let shape = if curved { self.curved(&point) } else { self.line(&point) };
         let manner = self.manner(!matches!(shape, Shape::Slot { .. }));
-        self.spec.supports.push(Support { name, point, shape, manner });
+        self.spec.supports.push(SupportSpec { name, point, shape, manner });
     }
 
     /// Nothing across which the root of a mirror could not move.
@@ -108,7 +108,7 @@ impl Builder<'_> {
         let shape = Shape::Corner { bar, at, under: self.source.chance(0.6) };
         let name = format!("peg{}", self.spec.supports.len());
         let manner = self.manner(true);
-        self.spec.supports.push(Support { name, point: String::new(), shape, manner });
+        self.spec.supports.push(SupportSpec { name, point: String::new(), shape, manner });
     }
 
     pub(super) fn undrawn(&self, bar: usize) -> bool {

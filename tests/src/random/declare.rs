@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use super::declare_parts::{manner, parts};
 use super::quantity::Quantity;
-use super::spec::{Bar, Chain, Declared, Gravity, Mirror, Origin, Pair, Shape, Spec, Support, Tie};
+use super::spec::{Bar, Chain, Declared, Gravity, Mirror, Origin, Pair, Shape, Spec, SupportSpec, Tie};
 
 const QUARTERS: [&str; 4] = ["right", "up", "left", "down"];
 
@@ -106,7 +106,7 @@ fn matter(bar: &Bar) -> String {
     text
 }
 
-fn support(spec: &Spec, support: &Support) -> String {
+fn support(spec: &Spec, support: &SupportSpec) -> String {
     let (shape, option) = match &support.shape {
         Shape::Floor(None) => ("floor".into(), String::new()),
         Shape::Floor(Some(height)) => (format!("floor({})", height.text()), String::new()),

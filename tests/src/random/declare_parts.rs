@@ -3,7 +3,9 @@
 use std::fmt::Write;
 
 use super::declare::pair;
-use super::parts::{Couple, Drive, Force, Manner, Slider, Spring, Target, Thread, Torsion, Track, Weld};
+use super::parts::{
+    CoupleSpec, DriveSpec, Force, Manner, SliderSpec, SpringSpec, Target, Thread, TorsionSpec, Track, Weld,
+};
 use super::quantity::Quantity;
 use super::spec::{Declared, Spec};
 
@@ -56,7 +58,7 @@ fn weld(spec: &Spec, weld: &Weld) -> String {
     format!("#[weld({}{second}{angle})]", name(weld.first))
 }
 
-fn slider(spec: &Spec, slider: &Slider) -> String {
+fn slider(spec: &Spec, slider: &SliderSpec) -> String {
     let track = match &slider.track {
         Track::Horizontal(height) => format!("horizontal({})", height.text()),
         Track::Vertical(x) => format!("vertical({})", x.text()),
@@ -78,14 +80,14 @@ fn options(all: &[(&str, &Option<Quantity>)]) -> String {
     given.map(|(name, quantity)| format!(", {name} = {}", quantity.text())).collect()
 }
 
-fn spring(spring: &Spring) -> String {
-    let Spring { name, ends: [from, to], stiffness, length, damping } = spring;
+fn spring(spring: &SpringSpec) -> String {
+    let SpringSpec { name, ends: [from, to], stiffness, length, damping } = spring;
     let options = options(&[("stiffness", stiffness), ("length", length), ("damping", damping)]);
     format!("#[spring({name} = {from} -> {to}{options})]")
 }
 
-fn torsion(spec: &Spec, torsion: &Torsion) -> String {
-    let Torsion { first, second, stiffness, angle, damping } = torsion;
+fn torsion(spec: &Spec, torsion: &TorsionSpec) -> String {
+    let TorsionSpec { first, second, stiffness, angle, damping } = torsion;
     let options = options(&[("stiffness", stiffness), ("angle", angle), ("damping", damping)]);
     let second = second.map(|bar| format!(", {}", spec.bars[bar].name)).unwrap_or_default();
     format!("#[torsion({}{second}{options})]", spec.bars[*first].name)
@@ -98,7 +100,7 @@ fn force(spec: &Spec, force: &Force) -> String {
     format!("#[force({} = ({x}, {y}){at}{frame})]", force.name)
 }
 
-fn couple(spec: &Spec, couple: &Couple) -> String {
+fn couple(spec: &Spec, couple: &CoupleSpec) -> String {
     let name = |bar: usize| spec.bars[bar].name.as_str();
     let on =
         if couple.name == name(couple.on) { String::new() } else { format!(", on = {}", name(couple.on)) };
@@ -118,6 +120,6 @@ pub fn target(spec: &Spec, target: &Target) -> String {
     }
 }
 
-fn drive(spec: &Spec, drive: &Drive) -> String {
+fn drive(spec: &Spec, drive: &DriveSpec) -> String {
     format!("#[drive({} = {})]", target(spec, &drive.target), drive.value.text(spec))
 }

@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::builder::Builder;
 use super::expression::Expression;
-use super::parts::{Drive, Slider, Target, Thread, Track, Weld};
+use super::parts::{DriveSpec, SliderSpec, Target, Thread, Track, Weld};
 use super::quantity::Quantity;
 use super::spec::{Declared, Origin};
 use super::vocabulary::occurs;
@@ -149,7 +149,7 @@ impl Builder<'_> {
         };
         let taken = self.spec.parts.sliders.iter().any(|slider| slider.name == point);
         let name = if taken || self.source.chance(0.3) { format!("g{index}") } else { point.clone() };
-        self.spec.parts.sliders.push(Slider { name, point, track });
+        self.spec.parts.sliders.push(SliderSpec { name, point, track });
     }
 
     /// A new point on the axis of a bar: a particle, of the ground, or of a new bar.
@@ -234,6 +234,6 @@ impl Builder<'_> {
             Target::Position(point, axis) => Expression::Number(self.spec.figure[point][*axis].clone()),
         };
         let value = middle.plus(swing.times(pace.times(Expression::Time).sin()));
-        self.spec.parts.drives.push(Drive { target, value });
+        self.spec.parts.drives.push(DriveSpec { target, value });
     }
 }

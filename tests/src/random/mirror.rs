@@ -5,7 +5,7 @@
 
 use super::builder::Builder;
 use super::quantity::Quantity;
-use super::spec::{Bar, Heading, Mirror, Pair, Shape, Spot, Support};
+use super::spec::{Bar, Heading, Mirror, Pair, Shape, Spot, SupportSpec};
 
 impl Builder<'_> {
     /// Now and then decides to reflect what has been drawn: three bars at most, only the root on the line, no
@@ -121,7 +121,7 @@ impl Mirror {
     }
 
     /// The image of a support, where it is another.
-    fn support(&self, support: &Support) -> Option<Support> {
+    fn support(&self, support: &SupportSpec) -> Option<SupportSpec> {
         let point = self.point(&support.point);
         let line = matches!(support.shape, Shape::Floor(_) | Shape::Wall { .. });
         if line && point == support.point {
@@ -130,7 +130,7 @@ impl Mirror {
         let own = support.name == support.point && point != support.point;
         let name = if own { point.clone() } else { format!("{}_m", support.name) };
         let (shape, manner) = (self.shape(&support.shape), support.manner.clone());
-        Some(Support { name, point, shape, manner })
+        Some(SupportSpec { name, point, shape, manner })
     }
 
     fn shape(&self, shape: &Shape) -> Shape {

@@ -17,7 +17,7 @@ pub struct Weld {
 
 /// A point on a guide.
 #[derive(Clone, Debug)]
-pub struct Slider {
+pub struct SliderSpec {
     pub name: String,
     pub point: String,
     pub track: Track,
@@ -34,7 +34,7 @@ pub enum Track {
 
 /// A spring, a damper or both.
 #[derive(Clone, Debug)]
-pub struct Spring {
+pub struct SpringSpec {
     pub name: String,
     pub ends: [String; 2],
     pub stiffness: Option<Quantity>,
@@ -44,7 +44,7 @@ pub struct Spring {
 
 /// The same between directions: of `first` from the right, or of `second` from `first`.
 #[derive(Clone, Debug)]
-pub struct Torsion {
+pub struct TorsionSpec {
     pub first: usize,
     pub second: Option<usize>,
     pub stiffness: Option<Quantity>,
@@ -63,7 +63,7 @@ pub struct Force {
 
 /// A couple.
 #[derive(Clone, Debug)]
-pub struct Couple {
+pub struct CoupleSpec {
     pub name: String,
     pub on: usize,
     pub from: Option<usize>,
@@ -72,7 +72,7 @@ pub struct Couple {
 
 /// A prescribed motion.
 #[derive(Clone, Debug)]
-pub struct Drive {
+pub struct DriveSpec {
     pub target: Target,
     pub value: Expression,
 }
@@ -121,12 +121,12 @@ pub struct Parts {
     /// Points of the ground, placed by the figure.
     pub grounds: Vec<String>,
     pub welds: Vec<Weld>,
-    pub sliders: Vec<Slider>,
-    pub springs: Vec<Spring>,
-    pub torsions: Vec<Torsion>,
+    pub sliders: Vec<SliderSpec>,
+    pub springs: Vec<SpringSpec>,
+    pub torsions: Vec<TorsionSpec>,
     pub forces: Vec<Force>,
-    pub couples: Vec<Couple>,
-    pub drives: Vec<Drive>,
+    pub couples: Vec<CoupleSpec>,
+    pub drives: Vec<DriveSpec>,
     pub sections: Vec<Section>,
     pub threads: Vec<Thread>,
 }

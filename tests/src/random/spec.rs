@@ -120,7 +120,7 @@ pub enum Shape {
 
 /// A one-sided support; of a bar for corners, else of a point.
 #[derive(Clone, Debug)]
-pub struct Support {
+pub struct SupportSpec {
     pub name: String,
     pub point: String,
     pub shape: Shape,
@@ -194,7 +194,7 @@ pub struct Spec {
     pub spots: Vec<Spot>,
     pub masses: Vec<(String, Quantity)>,
     pub pins: Vec<String>,
-    pub supports: Vec<Support>,
+    pub supports: Vec<SupportSpec>,
     pub ties: Vec<Tie>,
     pub coordinates: Vec<Declared>,
     pub mirror: Option<Mirror>,

@@ -3,7 +3,7 @@
 use super::{FORMS, each, noise, parameters, state};
 use liftoff_core::model::{ContactSet, Energy, Layout, SlipState};
 use liftoff_core::scalar::{DoubleDouble, Real, Scalar};
-use liftoff_core::system::{Equations, Model, Phase, System, TimeSeries};
+use liftoff_core::system::{Equations, Model, PhaseEquations, System, TimeSeries};
 use std::sync::Arc;
 
 #[test]
@@ -74,7 +74,7 @@ fn of_system<S: Scalar>(system: &dyn System<S>, layout: &Layout, state: &[S]) ->
 }
 
 /// Everything that a phase computes at a state.
-fn of_phase(phase: &dyn Phase, layout: &Layout, state: &[f64]) -> Vec<f64> {
+fn of_phase(phase: &dyn PhaseEquations, layout: &Layout, state: &[f64]) -> Vec<f64> {
     let entries = phase.info().entries;
     let mut y = vec![0.0; entries];
     phase.restrict(state, &mut y);

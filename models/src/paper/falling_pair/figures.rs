@@ -1,6 +1,6 @@
 //! Figs. 2, 4 and 5 of the paper.
 
-use super::Runs;
+use super::FallingPairRuns;
 use crate::paper::ReportError;
 use crate::paper::figure::{CaptionedFigure, against_phi, decimals};
 use crate::paper::reading::evaluate_output;
@@ -8,7 +8,7 @@ use liftoff_studio::picture::curve;
 use liftoff_studio::plot::{Axis, Chart, Colour, Curve, Figure, Mark};
 use std::f64::consts::FRAC_PI_3;
 
-impl Runs {
+impl FallingPairRuns {
     /// Figs. 2 to 6; those of the flight only if there is one.
     pub fn figures(&self) -> Result<Vec<CaptionedFigure>, ReportError> {
         let mut figures = vec![self.reaction()?];

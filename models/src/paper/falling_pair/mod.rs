@@ -18,14 +18,14 @@ pub(super) use positions::{BARS, ground};
 pub(super) const MODEL: &str = "falling-pair";
 
 /// The runs behind the numbers and figures of Fig. 1a: m = l = 1, the paper's g, on the energy level of φ = 0.
-pub struct Runs {
+pub struct FallingPairRuns {
     fall: Trajectory,
     held: Trajectory,
     l: f64,
     g: f64,
 }
 
-impl Runs {
+impl FallingPairRuns {
     /// Runs the model.
     pub fn new(tolerance: f64) -> Result<Self, ReportError> {
         let model = models().find(MODEL)?;

@@ -1,6 +1,6 @@
 //! The project in one picture: the pair on its corners and in free fall, and the reaction through its zero.
 
-use super::Runs;
+use super::FallingPairRuns;
 use super::positions::BARS;
 use crate::paper::ReportError;
 use crate::paper::figure::decimals;
@@ -11,7 +11,7 @@ use liftoff_studio::plot::{Axis, Chart, Colour, Curve, Figure, Label, Mark, Stro
 const DEGREES: &str = "phi * 180 / pi";
 const SHARE: &str = "N(P) / (m * g)";
 
-impl Runs {
+impl FallingPairRuns {
     /// The picture as SVG text; none without lift-off.
     pub fn picture(&self) -> Result<Option<String>, ReportError> {
         let Some(open) = self.opening() else {

@@ -1,6 +1,6 @@
 //! Figs. 3 and 6 of the paper: positions.
 
-use super::Runs;
+use super::FallingPairRuns;
 use crate::paper::ReportError;
 use crate::paper::figure::{CaptionedFigure, decimals, path, superposed};
 use crate::paper::reading::{equal_steps, evaluate_output, places, range};
@@ -9,7 +9,7 @@ use liftoff_studio::plot::{Axis, Colour, Figure, Label, LegendLine, Stroke, Supe
 
 pub(in crate::paper) const BARS: [&str; 3] = ["A", "D", "B"];
 
-impl Runs {
+impl FallingPairRuns {
     /// The bars as the corners lose them, with the instantaneous centre of bar AD.
     pub(super) fn lift_off(&self, open: f64) -> Result<CaptionedFigure, ReportError> {
         let bars = places(&self.fall, &BARS, open)?;
@@ -114,7 +114,7 @@ impl Runs {
     }
 }
 
-impl Runs {
+impl FallingPairRuns {
     /// Points named, the travel of D and the height of the paths of A and B with their lengths.
     fn measure(&self, superposition: &mut Superposition, end: f64) -> Result<(), ReportError> {
         let [start, last] = [self.fall.interval()[0], end].map(|t| places(&self.fall, &BARS, t));

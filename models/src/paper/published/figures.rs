@@ -1,6 +1,6 @@
 //! Figs. 7 to 10 of the paper.
 
-use super::{REACTION, Runs};
+use super::{PublishedRuns, REACTION};
 use crate::paper::ReportError;
 use crate::paper::figure::{CaptionedFigure, against_phi, decimals, superposed};
 use crate::paper::printed::GRAVITY;
@@ -12,9 +12,9 @@ use std::f64::consts::FRAC_PI_2;
 const BARS: [&str; 5] = ["A", "B", "C", "D", "E"];
 
 /// Fig. 7: the total reaction without outer bars, and with the masses that the other figures show.
-pub fn reactions(runs: &[Runs]) -> Result<CaptionedFigure, ReportError> {
+pub fn reactions(runs: &[PublishedRuns]) -> Result<CaptionedFigure, ReportError> {
     let chosen = runs.iter().filter(|run| run.ratio.1 == 0.0 || run.is_shown());
-    let panels: Result<Vec<_>, _> = chosen.map(Runs::reaction).collect();
+    let panels: Result<Vec<_>, _> = chosen.map(PublishedRuns::reaction).collect();
     let description = "Total reaction of the floor against the angle, for two mass ratios";
     Ok(CaptionedFigure {
         anchor: "fig7",
@@ -26,7 +26,7 @@ pub fn reactions(runs: &[Runs]) -> Result<CaptionedFigure, ReportError> {
     })
 }
 
-impl Runs {
+impl PublishedRuns {
     fn reaction(&self) -> Result<Chart, ReportError> {
         let points = curve(&self.held, ["phi", REACTION], self.held.interval())?;
         let mark = |phi: f64| Mark { at: [phi, 0.0], label: format!("φ₁ = {phi:.6}") };

@@ -27,7 +27,7 @@ pub fn normalised(spec: RunSpec, ratio: f64) -> RunSpec {
 }
 
 /// The runs of one mass ratio.
-pub struct Runs {
+pub struct PublishedRuns {
     ratio: Ratio,
     /// Until B and D reach the floor.
     flight: Trajectory,
@@ -37,7 +37,7 @@ pub struct Runs {
     level: Trajectory,
 }
 
-impl Runs {
+impl PublishedRuns {
     /// The runs of every ratio in Table 1.
     pub fn all(tolerance: f64) -> Result<Vec<Self>, ReportError> {
         RATIOS.into_iter().map(|ratio| Self::new(ratio, tolerance)).collect()

@@ -4,7 +4,7 @@ use super::{MODEL, Run, names, spec};
 use crate::models;
 use crate::paper::ReportError;
 use crate::paper::figure::decimals;
-use crate::paper::published::Runs;
+use crate::paper::published::PublishedRuns;
 use crate::paper::reading::evaluate_output;
 
 /// One mass ratio both ways.
@@ -24,7 +24,7 @@ pub struct Line {
 
 /// Every ratio both ways.
 pub fn lines(strict: &[Run], tolerance: f64) -> Result<Vec<Line>, ReportError> {
-    strict.iter().map(|run| Ok(run.line(&Runs::new(run.ratio, tolerance)?))).collect()
+    strict.iter().map(|run| Ok(run.line(&PublishedRuns::new(run.ratio, tolerance)?))).collect()
 }
 
 impl Run {
@@ -33,7 +33,7 @@ impl Run {
         self.ratio
     }
 
-    fn line(&self, published: &Runs) -> Line {
+    fn line(&self, published: &PublishedRuns) -> Line {
         let mut openings = self.openings();
         let (first, second) = (openings.next(), openings.next());
         let pair = |event| Some([self.angle(event, "phi_inner")?, self.angle(event, "phi_outer")?]);
@@ -47,7 +47,11 @@ impl Run {
     }
 
     /// What differs, in two sentences; `published` has this run's mass ratio. None without a second opening.
-    pub fn difference(&self, published: &Runs, tolerance: f64) -> Result<Option<String>, ReportError> {
+    pub fn difference(
+        &self,
+        published: &PublishedRuns,
+        tolerance: f64,
+    ) -> Result<Option<String>, ReportError> {
         let line = self.line(published);
         let (Some((first, phi)), Some((second, then)), Some(touch), [Some(phi1), Some(phi2)]) =
             (line.first, line.second, line.touch, line.published)

@@ -3,7 +3,7 @@
 use super::Run;
 use crate::paper::ReportError;
 use crate::paper::figure::CaptionedFigure;
-use crate::paper::published::Runs;
+use crate::paper::published::PublishedRuns;
 use crate::paper::reading::time_of;
 use liftoff::Trajectory;
 use liftoff_studio::picture::curve;
@@ -15,7 +15,7 @@ const FROM: f64 = 0.75;
 impl Run {
     /// Reactions one by one and in total; then how far the angles depart from the published one. `published` has this
     /// run's mass ratio; none if either motion has no flight.
-    pub fn figure(&self, published: &Runs) -> Result<Option<CaptionedFigure>, ReportError> {
+    pub fn figure(&self, published: &PublishedRuns) -> Result<Option<CaptionedFigure>, ReportError> {
         let (Some(first), Some(last)) = (self.openings().next(), self.openings().last()) else {
             return Ok(None);
         };
@@ -38,7 +38,12 @@ impl Run {
         }))
     }
 
-    fn reactions(&self, published: &Runs, open: f64, [first, last]: [f64; 2]) -> Result<Chart, ReportError> {
+    fn reactions(
+        &self,
+        published: &PublishedRuns,
+        open: f64,
+        [first, last]: [f64; 2],
+    ) -> Result<Chart, ReportError> {
         let strict = &self.flight;
         let total = late(published.flight(), ["phi", "N(A, C, E) / ((m1 + m2) * g)"], open)?;
         let n_c = late(strict, ["phi_inner", "N(C) / ((m1 + m2) * g)"], last)?;
@@ -64,7 +69,7 @@ impl Run {
     }
 
     /// Both motions start in one state, so that their times agree.
-    fn departures(&self, published: &Runs, first: f64) -> Result<Chart, ReportError> {
+    fn departures(&self, published: &PublishedRuns, first: f64) -> Result<Chart, ReportError> {
         let strict = &self.flight;
         let end = strict.interval()[1].min(published.flight().interval()[1]);
         let phi = published.flight().function("phi")?;

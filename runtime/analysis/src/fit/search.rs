@@ -76,8 +76,8 @@ impl Fit<'_> {
 }
 
 impl Search<'_> {
-    fn ending(&self, reached: least_squares::Ending) -> Ending {
-        use least_squares::Ending::{Exhausted, Least, NoDerivatives, Short};
+    fn ending(&self, reached: least_squares::Termination) -> Ending {
+        use least_squares::Termination::{Exhausted, Least, NoDerivatives, Short};
         // Short steps that gain a little lead to a bound as they do to a minimum.
         if let (Least | Short, Some(why)) = (reached, &self.failed)
             && is_held_up(self.fit, &self.best, &self.jacobian)

@@ -47,7 +47,7 @@ pub(crate) struct Limits {
 
 /// What a search ends with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Ending {
+pub(crate) enum Termination {
     /// The residuals are zero or orthogonal to the columns of J, or the sum of squares no longer
     /// changes.
     Least,
@@ -67,7 +67,7 @@ pub(crate) fn minimize(
     mut jacobian: DMatrix<f64>,
     limits: Limits,
     problem: &mut impl Residuals,
-) -> (DVector<f64>, Ending) {
+) -> (DVector<f64>, Termination) {
     let Limits { tolerance, evaluations } = limits;
     let mut scale = DVector::zeros(x.len());
     let mut region = None;
@@ -75,15 +75,15 @@ pub(crate) fn minimize(
     loop {
         let norm = residuals.norm();
         if norm == 0.0 {
-            return (x, Ending::Least);
+            return (x, Termination::Least);
         }
         if !norm.is_finite() || jacobian.iter().any(|entry| !entry.is_finite()) {
-            return (x, Ending::NoDerivatives);
+            return (x, Termination::NoDerivatives);
         }
         let norms = DVector::from_iterator(x.len(), jacobian.column_iter().map(|column| column.norm()));
         let projections = jacobian.tr_mul(&residuals);
         if projections.iter().zip(&norms).all(|(p, size)| p.abs() <= tolerance * size * norm) {
-            return (x, Ending::Least);
+            return (x, Termination::Least);
         }
         // What nothing depends on yet keeps its size.
         scale.zip_apply(&norms, |scale: &mut f64, norm| *scale = scale.max(norm));
@@ -96,7 +96,7 @@ pub(crate) fn minimize(
             lambda = damping;
             let length = step.norm();
             if !length.is_finite() {
-                return (x, Ending::NoDerivatives);
+                return (x, Termination::NoDerivatives);
             }
             if count == 1 {
                 *radius = radius.min(length);
@@ -126,13 +126,13 @@ pub(crate) fn minimize(
                 size = scale.component_mul(&x).norm();
             }
             if farther == 0.0 || gain.abs() <= tolerance && foreseen <= tolerance && ratio <= 2.0 {
-                return (x, Ending::Least);
+                return (x, Termination::Least);
             }
             if *radius <= tolerance * size {
-                return (x, Ending::Short);
+                return (x, Termination::Short);
             }
             if count >= evaluations {
-                return (x, Ending::Exhausted);
+                return (x, Termination::Exhausted);
             }
             if let Some(taken) = taken {
                 break taken;
@@ -141,7 +141,7 @@ pub(crate) fn minimize(
         residuals = taken;
         jacobian = match problem.jacobian() {
             Some(jacobian) => jacobian,
-            None => return (x, Ending::NoDerivatives),
+            None => return (x, Termination::NoDerivatives),
         };
     }
 }
@@ -287,7 +287,7 @@ mod tests {
 
     const LIMITS: Limits = Limits { tolerance: 1e-14, evaluations: 1000 };
 
-    fn scaled(function: Function, start: &[f64], units: &[f64], size: f64) -> (Vec<f64>, usize, Ending) {
+    fn scaled(function: Function, start: &[f64], units: &[f64], size: f64) -> (Vec<f64>, usize, Termination) {
         let units = DVector::from_row_slice(units);
         let x = DVector::from_row_slice(start).component_mul(&units);
         let mut problem = Known { function, units, size, last: x.clone(), count: 0 };
@@ -296,7 +296,7 @@ mod tests {
         (x.component_div(&problem.units).as_slice().to_vec(), problem.count, ending)
     }
 
-    fn solved(function: Function, start: &[f64]) -> (Vec<f64>, usize, Ending) {
+    fn solved(function: Function, start: &[f64]) -> (Vec<f64>, usize, Termination) {
         scaled(function, start, &vec![1.0; start.len()], 1.0)
     }
 
@@ -375,7 +375,10 @@ mod tests {
         for factor in [1.0, 10.0, 100.0] {
             let start = [-1.2, 1.0].map(|x| factor * x);
             let (x, count, ending) = solved(rosenbrock, &start);
-            assert!(x == [1.0, 1.0] && count < 40 && ending == Ending::Least, "{x:?} {count} {ending:?}");
+            assert!(
+                x == [1.0, 1.0] && count < 40 && ending == Termination::Least,
+                "{x:?} {count} {ending:?}"
+            );
             let start = [-factor, 0.0, 0.0];
             let (x, count, _) = solved(helical_valley, &start);
             assert!((x[0] - 1.0).abs() < 1e-12 && x[1].abs() < 1e-12 && x[2].abs() < 1e-12, "{x:?}");
@@ -397,7 +400,7 @@ mod tests {
     fn a_linear_problem_takes_one_step() {
         let (x, count, ending) = solved(linear, &[1.0; 5]);
         assert!(x.iter().all(|x| (x + 1.0).abs() < 1e-13) && count <= 3, "{x:?} {count}");
-        assert_eq!(ending, Ending::Least);
+        assert_eq!(ending, Termination::Least);
     }
 
     /// Powers of two, so that the steps are the same to the last bit.
@@ -427,7 +430,7 @@ mod tests {
             ])
         };
         let (x, _, ending) = solved(dependent, &[1.0, 5.0, 7.0]);
-        assert!((x[0] + x[1] - 3.0).abs() < 1e-13 && x[2] == 7.0 && ending == Ending::Least, "{x:?}");
+        assert!((x[0] + x[1] - 3.0).abs() < 1e-13 && x[2] == 7.0 && ending == Termination::Least, "{x:?}");
     }
 
     /// ln x + 3 has no value below nothing, where the first step leads.
@@ -436,17 +439,17 @@ mod tests {
         let logarithm: Function = |x| (x[0] > 0.0).then(|| vec![(x[0].ln() + 3.0, vec![1.0 / x[0]])]);
         let (x, count, ending) = solved(logarithm, &[1.0]);
         assert!((x[0] - (-3f64).exp()).abs() < 1e-14 && count < 20, "{x:?} {count}");
-        assert_eq!(ending, Ending::Least);
+        assert_eq!(ending, Termination::Least);
         // √x − 2 has none above 1: the best is there.
         let bounded: Function =
             |x| ((0.0..=1.0).contains(&x[0])).then(|| vec![(x[0].sqrt() - 2.0, vec![0.5 / x[0].sqrt()])]);
         let (x, _, ending) = solved(bounded, &[0.5]);
-        assert!((x[0] - 1.0).abs() < 1e-6 && ending == Ending::Short, "{x:?} {ending:?}");
+        assert!((x[0] - 1.0).abs() < 1e-6 && ending == Termination::Short, "{x:?} {ending:?}");
     }
 
     #[test]
     fn what_is_not_finite_ends_the_search() {
         let infinite: Function = |x| Some(vec![(x[0], vec![f64::NAN])]);
-        assert_eq!(solved(infinite, &[1.0]).2, Ending::NoDerivatives);
+        assert_eq!(solved(infinite, &[1.0]).2, Termination::NoDerivatives);
     }
 }

@@ -22,7 +22,7 @@ const EXCHANGES: usize = 200;
 
 /// A variable.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Variable {
+enum LpVariable {
     /// s₀.
     Shortfall,
     Slack(usize),
@@ -33,8 +33,8 @@ enum Variable {
 struct Dictionary {
     /// With the constants as the last column.
     entries: DMatrix<f64>,
-    basic: Vec<Variable>,
-    others: Vec<Variable>,
+    basic: Vec<LpVariable>,
+    others: Vec<LpVariable>,
     /// What a constant is none below.
     none: f64,
     exchanges: usize,
@@ -84,8 +84,8 @@ impl Dictionary {
         entries[(m, n)] = 1.0;
         entries.view_mut((0, n + 1), (m, 1)).copy_from(&-b);
         entries.view_mut((m + 1, 0), (1, n)).copy_from(&g.transpose());
-        let basic = (0..m).map(Variable::Slack).collect();
-        let others = (0..n).map(Variable::Free).chain([Variable::Shortfall]).collect();
+        let basic = (0..m).map(LpVariable::Slack).collect();
+        let others = (0..n).map(LpVariable::Free).chain([LpVariable::Shortfall]).collect();
         let none = if m > 0 { ROUNDING * b.amax() } else { 0.0 };
         Self { entries, basic, others, none, exchanges: EXCHANGES * (m + n + 1) }
     }
@@ -101,7 +101,7 @@ impl Dictionary {
     /// Exchanges the x for slacks, the largest entry of all first; whether the value depends on one
     /// that no bound holds.
     fn exchange_free(&mut self) -> bool {
-        let is_free = |variable: &Variable| matches!(variable, Variable::Free(_));
+        let is_free = |variable: &LpVariable| matches!(variable, LpVariable::Free(_));
         loop {
             let columns: Vec<usize> = (0..self.others.len()).filter(|&k| is_free(&self.others[k])).collect();
             let rows = (0..self.basic.len()).filter(|&i| !is_free(&self.basic[i]));
@@ -119,20 +119,20 @@ impl Dictionary {
 
     /// Goes to constants that are not negative.
     fn make_feasible(&mut self) -> Option<()> {
-        let slacks = (0..self.basic.len()).filter(|&i| matches!(self.basic[i], Variable::Slack(_)));
+        let slacks = (0..self.basic.len()).filter(|&i| matches!(self.basic[i], LpVariable::Slack(_)));
         let Some(least) = slacks.min_by(|&i, &k| self.constant(i).total_cmp(&self.constant(k))) else {
             return Some(());
         };
-        let cover = self.others.iter().position(|other| *other == Variable::Shortfall)?;
+        let cover = self.others.iter().position(|other| *other == LpVariable::Shortfall)?;
         if self.constant(least) >= 0.0 {
             return Some(());
         }
-        for row in (0..self.basic.len()).filter(|&i| matches!(self.basic[i], Variable::Slack(_))) {
+        for row in (0..self.basic.len()).filter(|&i| matches!(self.basic[i], LpVariable::Slack(_))) {
             self.entries[(row, cover)] = 1.0;
         }
         self.exchange(least, cover);
         self.minimize(self.basic.len())?;
-        let Some(row) = self.basic.iter().position(|basic| *basic == Variable::Shortfall) else {
+        let Some(row) = self.basic.iter().position(|basic| *basic == LpVariable::Shortfall) else {
             return Some(());
         };
         if self.constant(row) > self.none {
@@ -140,7 +140,7 @@ impl Dictionary {
         }
         // It is nothing, and so it is against any other.
         let size = |k: &usize| self.entries[(row, *k)].abs();
-        let slacks = (0..self.others.len()).filter(|&k| matches!(self.others[k], Variable::Slack(_)));
+        let slacks = (0..self.others.len()).filter(|&k| matches!(self.others[k], LpVariable::Slack(_)));
         let column = slacks.max_by(|p, q| size(p).total_cmp(&size(q)))?;
         self.exchange(row, column);
         Some(())
@@ -150,8 +150,8 @@ impl Dictionary {
     fn minimize(&mut self, function: usize) -> Option<Course> {
         loop {
             let may_enter = |k: &usize| match self.others[*k] {
-                Variable::Slack(_) => self.entries[(function, *k)] < -PIVOT,
-                Variable::Shortfall | Variable::Free(_) => false,
+                LpVariable::Slack(_) => self.entries[(function, *k)] < -PIVOT,
+                LpVariable::Shortfall | LpVariable::Free(_) => false,
             };
             let Some(column) = (0..self.others.len()).filter(may_enter).min_by_key(|&k| self.others[k])
             else {
@@ -166,7 +166,7 @@ impl Dictionary {
     /// The row whose variable vanishes first as one that is not basic grows.
     fn blocking(&self, column: usize) -> Option<usize> {
         let falls =
-            |i: &usize| !matches!(self.basic[*i], Variable::Free(_)) && self.entries[(*i, column)] < -PIVOT;
+            |i: &usize| !matches!(self.basic[*i], LpVariable::Free(_)) && self.entries[(*i, column)] < -PIVOT;
         let rows: Vec<usize> = (0..self.basic.len()).filter(falls).collect();
         let room = |row: usize| self.constant(row).max(0.0) / -self.entries[(row, column)];
         let least = rows.iter().map(|&row| room(row)).fold(f64::INFINITY, f64::min);
@@ -194,8 +194,8 @@ impl Dictionary {
     /// The x at which all slacks that are not basic vanish, from the bounds as they are given:
     /// without the rounding of exchanges.
     fn vertex(&self, a: &DMatrix<f64>, b: &DVector<f64>) -> Option<DVector<f64>> {
-        let slack = |variable: &Variable| if let Variable::Slack(i) = variable { Some(*i) } else { None };
-        let free = |variable: &Variable| if let Variable::Free(k) = variable { Some(*k) } else { None };
+        let slack = |variable: &LpVariable| if let LpVariable::Slack(i) = variable { Some(*i) } else { None };
+        let free = |variable: &LpVariable| if let LpVariable::Free(k) = variable { Some(*k) } else { None };
         let rows: Vec<usize> = self.others.iter().filter_map(slack).collect();
         let columns: Vec<usize> = self.basic.iter().filter_map(free).collect();
         let mut x = DVector::zeros(a.ncols());

@@ -21,7 +21,7 @@ const DIRECTIONS: usize = 200;
 
 /// A point with the value of a function and its gradient.
 #[derive(Debug, Clone)]
-pub(crate) struct Point {
+pub(crate) struct Iterate {
     pub(crate) x: DVector<f64>,
     pub(crate) value: f64,
     pub(crate) gradient: DVector<f64>,
@@ -31,11 +31,11 @@ pub(crate) struct Point {
 /// where the gradient is shorter than `flat`, or as near as steps lead that lessen the value.
 /// `evaluate` gives value and gradient, and none to end the search.
 pub(crate) fn minimize(
-    mut at: Point,
+    mut at: Iterate,
     first: f64,
     flat: f64,
     mut evaluate: impl FnMut(&DVector<f64>) -> Option<(f64, DVector<f64>)>,
-) -> Point {
+) -> Iterate {
     let mut steps = VecDeque::with_capacity(REMEMBERED);
     for _ in 0..DIRECTIONS {
         if at.gradient.norm() < flat {
@@ -57,7 +57,7 @@ pub(crate) fn minimize(
             if !(value.is_finite() && slope.is_finite()) {
                 return None;
             }
-            let tried = Point { x, value, gradient };
+            let tried = Iterate { x, value, gradient };
             if tried.value < best.value {
                 best = tried.clone();
             }
@@ -130,7 +130,7 @@ mod tests {
         let x = DVector::from_row_slice(x) * unit;
         let (value, gradient) = evaluate(&x).unwrap();
         let flat = 1e-10 * gradient.amax();
-        let found = minimize(Point { x, value, gradient }, 0.1 * unit, flat, evaluate);
+        let found = minimize(Iterate { x, value, gradient }, 0.1 * unit, flat, evaluate);
         ((found.x / unit).as_slice().to_vec(), count)
     }
 
@@ -198,7 +198,7 @@ mod tests {
     #[test]
     fn a_search_without_a_minimum_comes_to_an_end() {
         let mut count = 0;
-        let start = Point { x: DVector::zeros(2), value: 0.0, gradient: DVector::from_element(2, 1.0) };
+        let start = Iterate { x: DVector::zeros(2), value: 0.0, gradient: DVector::from_element(2, 1.0) };
         let found = minimize(start, 0.1, 1e-9, |x| {
             count += 1;
             Some((x.sum(), DVector::from_element(2, 1.0)))

@@ -7,7 +7,7 @@ use crate::fit::{Datum, Fit, TrialError};
 
 /// A run with given variables.
 #[derive(Debug, Clone)]
-pub(super) struct Point {
+pub(super) struct CostPoint {
     pub(super) theta: Vec<f64>,
     pub(super) values: Vec<f64>,
     pub(super) output: f64,
@@ -23,7 +23,7 @@ pub(super) struct Cost<'a> {
     fit: &'a Fit<'a>,
     /// A run that fails is worse than the best one by so much.
     loss: f64,
-    pub(super) best: Point,
+    pub(super) best: CostPoint,
     /// Why the last run that failed did.
     pub(super) failed: Option<TrialError>,
     pub(super) runs: usize,
@@ -40,7 +40,7 @@ impl<'a> Optimum<'a> {
         Fit { simulate: self.simulate, model: self.model, variables, data: vec![datum] }
     }
 
-    pub(super) fn point(&self, fit: &Fit<'_>, theta: &[f64]) -> Result<Point, TrialError> {
+    pub(super) fn point(&self, fit: &Fit<'_>, theta: &[f64]) -> Result<CostPoint, TrialError> {
         let placed: Vec<[f64; 2]> =
             self.variables.iter().zip(theta).map(|(free, theta)| free.value(*theta)).collect();
         let values: Vec<f64> = placed.iter().map(|[value, _]| *value).collect();
@@ -49,11 +49,11 @@ impl<'a> Optimum<'a> {
         let slopes: Vec<f64> = jacobian.row(0).iter().copied().collect();
         let gradient =
             slopes.iter().zip(&placed).map(|(slope, [_, by_theta])| self.sign() * slope * by_theta).collect();
-        Ok(Point { theta: theta.to_vec(), values, output: trial.residuals[0], slopes, gradient })
+        Ok(CostPoint { theta: theta.to_vec(), values, output: trial.residuals[0], slopes, gradient })
     }
 
     /// What is to become least.
-    pub(super) fn cost(&self, point: &Point) -> f64 {
+    pub(super) fn cost(&self, point: &CostPoint) -> f64 {
         self.sign() * point.output
     }
 
@@ -63,7 +63,7 @@ impl<'a> Optimum<'a> {
 }
 
 impl<'a> Cost<'a> {
-    pub(super) fn new((optimum, fit): (&'a Optimum<'a>, &'a Fit<'a>), best: Point, loss: f64) -> Self {
+    pub(super) fn new((optimum, fit): (&'a Optimum<'a>, &'a Fit<'a>), best: CostPoint, loss: f64) -> Self {
         Self { optimum, fit, loss, best, failed: None, runs: 0 }
     }
 
@@ -90,7 +90,7 @@ impl<'a> Cost<'a> {
     }
 }
 
-impl Point {
+impl CostPoint {
     /// The largest slope by θ.
     pub(super) fn steepest(&self) -> f64 {
         self.gradient.iter().fold(0.0, |most: f64, slope| most.max(slope.abs()))

@@ -3,7 +3,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::cost::{Cost, Point};
+use super::cost::{Cost, CostPoint};
 use super::{Best, Optimum, OptimumError};
 use crate::fit::{Ending, Fit, TrialError};
 use crate::numeric::quasi_newton::{self, minimize};
@@ -33,7 +33,7 @@ struct Progress<'a> {
     optimum: &'a Optimum<'a>,
     /// How the output is read.
     fit: Fit<'a>,
-    best: Point,
+    best: CostPoint,
     runs: usize,
     /// The steepest slope at the start of any search.
     steepest: f64,
@@ -59,13 +59,13 @@ impl Optimum<'_> {
             self.look_around(&mut progress);
         }
         let ending = self.search(&mut progress);
-        let Progress { best: Point { values, output, slopes, .. }, runs, .. } = progress;
+        let Progress { best: CostPoint { values, output, slopes, .. }, runs, .. } = progress;
         let at_bounds = self.variables.iter().zip(&values).map(|(free, value)| free.is_at_bound(*value));
         Ok(Best { at_bounds: at_bounds.collect(), values, value: output, first, slopes, runs, ending })
     }
 
     /// The largest slope by θ of what no bound holds.
-    fn steepest(&self, point: &Point) -> f64 {
+    fn steepest(&self, point: &CostPoint) -> f64 {
         let each = self.variables.iter().enumerate();
         let free = each.filter(|(k, free)| !free.is_held(point.values[*k], self.sign() * point.slopes[*k]));
         free.fold(0.0, |most: f64, (k, _)| most.max(point.gradient[k].abs()))
@@ -127,7 +127,7 @@ impl Progress<'_> {
     fn once(&mut self, step: f64, flat: f64) -> bool {
         let steepest = self.best.steepest();
         self.steepest = self.steepest.max(steepest);
-        let start = quasi_newton::Point {
+        let start = quasi_newton::Iterate {
             x: DVector::from_row_slice(&self.best.theta),
             value: self.optimum.cost(&self.best),
             gradient: DVector::from_row_slice(&self.best.gradient),
@@ -160,8 +160,8 @@ impl Progress<'_> {
         }
     }
 
-    fn newton(&mut self) -> Option<Point> {
-        let Point { theta, gradient, .. } = self.best.clone();
+    fn newton(&mut self) -> Option<CostPoint> {
+        let CostPoint { theta, gradient, .. } = self.best.clone();
         let n = theta.len();
         let mut at = |theta: &[f64]| {
             self.runs += 1;
@@ -181,7 +181,7 @@ impl Progress<'_> {
     }
 }
 
-impl Point {
+impl CostPoint {
     fn is_flat(&self) -> bool {
         self.steepest() <= ROUNDING * self.output.abs()
     }

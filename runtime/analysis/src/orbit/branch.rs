@@ -17,7 +17,7 @@ use liftoff::EventKind;
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::newton::{ACCEPTED, Attempt, FOUND};
-use super::surface::{Place, solve};
+use super::surface::{OrbitParameters, solve};
 use super::turn::sequence;
 use super::{Orbit, OrbitError, ReturnMap};
 
@@ -100,15 +100,15 @@ pub struct Branch {
 }
 
 /// An orbit with the tangent of its branch.
-struct Point {
-    place: Place,
+struct TangentPoint {
+    place: OrbitParameters,
     attempt: Attempt,
     /// In natural units, the part along p last.
     tangent: DVector<f64>,
     corrections: usize,
 }
 
-impl Point {
+impl TangentPoint {
     fn value(&self) -> f64 {
         self.place.varied.map_or(0.0, |i| self.place.parameters[i])
     }
@@ -129,7 +129,8 @@ impl ReturnMap<'_> {
         let run = self.follow(&orbit.parameters, &orbit.state)?;
         let units = run.scales().state(run.layout())[..orbit.state.len()].to_vec();
         let parameters = orbit.parameters.clone();
-        let place = Place { parameters, varied: Some(parameter), unit, units, scales: run.scales() };
+        let place =
+            OrbitParameters { parameters, varied: Some(parameter), unit, units, scales: run.scales() };
         let attempt = self.attempt(&place, &orbit.state, None)?;
         if self.slopes_with_parameter(&attempt).rank(FAMILY) < attempt.surface.basis.ncols() {
             return Err(OrbitError::Family);
@@ -137,7 +138,7 @@ impl ReturnMap<'_> {
         let mut towards = DVector::zeros(orbit.state.len() + 1);
         towards[orbit.state.len()] = (to - from).signum();
         let tangent = self.tangent(&attempt, &towards);
-        let mut now = Point { place, attempt, tangent, corrections: 0 };
+        let mut now = TangentPoint { place, attempt, tangent, corrections: 0 };
         let mut branch = Branch { points: vec![self.plain(&now)], end: BranchEnd::Long };
         let mut step = FIRST;
         while branch.points.len() < MOST_POINTS {
@@ -157,7 +158,9 @@ impl ReturnMap<'_> {
             let outside = |value: f64| (value - to) * (from - to) < 0.0 || (value - from) * (to - from) < 0.0;
             if outside(next.value()) {
                 let bound = if (next.value() - to) * (from - to) < 0.0 { to } else { from };
-                if let Some((last, step)) = self.located(&now, step, &|point: &Point| point.value() - bound) {
+                if let Some((last, step)) =
+                    self.located(&now, step, &|point: &TangentPoint| point.value() - bound)
+                {
                     self.add_special(&mut branch, &now, (&last, step));
                     branch.points.push(self.plain(&last));
                 }
@@ -172,19 +175,19 @@ impl ReturnMap<'_> {
         Ok(branch)
     }
 
-    fn plain(&self, point: &Point) -> BranchPoint {
+    fn plain(&self, point: &TangentPoint) -> BranchPoint {
         BranchPoint { orbit: self.orbit_of(&point.place, &point.attempt), special: None }
     }
 
     /// The point after a step, with the same events; else what is there.
-    fn next(&self, from: &Point, step: f64) -> Result<Point, BranchEnd> {
+    fn next(&self, from: &TangentPoint, step: f64) -> Result<TangentPoint, BranchEnd> {
         let next = self.corrected(from, step).map_err(BranchEnd::Lost)?;
         let [before, after] = [from, &next].map(|point| sequence(&point.attempt.turn.run));
         if before == after { Ok(next) } else { Err(BranchEnd::Sequence(after)) }
     }
 
     /// The last point before a step that fails, and why it does.
-    fn last(&self, from: &Point, step: f64, mut end: BranchEnd) -> (Option<Point>, BranchEnd) {
+    fn last(&self, from: &TangentPoint, step: f64, mut end: BranchEnd) -> (Option<TangentPoint>, BranchEnd) {
         let (mut low, mut high, mut last) = (0.0, step, None);
         while high - low > BRACKET {
             let middle = 0.5 * (low + high);
@@ -196,12 +199,12 @@ impl ReturnMap<'_> {
         (last, end)
     }
 
-    fn corrected(&self, from: &Point, step: f64) -> Result<Point, OrbitError> {
+    fn corrected(&self, from: &TangentPoint, step: f64) -> Result<TangentPoint, OrbitError> {
         let n = from.place.units.len();
         let mut z = DVector::from_fn(n + 1, |i, _| step * from.tangent[i]);
-        let mut best: Option<(Point, f64)> = None;
+        let mut best: Option<(TangentPoint, f64)> = None;
         for corrections in 0..CORRECTIONS {
-            let mut place = Place {
+            let mut place = OrbitParameters {
                 units: from.place.units.clone(),
                 parameters: from.place.parameters.clone(),
                 ..from.place
@@ -218,7 +221,7 @@ impl ReturnMap<'_> {
             let tangent = self.tangent(&attempt, &from.tangent);
             let is_better = best.as_ref().is_none_or(|(_, least)| residual < *least);
             if is_better {
-                best = Some((Point { place, attempt, tangent, corrections }, residual));
+                best = Some((TangentPoint { place, attempt, tangent, corrections }, residual));
             }
             if residual <= FOUND || !is_better && best.as_ref().is_some_and(|(_, least)| *least <= ACCEPTED) {
                 break;
@@ -273,9 +276,9 @@ impl ReturnMap<'_> {
     }
 
     /// Adds the special orbits of a step.
-    fn add_special(&self, branch: &mut Branch, from: &Point, (to, step): (&Point, f64)) {
+    fn add_special(&self, branch: &mut Branch, from: &TangentPoint, (to, step): (&TangentPoint, f64)) {
         for special in [Special::Fold, Special::Branch, Special::Flip, Special::Torus] {
-            let test = |point: &Point| self.test(special, point);
+            let test = |point: &TangentPoint| self.test(special, point);
             if test(from) * test(to) < 0.0
                 && let Some((point, _)) = self.located(from, step, &test)
                 && (special != Special::Torus || self.has_pair_of_modulus_one(&point))
@@ -287,7 +290,7 @@ impl ReturnMap<'_> {
     }
 
     /// Changes its sign at a special orbit.
-    fn test(&self, special: Special, point: &Point) -> f64 {
+    fn test(&self, special: Special, point: &TangentPoint) -> f64 {
         let multipliers = self.multipliers(&point.attempt);
         match special {
             Special::Fold => point.along_parameter(),
@@ -303,7 +306,7 @@ impl ReturnMap<'_> {
     }
 
     /// Of the slopes of both equations along the surface and p.
-    fn determinant(&self, point: &Point) -> f64 {
+    fn determinant(&self, point: &TangentPoint) -> f64 {
         let attempt = &point.attempt;
         let along = attempt.surface.basis.transpose() * self.slopes_with_parameter(attempt);
         let rows = along.nrows();
@@ -312,14 +315,19 @@ impl ReturnMap<'_> {
         system.determinant()
     }
 
-    fn has_pair_of_modulus_one(&self, point: &Point) -> bool {
+    fn has_pair_of_modulus_one(&self, point: &TangentPoint) -> bool {
         let on_circle =
             |multiplier: &Complex<f64>| multiplier.im != 0.0 && (multiplier.norm() - 1.0).abs() < 1e-6;
         self.multipliers(&point.attempt).iter().any(on_circle)
     }
 
     /// The point of a step at which a function of it is zero, and how far it is.
-    fn located(&self, from: &Point, step: f64, test: &dyn Fn(&Point) -> f64) -> Option<(Point, f64)> {
+    fn located(
+        &self,
+        from: &TangentPoint,
+        step: f64,
+        test: &dyn Fn(&TangentPoint) -> f64,
+    ) -> Option<(TangentPoint, f64)> {
         let end = self.corrected(from, step).ok()?;
         let (mut a, mut b) = ((0.0, test(from)), (step, test(&end)));
         let size = a.1.abs().max(b.1.abs());

@@ -3,7 +3,7 @@
 use liftoff::Trajectory;
 use nalgebra::{Complex, DMatrix, DVector};
 
-use super::surface::{Place, Surface, solve};
+use super::surface::{OrbitParameters, Surface, solve};
 use super::turn::{Turn, sequence};
 use super::{Orbit, OrbitError, ReturnMap};
 
@@ -54,7 +54,7 @@ impl ReturnMap<'_> {
         let first = self.follow(parameters, state)?;
         let units = first.scales().state(first.layout())[..state.len()].to_vec();
         let parameters = parameters.to_vec();
-        let at = Place { parameters, varied: None, unit: 1.0, units, scales: first.scales() };
+        let at = OrbitParameters { parameters, varied: None, unit: 1.0, units, scales: first.scales() };
         let from =
             if self.section.time(&at.parameters).is_some() { state.to_vec() } else { first.final_state() };
         let found = self.newton(&at, self.attempt(&at, &from, None)?)?;
@@ -67,7 +67,7 @@ impl ReturnMap<'_> {
 
     pub(super) fn attempt(
         &self,
-        at: &Place,
+        at: &OrbitParameters,
         state: &[f64],
         from: Option<&Surface>,
     ) -> Result<Attempt, OrbitError> {
@@ -82,7 +82,7 @@ impl ReturnMap<'_> {
         Ok(Attempt { surface, turn, miss })
     }
 
-    fn newton(&self, at: &Place, mut now: Attempt) -> Result<Attempt, OrbitError> {
+    fn newton(&self, at: &OrbitParameters, mut now: Attempt) -> Result<Attempt, OrbitError> {
         for iterations in 0..ITERATIONS {
             if now.residual() <= FOUND {
                 return Ok(now);
@@ -98,7 +98,7 @@ impl ReturnMap<'_> {
     }
 
     /// The first of the halved steps that comes out better; of what is found already the whole one alone.
-    fn improved(&self, at: &Place, now: &Attempt, step: &DVector<f64>) -> Option<Attempt> {
+    fn improved(&self, at: &OrbitParameters, now: &Attempt, step: &DVector<f64>) -> Option<Attempt> {
         let halvings = if now.residual() <= ACCEPTED { 1 } else { HALVINGS };
         (0..halvings).find_map(|halvings| {
             let factor = 0.5f64.powi(halvings as i32);
@@ -117,7 +117,7 @@ impl ReturnMap<'_> {
     }
 
     /// Whether one more turn, from the shifted state, is the same.
-    fn check_shift(&self, at: &Place, found: &Attempt) -> Result<(), OrbitError> {
+    fn check_shift(&self, at: &OrbitParameters, found: &Attempt) -> Result<(), OrbitError> {
         if self.drifting.is_empty() {
             return Ok(());
         }
@@ -139,7 +139,7 @@ impl ReturnMap<'_> {
         }
     }
 
-    pub(super) fn orbit_of(&self, at: &Place, found: &Attempt) -> Orbit {
+    pub(super) fn orbit_of(&self, at: &OrbitParameters, found: &Attempt) -> Orbit {
         let start = &found.turn.run.events()[0].state;
         let shift = |i: usize| {
             if self.drifting.contains(&i) { found.turn.end[i] * at.units[i] - start[i] } else { 0.0 }
@@ -173,7 +173,7 @@ impl ReturnMap<'_> {
 }
 
 /// Whether nothing moves in a turn.
-fn is_at_rest(at: &Place, run: &Trajectory) -> bool {
+fn is_at_rest(at: &OrbitParameters, run: &Trajectory) -> bool {
     let (from, duration) = (run.start_time(), run.end_time() - run.start_time());
     let start = &run.events()[0].state;
     let stays = |look: u32| {

@@ -56,7 +56,7 @@ impl ReturnMap<'_> {
     /// there: along its tangent contacts stay closed to first order only.
     pub(super) fn surface(
         &self,
-        at: &Place,
+        at: &OrbitParameters,
         state: &[f64],
         from: Option<&Surface>,
     ) -> Result<Surface, OrbitError> {
@@ -76,7 +76,7 @@ impl ReturnMap<'_> {
         Ok(Surface { basis: null_space(&constraints.slopes, &self.drifting), motion, held, state, is_left })
     }
 
-    fn held(&self, at: &Place, state: &[f64]) -> Result<Vec<Held>, OrbitError> {
+    fn held(&self, at: &OrbitParameters, state: &[f64]) -> Result<Vec<Held>, OrbitError> {
         let model = (self.model)(&parameters(&at.parameters, &[])).map_err(SensitivityError::Model)?;
         let layout = model.system.layout();
         let (contacts, joints) = (layout.contacts.len(), layout.joints.len());
@@ -103,7 +103,12 @@ impl ReturnMap<'_> {
     }
 
     /// c with its derivatives, all in natural units.
-    fn constraints(&self, at: &Place, state: &[f64], held: &[Held]) -> Result<Constraints, OrbitError> {
+    fn constraints(
+        &self,
+        at: &OrbitParameters,
+        state: &[f64],
+        held: &[Held],
+    ) -> Result<Constraints, OrbitError> {
         let directions: Vec<Direction> = at.directions(state.len());
         let mut values = DVector::zeros(held.len());
         let mut slopes = DMatrix::zeros(held.len(), directions.len());
@@ -142,7 +147,7 @@ struct Constraints {
 }
 
 /// Parameters, one of which may vary, and the natural units of states.
-pub(super) struct Place {
+pub(super) struct OrbitParameters {
     pub(super) parameters: Vec<f64>,
     /// The parameter that varies, by its place.
     pub(super) varied: Option<usize>,
@@ -153,7 +158,7 @@ pub(super) struct Place {
     pub(super) scales: Scales,
 }
 
-impl Place {
+impl OrbitParameters {
     /// Each entry of a state, then the parameter, in their units.
     fn directions(&self, entries: usize) -> Vec<Direction> {
         let along = |i: usize| {

@@ -3,7 +3,7 @@
 use liftoff::{EventKind, Trajectory};
 use nalgebra::{DMatrix, DVector};
 
-use super::surface::{Place, Surface};
+use super::surface::{OrbitParameters, Surface};
 use super::{OrbitError, ReturnMap, Section};
 use crate::SensitivityError;
 use crate::sensitivity::{Direction, WIDTH, along};
@@ -60,7 +60,7 @@ impl ReturnMap<'_> {
     }
 
     /// A turn from a surface.
-    pub(super) fn turn(&self, at: &Place, surface: &Surface) -> Result<Turn, OrbitError> {
+    pub(super) fn turn(&self, at: &OrbitParameters, surface: &Surface) -> Result<Turn, OrbitError> {
         let run = self.follow(&at.parameters, &surface.state)?;
         let natural = |column: &[f64]| column.iter().zip(&at.units).map(|(x, unit)| x * unit).collect();
         let columns = surface.basis.column_iter();
@@ -90,7 +90,7 @@ impl ReturnMap<'_> {
 
 impl ReturnMap<'_> {
     /// ẋ dT/dp of a section at a time T(p), by differences.
-    fn by_period(&self, at: &Place, run: &Trajectory) -> DVector<f64> {
+    fn by_period(&self, at: &OrbitParameters, run: &Trajectory) -> DVector<f64> {
         let time = |by: f64| {
             let mut parameters = at.parameters.clone();
             at.varied.iter().for_each(|&i| parameters[i] += by * at.unit);

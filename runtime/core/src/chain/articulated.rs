@@ -15,19 +15,19 @@
 use arrayvec::ArrayVec;
 
 use super::Chain;
-use super::plane::{Symmetric, Vector};
+use super::plane::{PlaneVector, Symmetric};
 use crate::scalar::Real;
 
 /// A and b of what hangs from a joint.
 struct Hanging<S> {
     mass: Symmetric<S>,
-    bias: Vector<S>,
+    bias: PlaneVector<S>,
 }
 
 /// l e, v/c, s/c and ω² of a bar.
 struct Answer<S> {
-    along: Vector<S>,
-    turn: Vector<S>,
+    along: PlaneVector<S>,
+    turn: PlaneVector<S>,
     bias: S,
     square: S,
 }
@@ -39,14 +39,14 @@ impl<S: Real> Chain<S> {
         let inertia = (self.length * self.length).mul_add(S::ratio(1, 4), self.inertia / self.mass);
         let zero = S::ratio(0, 1);
         let mass = Symmetric { xx: zero, xy: zero, yy: zero };
-        let mut hanging = Hanging { mass, bias: Vector::zero() };
+        let mut hanging = Hanging { mass, bias: PlaneVector::zero() };
         let mut answers = ArrayVec::<Answer<S>, N>::new();
         for (angle, rate) in angles.iter().zip(rates).rev() {
             let (sin, cos) = angle.sin_cos();
-            let along = Vector { x: self.length * cos, y: self.length * sin };
+            let along = PlaneVector { x: self.length * cos, y: self.length * sin };
             answers.push(hanging.pass(along, *rate, inertia));
         }
-        let mut a = Vector { x: -self.gravity.x, y: -self.gravity.y };
+        let mut a = PlaneVector { x: -self.gravity.x, y: -self.gravity.y };
         let mut accelerations = *rates;
         for (acceleration, answer) in accelerations.iter_mut().zip(answers.iter().rev()) {
             *acceleration = answer.pass(&mut a);
@@ -58,16 +58,16 @@ impl<S: Real> Chain<S> {
 impl<S: Real> Hanging<S> {
     /// From what hangs from the other end of a bar with this l e, ω and j to what hangs from the first.
     #[inline(always)]
-    fn pass(&mut self, along: Vector<S>, rate: S, inertia: S) -> Answer<S> {
+    fn pass(&mut self, along: PlaneVector<S>, rate: S, inertia: S) -> Answer<S> {
         let (half, one) = (S::ratio(1, 2), S::ratio(1, 1));
         let Self { mass: Symmetric { xx, xy, yy }, bias: b } = *self;
-        let (Vector { x, y }, square) = (along, rate * rate);
+        let (PlaneVector { x, y }, square) = (along, rate * rate);
         let r = along.scaled(square);
         // l n = (−y, x).
-        let carried = Vector { x: xy.mul_add(x, -(xx * y)), y: yy.mul_add(x, -(xy * y)) };
-        let v = Vector { x: (-half).mul_add(y, carried.x), y: half.mul_add(x, carried.y) };
+        let carried = PlaneVector { x: xy.mul_add(x, -(xx * y)), y: yy.mul_add(x, -(xy * y)) };
+        let v = PlaneVector { x: (-half).mul_add(y, carried.x), y: half.mul_add(x, carried.y) };
         let inverse = one / x.mul_add(carried.y, (-y).mul_add(carried.x, inertia));
-        let beyond = Vector {
+        let beyond = PlaneVector {
             x: (-xx).mul_add(r.x, (-xy).mul_add(r.y, b.x)),
             y: (-xy).mul_add(r.x, (-yy).mul_add(r.y, b.y)),
         };
@@ -78,7 +78,7 @@ impl<S: Real> Hanging<S> {
             xy: (-v.x).mul_add(turn.y, xy),
             yy: (-v.y).mul_add(turn.y, yy + one),
         };
-        self.bias = Vector {
+        self.bias = PlaneVector {
             x: (-s).mul_add(turn.x, (-half).mul_add(r.x, beyond.x)),
             y: (-s).mul_add(turn.y, (-half).mul_add(r.y, beyond.y)),
         };
@@ -89,8 +89,8 @@ impl<S: Real> Hanging<S> {
 impl<S: Real> Answer<S> {
     /// ω̇; from a at the first end to that at the other.
     #[inline(always)]
-    fn pass(&self, a: &mut Vector<S>) -> S {
-        let Self { along: Vector { x, y }, turn, bias, square } = *self;
+    fn pass(&self, a: &mut PlaneVector<S>) -> S {
+        let Self { along: PlaneVector { x, y }, turn, bias, square } = *self;
         let turn = -turn.x.mul_add(a.x, turn.y.mul_add(a.y, bias));
         a.x = (-turn).mul_add(y, (-square).mul_add(x, a.x));
         a.y = turn.mul_add(x, (-square).mul_add(y, a.y));

@@ -4,7 +4,7 @@
 //! `M_kj = m l sⱼ eₖ·eⱼ` for k < j, `M_kk = J + m l² (N − k − 1 + ¼)`, `fₖ = nₖ·(sₖ m g + m l Σⱼ w_kj ω²ⱼ eⱼ)`.
 
 use super::Chain;
-use super::plane::Vector;
+use super::plane::PlaneVector;
 use crate::model::Energy;
 use crate::scalar::Real;
 
@@ -29,21 +29,21 @@ impl<S: Real> Chain<S> {
     #[inline]
     pub fn forces<const N: usize>(&self, angles: &[S; N], rates: &[S; N]) -> [S; N] {
         let (sin, cos) = S::sin_cos_each(*angles);
-        let edge = |k: usize| Vector { x: cos[k], y: sin[k] };
+        let edge = |k: usize| PlaneVector { x: cos[k], y: sin[k] };
         let scale = self.mass * self.length;
         let mut forces = [S::ratio(0, 1); N];
         // Σ ω²ⱼ eⱼ over the bars before k, and Σ (N − j − ½) ω²ⱼ eⱼ over those beyond.
-        let mut before = Vector::zero();
+        let mut before = PlaneVector::zero();
         for k in 0..N {
             let beyond = count::<S, N>(k);
-            let across = Vector { x: -sin[k], y: cos[k] };
+            let across = PlaneVector { x: -sin[k], y: cos[k] };
             let pull = before.scaled(self.length) + self.gravity;
             forces[k] = scale * beyond * across.dot(pull);
             before = before + edge(k).scaled(rates[k] * rates[k]);
         }
-        let mut after = Vector::zero();
+        let mut after = PlaneVector::zero();
         for k in (0..N).rev() {
-            let across = Vector { x: -sin[k], y: cos[k] };
+            let across = PlaneVector { x: -sin[k], y: cos[k] };
             forces[k] = (scale * self.length).mul_add(across.dot(after), forces[k]);
             after = after + edge(k).scaled(count::<S, N>(k) * rates[k] * rates[k]);
         }
@@ -55,11 +55,11 @@ impl<S: Real> Chain<S> {
     pub fn energy<const N: usize>(&self, angles: &[S; N], rates: &[S; N]) -> Energy<S> {
         let (sin, cos) = S::sin_cos_each(*angles);
         let half = self.length * S::ratio(1, 2);
-        let (mut at, mut velocity) = (Vector::zero(), Vector::zero());
+        let (mut at, mut velocity) = (PlaneVector::zero(), PlaneVector::zero());
         let (mut twice, mut potential) = (S::ratio(0, 1), S::ratio(0, 1));
         for k in 0..N {
-            let edge = Vector { x: cos[k], y: sin[k] }.scaled(half);
-            let across = Vector { x: -sin[k], y: cos[k] }.scaled(half * rates[k]);
+            let edge = PlaneVector { x: cos[k], y: sin[k] }.scaled(half);
+            let across = PlaneVector { x: -sin[k], y: cos[k] }.scaled(half * rates[k]);
             let (centre, speed) = (at + edge, velocity + across);
             twice = twice + self.mass.mul_add(speed.dot(speed), self.inertia * rates[k] * rates[k]);
             potential = (-self.mass).mul_add(self.gravity.dot(centre), potential);
@@ -72,9 +72,9 @@ impl<S: Real> Chain<S> {
     #[inline]
     pub fn positions<const N: usize>(&self, angles: &[S; N]) -> [[S; 2]; N] {
         let (sin, cos) = S::sin_cos_each(*angles);
-        let mut at = Vector::zero();
+        let mut at = PlaneVector::zero();
         core::array::from_fn(|k| {
-            at = at + Vector { x: cos[k], y: sin[k] }.scaled(self.length);
+            at = at + PlaneVector { x: cos[k], y: sin[k] }.scaled(self.length);
             [at.x, at.y]
         })
     }

@@ -5,12 +5,12 @@
 //! hands `X′ = D′ − Y X⁻¹ Y`, `β′ = r′ + Y X⁻¹ β` to its neighbour, whose λ′ gives its own by `λ = X⁻¹ Y λ′ + X⁻¹ β`.
 
 use super::geometry::Bars;
-use super::joint::{Eliminated, Joint};
-use super::plane::{Symmetric, Vector};
+use super::joint::{Eliminated, JointCompliance};
+use super::plane::{PlaneVector, Symmetric};
 use super::two_ended::TwoEnded;
 use crate::scalar::Real;
 
-impl<S: Real> Joint<S> {
+impl<S: Real> JointCompliance<S> {
     /// Eliminates this joint across a bar with this Y into the joint `next`.
     #[inline]
     fn into_next(self, across: Symmetric<S>, next: Self) -> (Self, Eliminated<S>) {
@@ -23,16 +23,16 @@ impl<S: Real> Joint<S> {
             compliance: next.compliance.less(inverse, across.times_to_symmetric(product)),
             parting: carried.transpose_to(parting, next.parting),
         };
-        let Vector { x, y } = adjugate.apply(parting);
-        (reduced, Eliminated { carried, own: Vector { x: inverse * x, y: inverse * y } })
+        let PlaneVector { x, y } = adjugate.apply(parting);
+        (reduced, Eliminated { carried, own: PlaneVector { x: inverse * x, y: inverse * y } })
     }
 
     /// X⁻¹ β.
     #[inline]
-    fn force(self) -> Vector<S> {
+    fn force(self) -> PlaneVector<S> {
         let inverse = S::ratio(1, 1) / self.compliance.determinant();
-        let Vector { x, y } = self.compliance.adjugate().apply(self.parting);
-        Vector { x: inverse * x, y: inverse * y }
+        let PlaneVector { x, y } = self.compliance.adjugate().apply(self.parting);
+        PlaneVector { x: inverse * x, y: inverse * y }
     }
 
     /// Two joints that are one, less what both have counted.
@@ -47,44 +47,47 @@ impl<S: Real> Joint<S> {
 
 impl<S: Real> Eliminated<S> {
     #[inline]
-    fn force(&self, neighbour: Vector<S>) -> Vector<S> {
+    fn force(&self, neighbour: PlaneVector<S>) -> PlaneVector<S> {
         self.carried.apply_to(neighbour, self.own)
     }
 }
 
 /// A joint of each side, side by side.
 #[inline(always)]
-fn beside<S: Real>(near: Joint<S>, far: Joint<S>) -> Joint<TwoEnded<S>> {
-    let two = |f: fn(&Joint<S>) -> S| TwoEnded([f(&near), f(&far)]);
-    Joint {
+fn beside<S: Real>(near: JointCompliance<S>, far: JointCompliance<S>) -> JointCompliance<TwoEnded<S>> {
+    let two = |f: fn(&JointCompliance<S>) -> S| TwoEnded([f(&near), f(&far)]);
+    JointCompliance {
         compliance: Symmetric {
             xx: two(|j| j.compliance.xx),
             xy: two(|j| j.compliance.xy),
             yy: two(|j| j.compliance.yy),
         },
-        parting: Vector { x: two(|j| j.parting.x), y: two(|j| j.parting.y) },
+        parting: PlaneVector { x: two(|j| j.parting.x), y: two(|j| j.parting.y) },
     }
 }
 
-impl<S: Real> Joint<TwoEnded<S>> {
+impl<S: Real> JointCompliance<TwoEnded<S>> {
     #[inline(always)]
-    fn side(self, i: usize) -> Joint<S> {
+    fn side(self, i: usize) -> JointCompliance<S> {
         let Self { compliance: Symmetric { xx, xy, yy }, parting } = self;
-        Joint { compliance: Symmetric { xx: xx.0[i], xy: xy.0[i], yy: yy.0[i] }, parting: parting.side(i) }
+        JointCompliance {
+            compliance: Symmetric { xx: xx.0[i], xy: xy.0[i], yy: yy.0[i] },
+            parting: parting.side(i),
+        }
     }
 }
 
-impl<S: Real> Vector<TwoEnded<S>> {
+impl<S: Real> PlaneVector<TwoEnded<S>> {
     #[inline(always)]
-    fn side(self, i: usize) -> Vector<S> {
-        Vector { x: self.x.0[i], y: self.y.0[i] }
+    fn side(self, i: usize) -> PlaneVector<S> {
+        PlaneVector { x: self.x.0[i], y: self.y.0[i] }
     }
 }
 
 impl<S: Real, const N: usize> Bars<S, N> {
     /// Tells ω̇ of every bar, and λ at its first end.
     #[inline]
-    pub(super) fn solve(&mut self, gravity: Vector<S>, mut tell: impl FnMut(usize, S, Vector<S>)) {
+    pub(super) fn solve(&mut self, gravity: PlaneVector<S>, mut tell: impl FnMut(usize, S, PlaneVector<S>)) {
         let (pairs, middle) = ((N - 1) / 2, N / 2);
         let lead = middle - pairs;
         let meeting = self.joint(middle, gravity);
@@ -106,7 +109,7 @@ impl<S: Real, const N: usize> Bars<S, N> {
             near = both.side(0).meet(both.side(1), meeting);
         }
         let force = near.force();
-        let mut both = Vector { x: TwoEnded([force.x; 2]), y: TwoEnded([force.y; 2]) };
+        let mut both = PlaneVector { x: TwoEnded([force.x; 2]), y: TwoEnded([force.y; 2]) };
         for i in (0..pairs).rev() {
             let (k, j) = (lead + i, N - 1 - i);
             let outer = self.eliminated([k, j]).force(both);

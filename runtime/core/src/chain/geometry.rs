@@ -3,8 +3,8 @@
 use core::array::from_fn;
 
 use super::Chain;
-use super::joint::{Eliminated, Joint};
-use super::plane::{Matrix, Symmetric, Vector};
+use super::joint::{Eliminated, JointCompliance};
+use super::plane::{Matrix, PlaneVector, Symmetric};
 use super::two_ended::TwoEnded;
 use crate::scalar::Real;
 
@@ -55,18 +55,21 @@ impl<S: Real, const N: usize> Bars<S, N> {
     }
 
     #[inline]
-    fn pull(&self, bar: usize) -> Vector<S> {
-        Vector { x: self.pull_x[bar], y: self.pull_y[bar] }
+    fn pull(&self, bar: usize) -> PlaneVector<S> {
+        PlaneVector { x: self.pull_x[bar], y: self.pull_y[bar] }
     }
 
     /// The joint before `bar`, the pin before the first.
     #[inline]
-    pub(super) fn joint(&self, bar: usize, gravity: Vector<S>) -> Joint<S> {
+    pub(super) fn joint(&self, bar: usize, gravity: PlaneVector<S>) -> JointCompliance<S> {
         let identity =
             |times| Symmetric { xx: S::ratio(times, 1), xy: S::ratio(0, 1), yy: S::ratio(times, 1) };
         match bar.checked_sub(1) {
-            None => Joint { compliance: identity(2) - self.across(bar), parting: self.pull(bar) - gravity },
-            Some(before) => Joint {
+            None => JointCompliance {
+                compliance: identity(2) - self.across(bar),
+                parting: self.pull(bar) - gravity,
+            },
+            Some(before) => JointCompliance {
                 compliance: identity(4) - (self.across(before) + self.across(bar)),
                 parting: self.pull(before) + self.pull(bar),
             },
@@ -88,19 +91,19 @@ impl<S: Real, const N: usize> Bars<S, N> {
     pub(super) fn eliminated(&self, [near, far]: [usize; 2]) -> Eliminated<TwoEnded<S>> {
         let two = |of: &[S; N]| TwoEnded([of[near], of[far]]);
         let carried = Matrix([two(&self.xx), two(&self.xy), two(&self.yy), two(&self.fourth)]);
-        Eliminated { carried, own: Vector { x: two(&self.pull_x), y: two(&self.pull_y) } }
+        Eliminated { carried, own: PlaneVector { x: two(&self.pull_x), y: two(&self.pull_y) } }
     }
 
     /// ω̇ of a bar from the sum of λ at its two ends.
     #[inline(always)]
-    pub(super) fn turn(&self, bar: usize, sum: Vector<S>) -> S {
-        Vector { x: self.turn_x[bar], y: self.turn_y[bar] }.dot(sum)
+    pub(super) fn turn(&self, bar: usize, sum: PlaneVector<S>) -> S {
+        PlaneVector { x: self.turn_x[bar], y: self.turn_y[bar] }.dot(sum)
     }
 
     /// The same of two bars.
     #[inline(always)]
-    pub(super) fn turn_two(&self, [near, far]: [usize; 2], sum: Vector<TwoEnded<S>>) -> TwoEnded<S> {
+    pub(super) fn turn_two(&self, [near, far]: [usize; 2], sum: PlaneVector<TwoEnded<S>>) -> TwoEnded<S> {
         let two = |of: &[S; N]| TwoEnded([of[near], of[far]]);
-        Vector { x: two(&self.turn_x), y: two(&self.turn_y) }.dot(sum)
+        PlaneVector { x: two(&self.turn_x), y: two(&self.turn_y) }.dot(sum)
     }
 }

@@ -25,7 +25,7 @@ mod two_ended;
 
 use crate::scalar::Real;
 use geometry::Bars;
-use plane::Vector;
+use plane::PlaneVector;
 
 /// Equal bars, the first pinned.
 #[derive(Clone, Copy, Debug)]
@@ -33,7 +33,7 @@ pub struct Chain<S> {
     mass: S,
     length: S,
     inertia: S,
-    gravity: Vector<S>,
+    gravity: PlaneVector<S>,
     /// κ.
     slenderness: S,
     /// m l/2J.
@@ -46,13 +46,13 @@ impl<S: Real> Chain<S> {
     pub fn new(mass: S, length: S, inertia: S, gravity: [S; 2]) -> Self {
         let lever = mass * length * S::ratio(1, 2) / inertia;
         let slenderness = lever * length * S::ratio(1, 2);
-        Self { mass, length, inertia, gravity: Vector::from(gravity), slenderness, lever }
+        Self { mass, length, inertia, gravity: PlaneVector::from(gravity), slenderness, lever }
     }
 
     /// The same from κ = m l²/4J, `slenderness`, and m l/2J, `lever`, computed before.
     #[inline(always)]
     pub fn prepared(mass: S, length: S, inertia: S, gravity: [S; 2], slenderness: S, lever: S) -> Self {
-        Self { mass, length, inertia, gravity: Vector::from(gravity), slenderness, lever }
+        Self { mass, length, inertia, gravity: PlaneVector::from(gravity), slenderness, lever }
     }
 
     /// The angular acceleration of each bar, J not much smaller than m l².
@@ -71,7 +71,7 @@ impl<S: Real> Chain<S> {
     pub fn joint_forces<const N: usize>(&self, angles: &[S; N], rates: &[S; N]) -> [[S; 2]; N] {
         let mut forces = [[S::ratio(0, 1); 2]; N];
         let at_first =
-            |bar: usize, _, first: Vector<S>| forces[bar] = [self.mass * first.x, self.mass * first.y];
+            |bar: usize, _, first: PlaneVector<S>| forces[bar] = [self.mass * first.x, self.mass * first.y];
         Bars::compute(self, angles, rates).solve(self.gravity, at_first);
         forces
     }

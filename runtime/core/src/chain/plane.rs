@@ -5,7 +5,7 @@ use core::ops::{Add, Sub};
 use crate::scalar::Real;
 
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Vector<S> {
+pub(super) struct PlaneVector<S> {
     pub(super) x: S,
     pub(super) y: S,
 }
@@ -21,14 +21,14 @@ pub(super) struct Symmetric<S> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Matrix<S>(pub(super) [S; 4]);
 
-impl<S> From<[S; 2]> for Vector<S> {
+impl<S> From<[S; 2]> for PlaneVector<S> {
     #[inline]
     fn from([x, y]: [S; 2]) -> Self {
         Self { x, y }
     }
 }
 
-impl<S: Real> Vector<S> {
+impl<S: Real> PlaneVector<S> {
     #[inline]
     pub(super) fn zero() -> Self {
         Self::from([S::ratio(0, 1); 2])
@@ -58,8 +58,8 @@ impl<S: Real> Symmetric<S> {
     }
 
     #[inline]
-    pub(super) fn apply(self, v: Vector<S>) -> Vector<S> {
-        Vector { x: self.xx.mul_add(v.x, self.xy * v.y), y: self.xy.mul_add(v.x, self.yy * v.y) }
+    pub(super) fn apply(self, v: PlaneVector<S>) -> PlaneVector<S> {
+        PlaneVector { x: self.xx.mul_add(v.x, self.xy * v.y), y: self.xy.mul_add(v.x, self.yy * v.y) }
     }
 
     #[inline]
@@ -102,20 +102,20 @@ impl<S: Real> Matrix<S> {
 
     /// `self · v + w`.
     #[inline]
-    pub(super) fn apply_to(self, v: Vector<S>, w: Vector<S>) -> Vector<S> {
+    pub(super) fn apply_to(self, v: PlaneVector<S>, w: PlaneVector<S>) -> PlaneVector<S> {
         let Self([a, b, c, d]) = self;
-        Vector { x: a.mul_add(v.x, b.mul_add(v.y, w.x)), y: c.mul_add(v.x, d.mul_add(v.y, w.y)) }
+        PlaneVector { x: a.mul_add(v.x, b.mul_add(v.y, w.x)), y: c.mul_add(v.x, d.mul_add(v.y, w.y)) }
     }
 
     /// `selfᵀ · v + w`.
     #[inline]
-    pub(super) fn transpose_to(self, v: Vector<S>, w: Vector<S>) -> Vector<S> {
+    pub(super) fn transpose_to(self, v: PlaneVector<S>, w: PlaneVector<S>) -> PlaneVector<S> {
         let Self([a, b, c, d]) = self;
         Self([a, c, b, d]).apply_to(v, w)
     }
 }
 
-impl<S: Real> Add for Vector<S> {
+impl<S: Real> Add for PlaneVector<S> {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
@@ -123,7 +123,7 @@ impl<S: Real> Add for Vector<S> {
     }
 }
 
-impl<S: Real> Sub for Vector<S> {
+impl<S: Real> Sub for PlaneVector<S> {
     type Output = Self;
     #[inline]
     fn sub(self, other: Self) -> Self {

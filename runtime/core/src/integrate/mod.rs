@@ -43,7 +43,7 @@ use crate::scalar::Scalar;
 pub type Rates<'a, S, const N: usize> = &'a dyn Fn(&[S; N]) -> [S; N];
 
 /// ∂f/∂y, row `i` that of fᵢ.
-pub type Jacobian<'a, S, const N: usize> = &'a dyn Fn(&[S; N]) -> [[S; N]; N];
+pub type JacobianFn<'a, S, const N: usize> = &'a dyn Fn(&[S; N]) -> [[S; N]; N];
 
 /// An integration in progress, forward in time.
 pub trait Stepper<S: Scalar, const N: usize> {

@@ -2,7 +2,7 @@
 
 use super::balance::{balance, balanced};
 use super::lever::lever;
-use super::refinement::{Shape, refined};
+use super::refinement::{MatrixShape, refined};
 use crate::model::{ContactSet, Friction, KernelView, Layout};
 use crate::scalar::Scalar;
 
@@ -105,7 +105,7 @@ pub(super) fn solve<'w, S: Scalar>(
     }
     let closed: &'w [usize] = &rows[..count];
     matrix.fill(S::ZERO);
-    let mut system = System { width, size: accelerations + count, matrix, right, scale };
+    let mut system = LinearSystem { width, size: accelerations + count, matrix, right, scale };
     system.assemble(kernel, closed, load);
     if let Load::Motion = load {
         system.rub(kernel, layout, set, closed);
@@ -131,7 +131,7 @@ pub(super) fn solve<'w, S: Scalar>(
 }
 
 /// A linear system in the first `size` rows and columns, balanced: `(S K S)(S⁻¹x) = S r` with S diagonal.
-struct System<'w, S> {
+struct LinearSystem<'w, S> {
     width: usize,
     size: usize,
     matrix: &'w mut [S],
@@ -147,7 +147,7 @@ struct Rank<'w> {
     nullity: usize,
 }
 
-impl<S: Scalar> System<'_, S> {
+impl<S: Scalar> LinearSystem<'_, S> {
     #[inline(always)]
     fn entry(&self, i: usize, j: usize) -> S {
         self.matrix[i * self.width + j]
@@ -202,7 +202,7 @@ impl<S: Scalar> System<'_, S> {
     /// Writes the solution by the factors of the values, where it is the only one; whether it is.
     #[inline(always)]
     fn refine(&mut self, room: (&mut [S], &mut [usize]), solution: &mut [S]) -> bool {
-        let shape = Shape { size: self.size, width: self.width };
+        let shape = MatrixShape { size: self.size, width: self.width };
         let rounding = self.rounding().to_f64();
         solution.fill(S::ZERO);
         if !refined(shape, self.matrix, self.right, rounding, room, solution) {

@@ -22,7 +22,7 @@ pub(crate) use balance::balance;
 pub use elimination::{Room, Workspace};
 pub use lever::lever;
 #[cfg(feature = "std")]
-pub(crate) use refinement::{Shape, factorise};
+pub(crate) use refinement::{MatrixShape, factorise};
 
 pub use emitted::{are_trusted, mass_by_paths, write_mass};
 

@@ -11,7 +11,7 @@ use crate::scalar::{Real, Scalar};
 
 /// So many rows and columns, the rows `width` apart.
 #[derive(Clone, Copy)]
-pub(crate) struct Shape {
+pub(crate) struct MatrixShape {
     pub(crate) size: usize,
     pub(crate) width: usize,
 }
@@ -19,7 +19,7 @@ pub(crate) struct Shape {
 /// Writes the solution and takes the right-hand side for it, where every column has a pivot above `rounding`; whether it has.
 /// `factors` and `swaps` are memory.
 pub(super) fn refined<S: Scalar>(
-    shape: Shape,
+    shape: MatrixShape,
     matrix: &[S],
     right: &mut [S],
     rounding: f64,
@@ -47,12 +47,12 @@ pub(super) fn refined<S: Scalar>(
 
 /// P K₀ = L U in place, with partial pivoting; whether each pivot is above `rounding`.
 pub(crate) fn factorise<S: Scalar>(
-    shape: Shape,
+    shape: MatrixShape,
     factors: &mut [S],
     rounding: f64,
     swaps: &mut [usize],
 ) -> bool {
-    let Shape { size, width } = shape;
+    let MatrixShape { size, width } = shape;
     for column in 0..size {
         let weight = |row: usize| factors[row * width + column].to_f64().abs();
         let pivot =
@@ -80,7 +80,7 @@ pub(crate) fn factorise<S: Scalar>(
 }
 
 /// U⁻¹ L⁻¹ P x in place.
-fn substitute<S: Scalar>(shape: Shape, factors: &[S], swaps: &[usize], x: &mut [S]) {
+fn substitute<S: Scalar>(shape: MatrixShape, factors: &[S], swaps: &[usize], x: &mut [S]) {
     let size = shape.size;
     let at = |i: usize, j: usize| factors[i * shape.width + j].to_f64();
     (0..size).for_each(|i| x.swap(i, swaps[i]));

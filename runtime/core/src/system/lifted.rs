@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::arrays::array;
-use super::{Equations, Phase, System};
+use super::{Equations, PhaseEquations, System};
 use crate::hinge;
 use crate::model::{Array, BarSystem, ContactSet, Energy, Form, KernelView, Layout, SlipState};
 use crate::project::project;
@@ -36,7 +36,11 @@ impl<M: BarSystem, S: Real> Lifted<M, S> {
 
 /// A scalar that compiled models are lifted on; with `f64` go Taylor series and Jacobians.
 pub(super) trait Liftable: Scalar {
-    fn lift<M: BarSystem>(system: Arc<Lifted<M, Self>>, set: ContactSet, form: Form) -> Arc<dyn Phase<Self>>;
+    fn lift<M: BarSystem>(
+        system: Arc<Lifted<M, Self>>,
+        set: ContactSet,
+        form: Form,
+    ) -> Arc<dyn PhaseEquations<Self>>;
 }
 
 impl<M: BarSystem, S: Liftable> System<S> for Lifted<M, S> {
@@ -97,7 +101,7 @@ impl<M: BarSystem, S: Liftable> System<S> for Lifted<M, S> {
         M::quantity(&self.constants, entry, &array(state), &array(accelerations), &array(multipliers))
     }
 
-    fn phase(self: Arc<Self>, set: ContactSet, form: Form) -> Arc<dyn Phase<S>> {
+    fn phase(self: Arc<Self>, set: ContactSet, form: Form) -> Arc<dyn PhaseEquations<S>> {
         let system = match self.sliding(&set) {
             None => self,
             Some(constants) => Arc::new(Self { constants, parameters: self.parameters }),

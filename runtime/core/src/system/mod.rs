@@ -61,12 +61,12 @@ pub trait System<S: Scalar = f64>: Send + Sync {
     /// The quantity `entry` of [`Layout::quantities`].
     fn quantity(&self, entry: usize, state: &[S], accelerations: &[S], multipliers: &[S]) -> S;
     /// The phase of a contact set: in closed form where there is one and `form` asks for it, otherwise projected.
-    fn phase(self: Arc<Self>, set: ContactSet, form: Form) -> Arc<dyn Phase<S>>;
+    fn phase(self: Arc<Self>, set: ContactSet, form: Form) -> Arc<dyn PhaseEquations<S>>;
 }
 
 /// The equations of one contact set in its reduced state: coordinates, then rates, then the time if the equations depend on
 /// it; [`PhaseInfo::entries`] numbers.
-pub trait Phase<S: Scalar = f64>: Send + Sync {
+pub trait PhaseEquations<S: Scalar = f64>: Send + Sync {
     /// The model.
     fn system(&self) -> &dyn System<S>;
     /// The contact set, the form and the dimensions.

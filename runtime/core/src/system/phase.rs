@@ -8,7 +8,7 @@ use super::derivative::{Derivative, fused};
 use super::jacobian::{self, JacobianOf};
 use super::lifted::{Liftable, Lifted};
 use super::projected::{KernelOrders, TakeOrder, projected_series};
-use super::{Jacobian, Phase, System};
+use super::{Jacobian, PhaseEquations, System};
 use crate::integrate::{ExpansionBy, PhaseExpansion};
 use crate::model::{
     self, Array, BarSystem, ClosedForm, ContactSet, Energy, Form, KernelSeries, OfState, PhaseSeries,
@@ -44,19 +44,31 @@ impl PhaseInfo {
 }
 
 impl Liftable for f64 {
-    fn lift<M: BarSystem>(system: Arc<Lifted<M, f64>>, set: ContactSet, form: Form) -> Arc<dyn Phase> {
+    fn lift<M: BarSystem>(
+        system: Arc<Lifted<M, f64>>,
+        set: ContactSet,
+        form: Form,
+    ) -> Arc<dyn PhaseEquations> {
         M::phase(set, form, WithSeries(system))
     }
 }
 
 impl Liftable for DoubleDouble {
-    fn lift<M: BarSystem>(system: Arc<Lifted<M, Self>>, set: ContactSet, form: Form) -> Arc<dyn Phase<Self>> {
+    fn lift<M: BarSystem>(
+        system: Arc<Lifted<M, Self>>,
+        set: ContactSet,
+        form: Form,
+    ) -> Arc<dyn PhaseEquations<Self>> {
         M::phase(set, form, Plain(system))
     }
 }
 
 impl Liftable for Dual4 {
-    fn lift<M: BarSystem>(system: Arc<Lifted<M, Self>>, set: ContactSet, form: Form) -> Arc<dyn Phase<Self>> {
+    fn lift<M: BarSystem>(
+        system: Arc<Lifted<M, Self>>,
+        set: ContactSet,
+        form: Form,
+    ) -> Arc<dyn PhaseEquations<Self>> {
         M::phase(set, form, Plain(system))
     }
 }
@@ -64,7 +76,7 @@ impl Liftable for Dual4 {
 struct WithSeries<M: BarSystem>(Arc<Lifted<M, f64>>);
 
 impl<M: BarSystem> PhaseVisitor<M, f64> for WithSeries<M> {
-    type Output = Arc<dyn Phase>;
+    type Output = Arc<dyn PhaseEquations>;
 
     fn visit<const N: usize>(self, phase: model::Phase<M, f64, N>) -> Self::Output {
         let jacobian = jacobian::of_projected::<M, N>();
@@ -108,7 +120,7 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for WithSeries<M> {
 struct Plain<M: BarSystem, S: Scalar>(Arc<Lifted<M, S>>);
 
 impl<M: BarSystem, S: Liftable> PhaseVisitor<M, S> for Plain<M, S> {
-    type Output = Arc<dyn Phase<S>>;
+    type Output = Arc<dyn PhaseEquations<S>>;
 
     fn visit<const N: usize>(self, phase: model::Phase<M, S, N>) -> Self::Output {
         Arc::new(LiftedPhase::new(self.0, phase))
@@ -212,7 +224,7 @@ impl<M: BarSystem, const N: usize> LiftedPhase<M, f64, N> {
     }
 }
 
-impl<M: BarSystem, S: Liftable, const N: usize> Phase<S> for LiftedPhase<M, S, N> {
+impl<M: BarSystem, S: Liftable, const N: usize> PhaseEquations<S> for LiftedPhase<M, S, N> {
     fn system(&self) -> &dyn System<S> {
         &*self.system
     }

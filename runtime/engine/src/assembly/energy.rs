@@ -11,7 +11,7 @@ use crate::integration::chart;
 use crate::integration::phase_point::coordinate_of;
 use crate::model::{Energy, Form};
 use crate::numerics::decomposition::symmetric_eigen;
-use crate::system::Phase;
+use crate::system::PhaseEquations;
 
 /// `start` with the rates that its phase has on the energy level of `level`.
 pub(crate) fn on_energy_of(
@@ -36,7 +36,7 @@ struct EnergyLevel<'a> {
 
 impl EnergyLevel<'_> {
     /// The start's state with its rates on the level.
-    fn state(&self, phase: &dyn Phase) -> Result<Vec<f64>, StartError> {
+    fn state(&self, phase: &dyn PhaseEquations) -> Result<Vec<f64>, StartError> {
         let (info, reduced) = (phase.info(), reduce(phase, &self.start.state));
         let (imposed, motion) = match (info.form, info.rates) {
             (Form::Reduced, 1) => (vec![0.0], vec![1.0]),

@@ -15,7 +15,7 @@ use crate::integration::chart;
 use crate::model::{ContactSet, Form};
 use crate::numerics::decomposition::svd;
 use crate::numerics::zero::roundoff;
-use crate::system::Phase;
+use crate::system::PhaseEquations;
 
 /// Corrections, each of which squares the error.
 const CORRECTIONS: usize = 3;
@@ -47,7 +47,7 @@ pub(super) fn settled(
 }
 
 /// embed(restrict(state)) where it satisfies the contacts: its pivots may be small, as they are where gaps are flat.
-fn image_of(context: &RunContext, phase: &dyn Phase, state: &[f64]) -> Option<Numbers> {
+fn image_of(context: &RunContext, phase: &dyn PhaseEquations, state: &[f64]) -> Option<Numbers> {
     if phase.info().form == Form::Multipliers {
         return None;
     }
@@ -61,7 +61,7 @@ fn image_of(context: &RunContext, phase: &dyn Phase, state: &[f64]) -> Option<Nu
 /// Moves the kept coordinates of a state so that its image has the given positions, if they are near.
 fn correct(
     context: &RunContext,
-    phase: &dyn Phase,
+    phase: &dyn PhaseEquations,
     (state, image): (&mut [f64], &[f64]),
     given: &GivenPose,
 ) -> Option<()> {

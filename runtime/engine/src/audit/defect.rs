@@ -9,7 +9,7 @@
 //! A stiff f makes of the error of a state a defect that is too large for that.
 
 use crate::context::{Numbers, RunContext};
-use crate::system::{DenseOutput, Phase};
+use crate::system::{DenseOutput, PhaseEquations};
 use smallvec::smallvec;
 
 /// The middle and the end of a step, and their weights.
@@ -19,7 +19,7 @@ const NODES: [(f64, f64); 2] = [(0.5, 4.0 / 6.0), (1.0, 1.0 / 6.0)];
 /// no number.
 pub(crate) fn work_of(
     context: &RunContext,
-    phase: &dyn Phase,
+    phase: &dyn PhaseEquations,
     (dense, end): (&DenseOutput, f64),
     tolerance: f64,
 ) -> Option<f64> {

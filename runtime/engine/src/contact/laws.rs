@@ -9,7 +9,7 @@ use super::nondegenerate::{self, slider};
 use super::{ContactError, ContactProblem, ContactSolution};
 use crate::context::RunContext;
 use crate::model::{ContactSet, Layout};
-use crate::system::{Phase, System};
+use crate::system::{PhaseEquations, System};
 
 /// What decides and strikes contacts.
 pub(crate) struct Laws {
@@ -23,8 +23,12 @@ pub(crate) struct Laws {
     pub(crate) rough: Option<&'static FrictionLaws>,
 }
 
-type Decide =
-    fn(&RunContext, &[f64], &ContactProblem, Option<&dyn Phase>) -> Result<ContactSolution, ContactError>;
+type Decide = fn(
+    &RunContext,
+    &[f64],
+    &ContactProblem,
+    Option<&dyn PhaseEquations>,
+) -> Result<ContactSolution, ContactError>;
 
 type Strike = fn(&dyn System, &[f64], &Collision, usize) -> Result<Outcome, CollisionError>;
 type Holds = fn(&dyn System, &[f64], &ContactSet) -> Vec<(usize, f64)>;

@@ -11,7 +11,7 @@ use super::{ContactProblem, ContactSolution};
 use crate::context::{Numbers, RunContext, reactions_of, reduce};
 use crate::model::ContactSet;
 use crate::numerics::zero::{MARGIN, SOLVED};
-use crate::system::Phase;
+use crate::system::PhaseEquations;
 use smallvec::smallvec;
 
 /// Half the span of the central difference for the rate of a reaction, in natural times; its relative error is the square of
@@ -24,7 +24,7 @@ pub(crate) fn decide(
     context: &RunContext,
     state: &[f64],
     question: &ContactProblem,
-    reduced: Option<&dyn Phase>,
+    reduced: Option<&dyn PhaseEquations>,
 ) -> Option<ContactSolution> {
     let layout = context.layout();
     let smooth = |i: usize| !layout.contacts[i].rough;
@@ -62,7 +62,7 @@ pub(crate) fn decide(
 }
 
 /// Reactions of a closed form at `y + h ẏ`.
-fn reduced_reactions(phase: &dyn Phase, state: &[f64], h: f64) -> Option<Numbers> {
+fn reduced_reactions(phase: &dyn PhaseEquations, state: &[f64], h: f64) -> Option<Numbers> {
     let info = phase.info();
     let (mut y, mut rates): (_, Numbers) = (reduce(phase, state), smallvec![0.0; info.entries]);
     phase.derivative(&y, &mut rates);

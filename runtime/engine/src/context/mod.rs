@@ -14,7 +14,7 @@ use smallvec::{SmallVec, smallvec};
 
 use crate::model::{ContactSet, DependentAngle, Form, Layout};
 use crate::numerics::zero::roundoff;
-use crate::system::{Equations, Model, Phase, System};
+use crate::system::{Equations, Model, PhaseEquations, System};
 
 /// A gap below this, relative to the natural length, is closed; a rate likewise, relative to the natural speed.
 /// Poses are typed in or printed with ten digits.
@@ -114,7 +114,7 @@ impl RunContext {
     }
 
     /// The phase of a contact set, in closed form only if it has one.
-    pub(crate) fn phase(&self, set: ContactSet, form: Form) -> Arc<dyn Phase> {
+    pub(crate) fn phase(&self, set: ContactSet, form: Form) -> Arc<dyn PhaseEquations> {
         Arc::clone(&self.model.system).phase(set, form)
     }
 
@@ -145,7 +145,7 @@ impl RunContext {
 }
 
 /// The reduced state of a phase.
-pub(crate) fn reduce(phase: &dyn Phase, state: &[f64]) -> Numbers {
+pub(crate) fn reduce(phase: &dyn PhaseEquations, state: &[f64]) -> Numbers {
     let mut reduced: Numbers = smallvec![0.0; phase.info().entries];
     phase.restrict(state, &mut reduced);
     reduced

@@ -16,7 +16,7 @@
 use crate::context::{Numbers, ROUNDINGS, RunContext, reduce};
 use crate::integration::form_selection::{eliminates, least_pivot};
 use crate::model::{ContactSet, Form};
-use crate::system::Phase;
+use crate::system::PhaseEquations;
 use smallvec::smallvec;
 use std::sync::Arc;
 
@@ -40,7 +40,7 @@ pub(crate) fn choose_chart(
     set: ContactSet,
     state: &[f64],
     (bound, tolerance): (f64, f64),
-) -> (Chart, Arc<dyn Phase>) {
+) -> (Chart, Arc<dyn PhaseEquations>) {
     let phase = context.phase(set, Form::Reduced);
     let chart = match image_of(&*phase, state, tolerance) {
         Err(chart) => chart,
@@ -54,7 +54,7 @@ pub(crate) fn choose_chart(
 }
 
 /// embed(restrict(state)), or why the closed form is not to be used there.
-fn image_of(phase: &dyn Phase, state: &[f64], tolerance: f64) -> Result<Numbers, Chart> {
+fn image_of(phase: &dyn PhaseEquations, state: &[f64], tolerance: f64) -> Result<Numbers, Chart> {
     if phase.info().form == Form::Multipliers {
         return Err(Chart::Absent);
     }
@@ -66,7 +66,7 @@ fn image_of(phase: &dyn Phase, state: &[f64], tolerance: f64) -> Result<Numbers,
 }
 
 /// restrict(state) and embed(restrict(state)), however small the pivots.
-pub(crate) fn image(phase: &dyn Phase, state: &[f64]) -> (Numbers, Numbers) {
+pub(crate) fn image(phase: &dyn PhaseEquations, state: &[f64]) -> (Numbers, Numbers) {
     let (reduced, mut image): (_, Numbers) = (reduce(phase, state), smallvec![0.0; state.len()]);
     phase.embed(&reduced, &mut image);
     (reduced, image)

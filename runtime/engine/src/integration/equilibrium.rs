@@ -13,7 +13,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::context::{Numbers, RunContext, reduce};
 use crate::model::Form;
 use crate::numerics::zero::roundoff;
-use crate::system::Phase;
+use crate::system::PhaseEquations;
 use smallvec::smallvec;
 
 /// Roundoff of a coordinate: it was typed in, converted and added to.
@@ -24,7 +24,7 @@ const STEP: f64 = 1e-5;
 const RANK: f64 = 10.0 * STEP * STEP;
 
 /// Whether a state of a phase never moves.
-pub(crate) fn is_equilibrium(context: &RunContext, phase: &dyn Phase, state: &[f64]) -> bool {
+pub(crate) fn is_equilibrium(context: &RunContext, phase: &dyn PhaseEquations, state: &[f64]) -> bool {
     let layout = context.layout();
     // What depends on time may set it in motion later.
     if layout.timed {

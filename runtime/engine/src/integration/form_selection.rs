@@ -3,7 +3,7 @@
 
 use crate::model::Form;
 use crate::numerics::zero::roundoff;
-use crate::system::Phase;
+use crate::system::PhaseEquations;
 
 /// Least pivot at any tolerance: below it the elimination is nearly singular.
 const SINGULAR: f64 = 1e-3;
@@ -11,7 +11,7 @@ const SINGULAR: f64 = 1e-3;
 const REGULAR: f64 = 0.3;
 
 /// Whether a phase is in closed form and has pivots: not one that keeps all entries of the state.
-pub(crate) fn eliminates(phase: &dyn Phase) -> bool {
+pub(crate) fn eliminates(phase: &dyn PhaseEquations) -> bool {
     phase.info().form == Form::Reduced && phase.kept().len() < phase.system().layout().entries()
 }
 

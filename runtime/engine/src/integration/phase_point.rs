@@ -13,10 +13,10 @@ use crate::contact::friction::SharedFriction;
 use crate::contact::shortest_reactions;
 use crate::context::{Numbers, reactions_of};
 use crate::model::{ContactSet, Energy, Form, Slip};
-use crate::system::Phase;
+use crate::system::PhaseEquations;
 /// A state of a phase at a time, with what follows from it computed when asked for.
 pub(crate) struct PhasePoint {
-    phase: Arc<dyn Phase>,
+    phase: Arc<dyn PhaseEquations>,
     /// The closed contacts: those of the phase, and those that depend on them.
     closed: ContactSet,
     t: f64,
@@ -38,7 +38,7 @@ struct PhaseSolution {
 
 impl PhasePoint {
     /// At the time `t`, also where the reduced state has an entry for the time.
-    pub(crate) fn new(phase: Arc<dyn Phase>, closed: ContactSet, t: f64, reduced: Numbers) -> Self {
+    pub(crate) fn new(phase: Arc<dyn PhaseEquations>, closed: ContactSet, t: f64, reduced: Numbers) -> Self {
         let state = smallvec![0.0; phase.system().layout().entries()];
         let mut point = Self {
             phase,
@@ -196,6 +196,6 @@ impl PhasePoint {
 }
 
 /// The coordinate whose rate is at this place of the reduced state.
-pub(crate) fn coordinate_of(phase: &dyn Phase, place: usize) -> usize {
+pub(crate) fn coordinate_of(phase: &dyn PhaseEquations, place: usize) -> usize {
     phase.kept()[place] - phase.system().layout().coordinates.len()
 }

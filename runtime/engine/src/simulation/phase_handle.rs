@@ -7,7 +7,7 @@ use crate::error::NameError;
 use crate::expression::resolve::contact_set;
 use crate::integration::phase_point::{PhasePoint, coordinate_of};
 use crate::model::{ContactSet, Energy, Form};
-use crate::system::{Model, Phase};
+use crate::system::{Model, PhaseEquations};
 
 /// Phases of a model by the names of their closed supports.
 pub trait Phases {
@@ -41,7 +41,7 @@ where
 /// missing from a state that is too short are taken as not a number. Equations that depend on time are those of t = 0
 /// until [`at_time`](Self::at_time) says otherwise.
 pub struct PhaseHandle {
-    phase: Arc<dyn Phase>,
+    phase: Arc<dyn PhaseEquations>,
     t: f64,
 }
 

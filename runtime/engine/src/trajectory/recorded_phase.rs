@@ -9,14 +9,14 @@ use crate::integration::chart;
 use crate::integration::method::Choice;
 use crate::integration::phase_point::PhasePoint;
 use crate::model::{ContactSet, Form};
-use crate::system::{DenseOutput, Phase};
+use crate::system::{DenseOutput, PhaseEquations};
 
 /// What a projection moves a state by at most, in natural units: some errors of a step at the loosest tolerances.
 const NEAR: f64 = 1e-3;
 
 /// A phase that has been integrated.
 pub(crate) struct RecordedPhase {
-    pub(crate) phase: Arc<dyn Phase>,
+    pub(crate) phase: Arc<dyn PhaseEquations>,
     /// The closed contacts: those of the phase, and those that depend on them.
     closed: ContactSet,
     pub(crate) choice: Choice,
@@ -35,7 +35,11 @@ pub(crate) struct RecordedPhase {
 
 impl RecordedPhase {
     /// A phase that begins at a time in a reduced state, without steps.
-    pub(crate) fn new((phase, closed): (Arc<dyn Phase>, ContactSet), t0: f64, start: Numbers) -> Self {
+    pub(crate) fn new(
+        (phase, closed): (Arc<dyn PhaseEquations>, ContactSet),
+        t0: f64,
+        start: Numbers,
+    ) -> Self {
         Self {
             phase,
             closed,
@@ -51,7 +55,11 @@ impl RecordedPhase {
     }
 
     /// A phase of no duration in a full state.
-    pub(crate) fn still((phase, closed): (Arc<dyn Phase>, ContactSet), t: f64, state: &[f64]) -> Self {
+    pub(crate) fn still(
+        (phase, closed): (Arc<dyn PhaseEquations>, ContactSet),
+        t: f64,
+        state: &[f64],
+    ) -> Self {
         let start = reduce(&*phase, state);
         Self::new((phase, closed), t, start)
     }

@@ -16,7 +16,7 @@ use cranelift_module::{Linkage, Module, default_libcall_names};
 use liftoff_core::scalar::Real;
 use liftoff_core::series::Row;
 
-use super::writer::{SIN_COS, Writer};
+use super::writer::{FunctionWriter, SIN_COS};
 use crate::code::Code;
 use crate::series::SeriesCode;
 
@@ -80,7 +80,11 @@ impl Order {
 }
 
 /// A function of so many pointers and numbers.
-fn compiled(pointers: usize, numbers: usize, write: impl FnOnce(&mut Writer<'_>)) -> Option<*const u8> {
+fn compiled(
+    pointers: usize,
+    numbers: usize,
+    write: impl FnOnce(&mut FunctionWriter<'_>),
+) -> Option<*const u8> {
     let mut flags = settings::builder();
     flags.set("opt_level", "speed").ok()?;
     flags.set("is_pic", "false").ok()?;
@@ -90,9 +94,9 @@ fn compiled(pointers: usize, numbers: usize, write: impl FnOnce(&mut Writer<'_>)
     builder.symbol(SIN_COS, sin_cos as *const u8);
     let mut module = JITModule::new(builder);
     let mut context = module.make_context();
-    Writer::signature(&module, &mut context.func.signature, pointers, numbers);
+    FunctionWriter::signature(&module, &mut context.func.signature, pointers, numbers);
     let name = module.declare_function("compiled", Linkage::Local, &context.func.signature).ok()?;
-    Writer::function(&mut module, &mut context, write)?;
+    FunctionWriter::function(&mut module, &mut context, write)?;
     module.define_function(name, &mut context).ok()?;
     module.finalize_definitions().ok()?;
     let pointer = module.get_finalized_function(name);

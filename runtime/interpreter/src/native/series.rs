@@ -2,9 +2,9 @@
 
 use cranelift_codegen::ir::{InstBuilder, Value};
 
-use super::writer::Writer;
+use super::writer::FunctionWriter;
 use crate::code::Register;
-use crate::series::{Operation, SeriesCode};
+use crate::series::{SeriesCode, SeriesOperation};
 
 /// The arguments: registers, aₙ and bₙ of the columns, what operations keep, sums, n, 1/n.
 const LEFT: usize = 1;
@@ -15,11 +15,11 @@ const ORDER: usize = 5;
 const PART: usize = 6;
 
 /// Writes all instructions; what is read of an order goes to memory.
-pub(super) fn write(writer: &mut Writer<'_>, code: &SeriesCode) {
+pub(super) fn write(writer: &mut FunctionWriter<'_>, code: &SeriesCode) {
     for (operation, to) in code.operations() {
         let value = match operation {
-            Operation::Values(_) => continue,
-            Operation::SinCos { column, angle, cos, .. } => {
+            SeriesOperation::Values(_) => continue,
+            SeriesOperation::SinCos { column, angle, cos, .. } => {
                 let values = writer.turned(column, angle);
                 writer.set(cos, values[1]);
                 values[0]
@@ -31,31 +31,33 @@ pub(super) fn write(writer: &mut Writer<'_>, code: &SeriesCode) {
     writer.keep(code.read_registers());
 }
 
-impl Writer<'_> {
-    fn coefficient(&mut self, operation: Operation) -> Value {
+impl FunctionWriter<'_> {
+    fn coefficient(&mut self, operation: SeriesOperation) -> Value {
         match operation {
-            Operation::Constant(_)
-            | Operation::Values(_)
-            | Operation::SinCos { .. }
-            | Operation::Magnitude(..) => self.number(0.0),
-            Operation::Offset(a, _) | Operation::OffsetBack(a, _) => self.load_register(a),
-            Operation::Neg(a) | Operation::Versed(_, a) => {
+            SeriesOperation::Constant(_)
+            | SeriesOperation::Values(_)
+            | SeriesOperation::SinCos { .. }
+            | SeriesOperation::Magnitude(..) => self.number(0.0),
+            SeriesOperation::Offset(a, _) | SeriesOperation::OffsetBack(a, _) => self.load_register(a),
+            SeriesOperation::Neg(a) | SeriesOperation::Versed(_, a) => {
                 let a = self.load_register(a);
                 self.builder.ins().fneg(a)
             }
-            Operation::Add(a, b) => self.of_two(a, b, |writer, a, b| writer.builder.ins().fadd(a, b)),
-            Operation::Sub(a, b) => self.of_two(a, b, |writer, a, b| writer.builder.ins().fsub(a, b)),
-            Operation::Scale(a, b) => self.of_two(a, b, |writer, a, b| writer.builder.ins().fmul(a, b)),
-            Operation::Divide(a, b) => self.of_two(a, b, |writer, a, b| writer.builder.ins().fdiv(a, b)),
-            Operation::ScaleAdd(a, factor, b) => {
+            SeriesOperation::Add(a, b) => self.of_two(a, b, |writer, a, b| writer.builder.ins().fadd(a, b)),
+            SeriesOperation::Sub(a, b) => self.of_two(a, b, |writer, a, b| writer.builder.ins().fsub(a, b)),
+            SeriesOperation::Scale(a, b) => self.of_two(a, b, |writer, a, b| writer.builder.ins().fmul(a, b)),
+            SeriesOperation::Divide(a, b) => {
+                self.of_two(a, b, |writer, a, b| writer.builder.ins().fdiv(a, b))
+            }
+            SeriesOperation::ScaleAdd(a, factor, b) => {
                 let [a, factor, b] = [a, factor, b].map(|register| self.load_register(register));
                 self.mul_add(a, factor, b)
             }
-            Operation::Times(a, k) => {
+            SeriesOperation::Times(a, k) => {
                 let (a, k) = (self.load_register(a), self.number(f64::from(k)));
                 self.builder.ins().fmul(a, k)
             }
-            Operation::Product(column, a, b) => {
+            SeriesOperation::Product(column, a, b) => {
                 let [a, b] = [a, b].map(|register| self.load_register(register));
                 let ([a0, b0], sum) = (self.kept(column), self.load(SUMS, column));
                 let inner = self.mul_add(b, a0, sum);
@@ -63,14 +65,14 @@ impl Writer<'_> {
                 self.write(column, a, b);
                 product
             }
-            Operation::Square(column, a) => {
+            SeriesOperation::Square(column, a) => {
                 let a = self.load_register(a);
                 let ([twice, _], sum) = (self.kept(column), self.load(SUMS, column));
                 let square = self.mul_add(a, twice, sum);
                 self.write(column, a, a);
                 square
             }
-            Operation::Quotient(column, a, b) => {
+            SeriesOperation::Quotient(column, a, b) => {
                 let [a, b] = [a, b].map(|register| self.load_register(register));
                 let known = self.without_numerator(column, b);
                 let [inverse, _] = self.kept(column);
@@ -78,13 +80,13 @@ impl Writer<'_> {
                 self.write(column, b, quotient);
                 quotient
             }
-            Operation::Inverse(column, _, b) => {
+            SeriesOperation::Inverse(column, _, b) => {
                 let b = self.load_register(b);
                 let quotient = self.without_numerator(column, b);
                 self.write(column, b, quotient);
                 quotient
             }
-            Operation::Sqrt(column, a) => {
+            SeriesOperation::Sqrt(column, a) => {
                 let a = self.load_register(a);
                 let [half_inverse, _] = self.kept(column);
                 let known = self.minus_sum(column, half_inverse);

@@ -3,11 +3,11 @@
 use cranelift_codegen::ir::InstBuilder;
 use liftoff_core::scalar::Real;
 
-use super::writer::Writer;
+use super::writer::FunctionWriter;
 use crate::code::{Code, Instruction, Operation};
 
 /// Writes all instructions; the outputs go to memory.
-pub(super) fn write(writer: &mut Writer<'_>, code: &Code) {
+pub(super) fn write(writer: &mut FunctionWriter<'_>, code: &Code) {
     for &Instruction { operation, to, of: [a, b, c] } in &code.instructions {
         let value = match operation {
             Operation::Ratio => {

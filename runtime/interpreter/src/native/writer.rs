@@ -16,7 +16,7 @@ pub(super) const SIN_COS: &str = "liftoff_sin_cos";
 const SIZE: i32 = 8;
 
 /// A function while it is written.
-pub(super) struct Writer<'a> {
+pub(super) struct FunctionWriter<'a> {
     pub builder: FunctionBuilder<'a>,
     /// The arguments of the function; the first is that of the registers.
     pub arguments: Vec<Value>,
@@ -24,7 +24,7 @@ pub(super) struct Writer<'a> {
     known: BTreeMap<Register, Value>,
 }
 
-impl<'a> Writer<'a> {
+impl<'a> FunctionWriter<'a> {
     /// Declares so many pointers and numbers.
     pub fn signature(module: &JITModule, signature: &mut Signature, pointers: usize, numbers: usize) {
         let pointer = module.target_config().pointer_type();
@@ -36,7 +36,7 @@ impl<'a> Writer<'a> {
     pub fn function(
         module: &mut JITModule,
         context: &mut Context,
-        write: impl FnOnce(&mut Writer<'_>),
+        write: impl FnOnce(&mut FunctionWriter<'_>),
     ) -> Option<()> {
         let pointer = AbiParam::new(module.target_config().pointer_type());
         let mut signature = module.make_signature();
@@ -50,7 +50,7 @@ impl<'a> Writer<'a> {
         builder.switch_to_block(block);
         builder.seal_block(block);
         let arguments = builder.block_params(block).to_vec();
-        let mut writer = Writer { builder, arguments, sin_cos, known: BTreeMap::new() };
+        let mut writer = FunctionWriter { builder, arguments, sin_cos, known: BTreeMap::new() };
         write(&mut writer);
         writer.builder.ins().return_(&[]);
         writer.builder.finalize();

@@ -6,12 +6,12 @@ use liftoff_codegen::functions::{PhaseFunctions, SeriesScope};
 use liftoff_codegen::program::Id;
 use liftoff_core::series::SeriesOps;
 
-use super::lowering::Writer;
+use super::lowering::SeriesWriter;
 use crate::code::{self, Register, Source};
 
 /// An operation on coefficients; a column is its place on the tape. Constants are registers too.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Operation {
+pub(crate) enum SeriesOperation {
     /// What does not vary.
     Constant(Register),
     /// a + what does not vary.
@@ -50,15 +50,15 @@ pub(crate) enum Operation {
 }
 
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Instruction {
-    pub operation: Operation,
+pub(super) struct SeriesInstruction {
+    pub operation: SeriesOperation,
     pub to: Register,
 }
 
 /// What an order computes of the coefficients of the state.
 #[derive(Debug)]
 pub(crate) struct SeriesCode {
-    pub(super) instructions: Vec<Instruction>,
+    pub(super) instructions: Vec<SeriesInstruction>,
     /// What order 0 computes by the program's own operations, in the order of `Values`.
     pub(super) values: Vec<code::Instruction>,
     pub(super) ratios: Vec<[i64; 2]>,
@@ -85,7 +85,7 @@ impl SeriesCode {
     ) -> Self {
         let along = analysis.functions.series(&analysis.motion, phase);
         let scope = SeriesScope { phase, program: &analysis.functions.program };
-        let mut writer = Writer::new(&scope, constants, entries, source, &along.outputs());
+        let mut writer = SeriesWriter::new(&scope, constants, entries, source, &along.outputs());
         let mut all = |ids: &[Id]| ids.iter().map(|&id| writer.term(id)).collect::<Vec<Register>>();
         let (rates, reactions, feet) = (all(&along.rates), all(&along.reactions), all(&along.feet));
         let gaps = along.gaps.iter().map(|gap| gap.map(|id| writer.term(id))).collect();
@@ -94,7 +94,7 @@ impl SeriesCode {
 
     /// What an order does, and where it goes.
     #[cfg(feature = "jit")]
-    pub(crate) fn operations(&self) -> impl Iterator<Item = (Operation, Register)> + '_ {
+    pub(crate) fn operations(&self) -> impl Iterator<Item = (SeriesOperation, Register)> + '_ {
         self.instructions.iter().map(|instruction| (instruction.operation, instruction.to))
     }
 
@@ -108,38 +108,40 @@ impl SeriesCode {
     /// Whether an operation needs more of the tape than its row.
     #[cfg(feature = "jit")]
     pub(crate) fn has_magnitudes(&self) -> bool {
-        self.operations().any(|(operation, _)| matches!(operation, Operation::Magnitude(..)))
+        self.operations().any(|(operation, _)| matches!(operation, SeriesOperation::Magnitude(..)))
     }
 
     /// One order: coefficient n of everything from that of the state, which follows the constants in the registers.
     pub(super) fn order(&self, ops: &mut impl SeriesOps<f64>, registers: &mut [f64], is_first: bool) {
         let mut values = &self.values[..];
-        for &Instruction { operation, to } in &self.instructions {
+        for &SeriesInstruction { operation, to } in &self.instructions {
             let at = |register: Register| registers[register as usize];
             let value = match operation {
-                Operation::Constant(a) => ops.constant(at(a)),
-                Operation::Offset(a, c) => ops.offset(at(a), at(c)),
-                Operation::OffsetBack(a, c) => ops.offset(at(a), -at(c)),
-                Operation::Add(a, b) => at(a) + at(b),
-                Operation::Sub(a, b) => at(a) - at(b),
-                Operation::Neg(a) => -at(a),
-                Operation::Scale(a, c) => at(a) * at(c),
-                Operation::Divide(a, c) => at(a) / at(c),
-                Operation::ScaleAdd(a, c, b) => liftoff_core::scalar::Real::mul_add(at(a), at(c), at(b)),
-                Operation::Times(a, k) => at(a) * f64::from(k),
-                Operation::Product(column, a, b) => ops.product(column, at(a), at(b)),
-                Operation::Square(column, a) => ops.square(column, at(a)),
-                Operation::Quotient(column, a, b) => ops.quotient(column, at(a), at(b)),
-                Operation::Inverse(column, c, b) => ops.inverse(column, at(c), at(b)),
-                Operation::Sqrt(column, a) => ops.sqrt(column, at(a)),
-                Operation::Magnitude(column, a) => ops.magnitude(column, at(a)),
-                Operation::SinCos { column, angle, cos: to_cos, values: [s, c] } => {
+                SeriesOperation::Constant(a) => ops.constant(at(a)),
+                SeriesOperation::Offset(a, c) => ops.offset(at(a), at(c)),
+                SeriesOperation::OffsetBack(a, c) => ops.offset(at(a), -at(c)),
+                SeriesOperation::Add(a, b) => at(a) + at(b),
+                SeriesOperation::Sub(a, b) => at(a) - at(b),
+                SeriesOperation::Neg(a) => -at(a),
+                SeriesOperation::Scale(a, c) => at(a) * at(c),
+                SeriesOperation::Divide(a, c) => at(a) / at(c),
+                SeriesOperation::ScaleAdd(a, c, b) => {
+                    liftoff_core::scalar::Real::mul_add(at(a), at(c), at(b))
+                }
+                SeriesOperation::Times(a, k) => at(a) * f64::from(k),
+                SeriesOperation::Product(column, a, b) => ops.product(column, at(a), at(b)),
+                SeriesOperation::Square(column, a) => ops.square(column, at(a)),
+                SeriesOperation::Quotient(column, a, b) => ops.quotient(column, at(a), at(b)),
+                SeriesOperation::Inverse(column, c, b) => ops.inverse(column, at(c), at(b)),
+                SeriesOperation::Sqrt(column, a) => ops.sqrt(column, at(a)),
+                SeriesOperation::Magnitude(column, a) => ops.magnitude(column, at(a)),
+                SeriesOperation::SinCos { column, angle, cos: to_cos, values: [s, c] } => {
                     let (sin, cos) = ops.sin_cos(column, at(angle), || (at(s), at(c)));
                     registers[to_cos as usize] = cos;
                     sin
                 }
-                Operation::Versed(value, cos) => ops.versed(|| at(value), at(cos)),
-                Operation::Values(count) => {
+                SeriesOperation::Versed(value, cos) => ops.versed(|| at(value), at(cos)),
+                SeriesOperation::Values(count) => {
                     let (these, rest) = values.split_at(count);
                     values = rest;
                     if is_first {

@@ -7,10 +7,10 @@ use liftoff_codegen::algebra::Symbol;
 use liftoff_codegen::functions::SeriesScope;
 use liftoff_codegen::program::{self, Id, Part};
 
-use super::code::{Instruction, Operation, SeriesCode};
+use super::code::{SeriesCode, SeriesInstruction, SeriesOperation};
 use crate::code::{self, Lowering, Register, Source};
 
-pub(super) struct Writer<'a> {
+pub(super) struct SeriesWriter<'a> {
     scope: &'a SeriesScope<'a>,
     /// What is computed at order 0 alone, and all registers.
     values: Lowering<'a>,
@@ -18,14 +18,14 @@ pub(super) struct Writer<'a> {
     /// How late in an order each coefficient is known.
     lateness: BTreeMap<Id, usize>,
     waves: BTreeMap<Vec<(Id, i16)>, [Register; 2]>,
-    instructions: Vec<Instruction>,
+    instructions: Vec<SeriesInstruction>,
     columns: usize,
 }
 
 /// Rates, reactions, gaps and feet.
 type Outputs = (Vec<Register>, Vec<Register>, Vec<Option<Register>>, Vec<Register>);
 
-impl<'a> Writer<'a> {
+impl<'a> SeriesWriter<'a> {
     /// Writes one order of `outputs`.
     pub fn new(
         scope: &'a SeriesScope<'a>,
@@ -77,9 +77,9 @@ impl<'a> Writer<'a> {
         !self.scope.program.is_constant(id)
     }
 
-    fn push(&mut self, operation: Operation) -> Register {
+    fn push(&mut self, operation: SeriesOperation) -> Register {
         let to = self.values.fresh();
-        self.instructions.push(Instruction { operation, to });
+        self.instructions.push(SeriesInstruction { operation, to });
         to
     }
 
@@ -94,7 +94,7 @@ impl<'a> Writer<'a> {
             return known;
         }
         let value = self.value(id);
-        let term = self.push(Operation::Constant(value));
+        let term = self.push(SeriesOperation::Constant(value));
         self.terms.insert(id, term);
         term
     }
@@ -105,7 +105,7 @@ impl<'a> Writer<'a> {
         let register = self.values.register(id);
         let count = self.values.instructions.len() - before;
         if count > 0 {
-            self.instructions.push(Instruction { operation: Operation::Values(count), to: 0 });
+            self.instructions.push(SeriesInstruction { operation: SeriesOperation::Values(count), to: 0 });
         }
         register
     }
@@ -136,7 +136,7 @@ impl<'a> Writer<'a> {
             operation => match (self.scope.magnitude(id), self.scope.quotient(id)) {
                 (Some(a), _) => {
                     let (column, a) = (self.column(), self.term(a));
-                    self.push(Operation::Magnitude(column, a))
+                    self.push(SeriesOperation::Magnitude(column, a))
                 }
                 (None, quotient) => {
                     self.operation(quotient.map_or(operation, |(a, b)| program::Operation::Div(a, b)))
@@ -157,14 +157,14 @@ impl<'a> Writer<'a> {
                 let column = self.column();
                 let under = self.term(b);
                 let quotient = match self.varies(a) {
-                    true => Operation::Quotient(column, self.term(a), under),
-                    false => Operation::Inverse(column, self.value(a), under),
+                    true => SeriesOperation::Quotient(column, self.term(a), under),
+                    false => SeriesOperation::Inverse(column, self.value(a), under),
                 };
                 self.push(quotient)
             }
             program::Operation::Sqrt(a) => {
                 let (column, a) = (self.column(), self.term(a));
-                self.push(Operation::Sqrt(column, a))
+                self.push(SeriesOperation::Sqrt(column, a))
             }
             linear => self.linear(linear),
         }
@@ -177,17 +177,17 @@ impl<'a> Writer<'a> {
         let (later, earlier) = if late(a) > late(b) { (a, b) } else { (b, a) };
         let (later, earlier) = (self.term(later), self.term(earlier));
         self.push(if a == b {
-            Operation::Square(column, later)
+            SeriesOperation::Square(column, later)
         } else {
-            Operation::Product(column, later, earlier)
+            SeriesOperation::Product(column, later, earlier)
         })
     }
 
     /// A coefficient plus a value, which is felt at order 0 only where it does not vary.
     fn plus(&mut self, term: Register, id: Id) -> Register {
         let sum = match self.varies(id) {
-            true => Operation::Add(term, self.term(id)),
-            false => Operation::Offset(term, self.value(id)),
+            true => SeriesOperation::Add(term, self.term(id)),
+            false => SeriesOperation::Offset(term, self.value(id)),
         };
         self.push(sum)
     }
@@ -195,7 +195,7 @@ impl<'a> Writer<'a> {
     fn linear(&mut self, operation: program::Operation) -> Register {
         let linear = match operation {
             program::Operation::Add(a, b) if !self.varies(a) => {
-                Operation::Offset(self.term(b), self.value(a))
+                SeriesOperation::Offset(self.term(b), self.value(a))
             }
             program::Operation::Add(a, b) => {
                 let term = self.term(a);
@@ -203,32 +203,32 @@ impl<'a> Writer<'a> {
             }
             program::Operation::Sub(a, b) if !self.varies(a) => {
                 let term = self.term(b);
-                let minus = self.push(Operation::Neg(term));
-                Operation::Offset(minus, self.value(a))
+                let minus = self.push(SeriesOperation::Neg(term));
+                SeriesOperation::Offset(minus, self.value(a))
             }
             program::Operation::Sub(a, b) if !self.varies(b) => {
-                Operation::OffsetBack(self.term(a), self.value(b))
+                SeriesOperation::OffsetBack(self.term(a), self.value(b))
             }
-            program::Operation::Sub(a, b) => Operation::Sub(self.term(a), self.term(b)),
+            program::Operation::Sub(a, b) => SeriesOperation::Sub(self.term(a), self.term(b)),
             program::Operation::Mul(a, b) => {
                 let (factor, x) = if self.varies(a) { (b, a) } else { (a, b) };
-                Operation::Scale(self.term(x), self.value(factor))
+                SeriesOperation::Scale(self.term(x), self.value(factor))
             }
-            program::Operation::Div(a, b) => Operation::Divide(self.term(a), self.value(b)),
+            program::Operation::Div(a, b) => SeriesOperation::Divide(self.term(a), self.value(b)),
             program::Operation::MulAdd(a, b, c) => {
                 let (factor, x) = if self.varies(a) { (b, a) } else { (a, b) };
                 let (x, factor) = (self.term(x), self.value(factor));
                 match self.varies(c) {
-                    true => Operation::ScaleAdd(x, factor, self.term(c)),
+                    true => SeriesOperation::ScaleAdd(x, factor, self.term(c)),
                     false => {
-                        let scaled = self.push(Operation::Scale(x, factor));
-                        Operation::Offset(scaled, self.value(c))
+                        let scaled = self.push(SeriesOperation::Scale(x, factor));
+                        SeriesOperation::Offset(scaled, self.value(c))
                     }
                 }
             }
-            program::Operation::Neg(a) => Operation::Neg(self.term(a)),
+            program::Operation::Neg(a) => SeriesOperation::Neg(self.term(a)),
             // Leaves and what has been dealt with.
-            _ => Operation::Constant(self.values.fresh()),
+            _ => SeriesOperation::Constant(self.values.fresh()),
         };
         self.push(linear)
     }
@@ -246,7 +246,7 @@ impl<'a> Writer<'a> {
                 let [sin, cos] = [self.values.fresh(), self.values.fresh()];
                 let operation = code::Operation::SinCos;
                 self.values.instructions.push(code::Instruction { operation, to: sin, of: [value, cos, 0] });
-                self.instructions.push(Instruction { operation: Operation::Values(1), to: 0 });
+                self.instructions.push(SeriesInstruction { operation: SeriesOperation::Values(1), to: 0 });
                 self.pair(&[(angle, 1)], term, [sin, cos])
             }
         };
@@ -270,7 +270,7 @@ impl<'a> Writer<'a> {
             Part::Cosine => cosine,
             Part::Versed => {
                 let value = self.value(id);
-                self.push(Operation::Versed(value, cosine))
+                self.push(SeriesOperation::Versed(value, cosine))
             }
         };
         self.know(id, term);
@@ -281,8 +281,8 @@ impl<'a> Writer<'a> {
         let column = self.columns;
         self.columns += 2;
         let pair = [self.values.fresh(), self.values.fresh()];
-        let operation = Operation::SinCos { column, angle: term, cos: pair[1], values };
-        self.instructions.push(Instruction { operation, to: pair[0] });
+        let operation = SeriesOperation::SinCos { column, angle: term, cos: pair[1], values };
+        self.instructions.push(SeriesInstruction { operation, to: pair[0] });
         self.waves.insert(angle.to_vec(), pair);
         pair
     }
@@ -293,12 +293,12 @@ impl<'a> Writer<'a> {
         for &(id, k) in angle {
             let x = self.term(id);
             let size = k.checked_abs().unwrap_or(i16::MAX);
-            let multiple = if size == 1 { x } else { self.push(Operation::Times(x, size)) };
+            let multiple = if size == 1 { x } else { self.push(SeriesOperation::Times(x, size)) };
             sum = Some(match (sum, k < 0) {
                 (None, false) => multiple,
-                (None, true) => self.push(Operation::Neg(multiple)),
-                (Some(sum), false) => self.push(Operation::Add(sum, multiple)),
-                (Some(sum), true) => self.push(Operation::Sub(sum, multiple)),
+                (None, true) => self.push(SeriesOperation::Neg(multiple)),
+                (Some(sum), false) => self.push(SeriesOperation::Add(sum, multiple)),
+                (Some(sum), true) => self.push(SeriesOperation::Sub(sum, multiple)),
             });
         }
         sum.unwrap_or_else(|| self.values.fresh())

@@ -6,8 +6,8 @@ mod expansion;
 mod lowering;
 mod orders;
 
-#[cfg(feature = "jit")]
-pub(crate) use code::Operation;
 pub(crate) use code::SeriesCode;
+#[cfg(feature = "jit")]
+pub(crate) use code::SeriesOperation;
 pub(crate) use expansion::expansion;
 pub(crate) use orders::{KernelCode, Orders};

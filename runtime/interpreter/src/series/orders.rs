@@ -9,7 +9,7 @@ use liftoff_core::series::TapeOf;
 use liftoff_core::system::{KernelOrders, TakeOrder};
 
 use super::SeriesCode;
-use super::lowering::Writer;
+use super::lowering::SeriesWriter;
 use crate::code::Source;
 use crate::pool::Lent;
 use crate::system::{FullCode, Kernel};
@@ -35,7 +35,7 @@ impl KernelCode {
         let scope = SeriesScope { phase: functions.projected.as_ref()?, program: &functions.program };
         let entries = analysis.motion.entries();
         let outputs: Vec<Id> = kernel.iter().chain(&functions.feet).copied().collect();
-        let mut writer = Writer::new(&scope, constants, entries, source, &outputs);
+        let mut writer = SeriesWriter::new(&scope, constants, entries, source, &outputs);
         let [kernel, feet] =
             [kernel, &functions.feet].map(|ids| ids.iter().map(|&id| writer.term(id)).collect());
         let code = writer.finish((Vec::new(), kernel, Vec::new(), feet), (entries, false));

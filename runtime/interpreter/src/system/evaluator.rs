@@ -5,7 +5,7 @@ use std::sync::Arc;
 use liftoff_core::hinge;
 use liftoff_core::model::{ContactSet, Energy, Form, KernelView, Layout, SlipState};
 use liftoff_core::project::project_by;
-use liftoff_core::system::{Equations, LongTimeSeries, Phase, SeriesEquations, System, TimeSeries};
+use liftoff_core::system::{Equations, LongTimeSeries, PhaseEquations, SeriesEquations, System, TimeSeries};
 
 use super::full::FullCode;
 use super::kernel::Kernel;
@@ -88,7 +88,7 @@ impl<S: Number> Evaluator<S> {
 
 impl<S: Number> System<S> for Evaluator<S>
 where
-    InterpretedPhase<S>: Phase<S>,
+    InterpretedPhase<S>: PhaseEquations<S>,
 {
     fn layout(&self) -> &'static Layout {
         self.model.layout
@@ -146,7 +146,7 @@ where
         self.quantity_at(entry, state, accelerations, multipliers)
     }
 
-    fn phase(self: Arc<Self>, set: ContactSet, form: Form) -> Arc<dyn Phase<S>> {
+    fn phase(self: Arc<Self>, set: ContactSet, form: Form) -> Arc<dyn PhaseEquations<S>> {
         let system = match self.sliding(&set) {
             None => self,
             Some(sliding) => Arc::new(sliding),

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use liftoff_core::scalar::Dual4;
-use liftoff_core::system::{Jacobian, Phase};
+use liftoff_core::system::{Jacobian, PhaseEquations};
 
 use super::evaluator::Evaluator;
 use super::phase::InterpretedPhase;
@@ -14,7 +14,7 @@ const WIDTH: usize = 4;
 
 /// ∂f/∂y of a phase.
 pub(super) fn build_jacobian(phase: &InterpretedPhase<f64>) -> Jacobian<'_> {
-    let (system, info) = (&phase.system, Phase::info(phase));
+    let (system, info) = (&phase.system, PhaseEquations::info(phase));
     let parameters: Vec<_> = system.parameters.iter().map(|&value| Dual4::constant(value)).collect();
     let dual = Evaluator::new(&system.model, &parameters, info.set);
     let dual = InterpretedPhase::new(Arc::new(dual), info.set, info.form);

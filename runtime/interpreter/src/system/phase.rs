@@ -10,7 +10,7 @@ use liftoff_codegen::program::Id;
 use liftoff_core::kernel::are_trusted;
 use liftoff_core::model::{ContactSet, Energy, Form};
 use liftoff_core::scalar::{DoubleDouble, Dual4};
-use liftoff_core::system::{Jacobian, Phase, PhaseInfo, System, projected_series};
+use liftoff_core::system::{Jacobian, PhaseEquations, PhaseInfo, System, projected_series};
 use liftoff_core::system::{Methods, SeriesExpansion};
 
 use super::evaluator::Evaluator;
@@ -244,7 +244,7 @@ macro_rules! common {
     };
 }
 
-impl Phase for InterpretedPhase<f64> {
+impl PhaseEquations for InterpretedPhase<f64> {
     common!(f64);
 
     fn pivot(&self, y: &[f64]) -> f64 {
@@ -290,7 +290,7 @@ impl Phase for InterpretedPhase<f64> {
 
 macro_rules! plain {
     ($number:ty) => {
-        impl Phase<$number> for InterpretedPhase<$number> {
+        impl PhaseEquations<$number> for InterpretedPhase<$number> {
             common!($number);
 
             fn pivot(&self, _: &[$number]) -> $number {

@@ -2,7 +2,7 @@
 
 use super::About;
 use super::geometry::Geometry;
-use super::quantities::{Function, Quantity, functions, quantities};
+use super::quantities::{AnimatedQuantity, Function, functions, quantities};
 use super::rounding::{CLOSENESS, sizes, whole};
 use super::sampling::{Sampled, Sampler};
 use super::scenery::{EventItem, SceneryItem, scenery};
@@ -21,7 +21,7 @@ pub(super) struct Motion {
     geometry: Geometry,
     scenery: Vec<SceneryItem>,
     /// Positions of the points first.
-    pub(super) quantities: Vec<Quantity>,
+    pub(super) quantities: Vec<AnimatedQuantity>,
     /// The unit in which each quantity's values are given.
     pub(super) steps: Vec<f64>,
     pub(super) phases: Vec<Phase>,

@@ -8,7 +8,7 @@ use serde::Serialize;
 
 /// A quantity of the motion, by the expression that gives it.
 #[derive(Serialize, Clone, PartialEq, Debug)]
-pub(super) struct Quantity {
+pub(super) struct AnimatedQuantity {
     pub name: String,
     /// The expression in print: `phi'` as φ̇.
     label: String,
@@ -40,12 +40,12 @@ pub(super) enum Group {
 pub(super) type Function<'a> = Box<dyn Fn(f64) -> f64 + 'a>;
 
 /// Positions of the points, x then y of each; what every model has; what is asked for.
-pub(super) fn quantities(record: &Trajectory, outputs: &[String]) -> Vec<Quantity> {
+pub(super) fn quantities(record: &Trajectory, outputs: &[String]) -> Vec<AnimatedQuantity> {
     let (layout, units) = (record.layout(), Units::from_layout(record.layout()));
     let mut all = Vec::new();
     let mut add = |group, name: String| {
         let (label, unit) = (shown(&name), units.unit(&name));
-        all.push(Quantity { name, label, unit, group });
+        all.push(AnimatedQuantity { name, label, unit, group });
     };
     for point in layout.points {
         for axis in ["x", "y"] {
@@ -84,8 +84,9 @@ pub(super) fn quantities(record: &Trajectory, outputs: &[String]) -> Vec<Quantit
 /// The quantities of a record as functions of time.
 pub(super) fn functions<'a>(
     record: &'a Trajectory,
-    quantities: &[Quantity],
+    quantities: &[AnimatedQuantity],
 ) -> Result<Vec<Function<'a>>, MotionError> {
-    let function = |quantity: &Quantity| Ok(Box::new(record.function(&quantity.name)?) as Function<'a>);
+    let function =
+        |quantity: &AnimatedQuantity| Ok(Box::new(record.function(&quantity.name)?) as Function<'a>);
     quantities.iter().map(function).collect()
 }

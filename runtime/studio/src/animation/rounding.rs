@@ -1,6 +1,6 @@
 //! Values as whole multiples of a step: short to write, and close enough.
 
-use super::quantities::{Group, Quantity};
+use super::quantities::{AnimatedQuantity, Group};
 
 /// How far a drawing may be from the motion, as a part of what it shows.
 pub(super) const CLOSENESS: f64 = 1e-5;
@@ -10,14 +10,14 @@ const NOISE: f64 = 1e-6;
 
 /// The size of what each quantity's graph shows, from rows of values: for positions of the whole scene, else from its low
 /// to its high values, so that a pole does not count; never nothing.
-pub(super) fn sizes(quantities: &[Quantity], rows: &[Vec<f64>]) -> Vec<f64> {
+pub(super) fn sizes(quantities: &[AnimatedQuantity], rows: &[Vec<f64>]) -> Vec<f64> {
     let columns: Vec<Vec<f64>> = (0..quantities.len()).map(|i| column(rows, i)).collect();
     let of = |group: Group| {
         let members = quantities.iter().zip(&columns).filter(move |(quantity, _)| quantity.group == group);
         members.map(|(_, column)| column)
     };
     let scene = of(Group::Position).map(|column| spread(column, 0.0)).fold(0.0, f64::max);
-    let size = |(quantity, column): (&Quantity, &Vec<f64>)| {
+    let size = |(quantity, column): (&AnimatedQuantity, &Vec<f64>)| {
         let largest = of(quantity.group).map(|column| magnitude(column)).fold(0.0, f64::max);
         let size = match quantity.group {
             Group::Position => scene,

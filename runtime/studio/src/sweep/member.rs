@@ -1,7 +1,7 @@
 //! Members of a sweep.
 
 use super::cell::{Cell, Outcome};
-use super::observation::{Observation, Quantity};
+use super::observation::{Observation, ObservedQuantity};
 use crate::registry::{Entry, chain};
 use crate::run_spec::RunSpec;
 use liftoff::EventFilter;
@@ -71,18 +71,18 @@ impl Observation {
         // Of conditions that are written in several lines: journals are read line by line.
         let name = |text: String| Cell::Name(text.replace('\n', " "));
         match &self.quantity {
-            Quantity::Ending => name(run.events().last().map_or(NONE.to_owned(), ending)),
-            Quantity::End(output) => Cell::Number(run.value(output, run.end_time())),
-            Quantity::Greatest(output) => number(range(output).map(|[_, greatest]| greatest)),
-            Quantity::Least(output) => number(range(output).map(|[least, _]| least)),
-            Quantity::Count(filter) => {
+            ObservedQuantity::Ending => name(run.events().last().map_or(NONE.to_owned(), ending)),
+            ObservedQuantity::End(output) => Cell::Number(run.value(output, run.end_time())),
+            ObservedQuantity::Greatest(output) => number(range(output).map(|[_, greatest]| greatest)),
+            ObservedQuantity::Least(output) => number(range(output).map(|[least, _]| least)),
+            ObservedQuantity::Count(filter) => {
                 Cell::Number(run.events().iter().filter(|event| filter.is(event)).count() as f64)
             }
-            Quantity::Supports(which, filter) => {
+            ObservedQuantity::Supports(which, filter) => {
                 let found = which.find(run.events(), filter).map(|k| &run.events()[k]);
                 name(found.map_or(NONE.to_owned(), subject))
             }
-            Quantity::Value(which, filter, output) => {
+            ObservedQuantity::Value(which, filter, output) => {
                 let found = which.find(run.events(), filter).map(|k| &run.events()[k]);
                 number(found.map(|event| run.value(output, event.t)))
             }

@@ -22,11 +22,11 @@ use liftoff_core::model::Layout;
 #[derive(Clone, Debug)]
 pub struct Observation {
     text: String,
-    pub(super) quantity: Quantity,
+    pub(super) quantity: ObservedQuantity,
 }
 
 #[derive(Clone, Debug)]
-pub(super) enum Quantity {
+pub(super) enum ObservedQuantity {
     Ending,
     End(Output),
     Greatest(Output),
@@ -62,14 +62,14 @@ impl Observation {
 
     /// Whether it has a name for a value, not a number.
     pub fn is_category(&self) -> bool {
-        matches!(self.quantity, Quantity::Ending | Quantity::Supports(..))
+        matches!(self.quantity, ObservedQuantity::Ending | ObservedQuantity::Supports(..))
     }
 
     /// The event after which nothing more is needed; none: the whole run is.
     pub(super) fn suffices(&self) -> Option<EventFilter> {
         match self.quantity {
-            Quantity::Supports(Occurrence::Nth(1), filter)
-            | Quantity::Value(Occurrence::Nth(1), filter, _) => Some(filter),
+            ObservedQuantity::Supports(Occurrence::Nth(1), filter)
+            | ObservedQuantity::Value(Occurrence::Nth(1), filter, _) => Some(filter),
             _ => None,
         }
     }
@@ -77,38 +77,38 @@ impl Observation {
     /// The event that it is of, and the output that is read there, if it names one.
     pub fn event(&self) -> Option<(Occurrence, EventFilter, Option<&Output>)> {
         match &self.quantity {
-            Quantity::Supports(which, filter) => Some((*which, *filter, None)),
-            Quantity::Value(which, filter, output) => Some((*which, *filter, Some(output))),
+            ObservedQuantity::Supports(which, filter) => Some((*which, *filter, None)),
+            ObservedQuantity::Value(which, filter, output) => Some((*which, *filter, Some(output))),
             _ => None,
         }
     }
 
     /// The output, of what is read at the end alone.
     pub fn at_end(&self) -> Option<&Output> {
-        if let Quantity::End(output) = &self.quantity { Some(output) } else { None }
+        if let ObservedQuantity::End(output) = &self.quantity { Some(output) } else { None }
     }
 
     /// The output, if there is one.
     pub(super) fn output(&self) -> Option<&Output> {
         match &self.quantity {
-            Quantity::End(output)
-            | Quantity::Greatest(output)
-            | Quantity::Least(output)
-            | Quantity::Value(_, _, output) => Some(output),
-            Quantity::Ending | Quantity::Count(_) | Quantity::Supports(..) => None,
+            ObservedQuantity::End(output)
+            | ObservedQuantity::Greatest(output)
+            | ObservedQuantity::Least(output)
+            | ObservedQuantity::Value(_, _, output) => Some(output),
+            ObservedQuantity::Ending | ObservedQuantity::Count(_) | ObservedQuantity::Supports(..) => None,
         }
     }
 }
 
-fn quantity(text: &str, layout: &'static Layout) -> Result<Quantity, String> {
+fn quantity(text: &str, layout: &'static Layout) -> Result<ObservedQuantity, String> {
     let (word, rest) = text.split_once(' ').unwrap_or((text, ""));
     match (word, rest) {
-        ("end", "") => Ok(Quantity::Ending),
-        ("end", output) => Ok(Quantity::End(parse_output(output, layout)?)),
-        ("max", output) => Ok(Quantity::Greatest(parse_output(output, layout)?)),
-        ("min", output) => Ok(Quantity::Least(parse_output(output, layout)?)),
+        ("end", "") => Ok(ObservedQuantity::Ending),
+        ("end", output) => Ok(ObservedQuantity::End(parse_output(output, layout)?)),
+        ("max", output) => Ok(ObservedQuantity::Greatest(parse_output(output, layout)?)),
+        ("min", output) => Ok(ObservedQuantity::Least(parse_output(output, layout)?)),
         ("count", event) => match event_quantity(Occurrence::Nth(1), event, layout)? {
-            Quantity::Supports(_, filter) => Ok(Quantity::Count(filter)),
+            ObservedQuantity::Supports(_, filter) => Ok(ObservedQuantity::Count(filter)),
             _ => Err("expected count, a kind of event and at most a support".into()),
         },
         (word, event) => match Occurrence::parse(word) {
@@ -119,7 +119,11 @@ fn quantity(text: &str, layout: &'static Layout) -> Result<Quantity, String> {
 }
 
 /// `KIND [SUPPORT] [EXPR]`.
-fn event_quantity(which: Occurrence, text: &str, layout: &'static Layout) -> Result<Quantity, String> {
+fn event_quantity(
+    which: Occurrence,
+    text: &str,
+    layout: &'static Layout,
+) -> Result<ObservedQuantity, String> {
     let (kind, rest) = text.split_once(' ').unwrap_or((text, ""));
     let found = EventKind::ALL.into_iter().find(|known| known.name() == kind);
     let kind = found
@@ -129,15 +133,19 @@ fn event_quantity(which: Occurrence, text: &str, layout: &'static Layout) -> Res
     let (support, output) = if is_support { (Some(word), after) } else { (None, rest) };
     let filter = EventFilter::new(layout, kind, support).map_err(|error| error.to_string())?;
     match output {
-        "" => Ok(Quantity::Supports(which, filter)),
-        output => Ok(Quantity::Value(which, filter, parse_output(output, layout)?)),
+        "" => Ok(ObservedQuantity::Supports(which, filter)),
+        output => Ok(ObservedQuantity::Value(which, filter, parse_output(output, layout)?)),
     }
 }
 
-fn of_event(output: &str, quantity: Quantity, layout: &'static Layout) -> Result<Quantity, String> {
+fn of_event(
+    output: &str,
+    quantity: ObservedQuantity,
+    layout: &'static Layout,
+) -> Result<ObservedQuantity, String> {
     match quantity {
-        Quantity::Supports(which, filter) => {
-            Ok(Quantity::Value(which, filter, parse_output(output, layout)?))
+        ObservedQuantity::Supports(which, filter) => {
+            Ok(ObservedQuantity::Value(which, filter, parse_output(output, layout)?))
         }
         _ => Err("expected an output of `first`, `2nd`, … or `last` and a kind of event".into()),
     }

@@ -3,7 +3,7 @@
 use liftoff::contact_set;
 use liftoff::method::MethodId;
 use liftoff::prelude::*;
-use liftoff_core::batch::{Batch, NoClosedForm, Side};
+use liftoff_core::batch::{Batch, BatchLanes, NoClosedForm};
 use liftoff_core::model::Array;
 use liftoff_fixtures::{Belt, Bob, FallingPair, HangingChain, Ladder};
 
@@ -18,17 +18,17 @@ fn a_batch_has_the_bits_of_one() {
 
 fn same_as_one_by_one<M: BarSystem + Phases>(model: &M, closed: &[&str], kept: usize) {
     let state = |k: usize| M::State::<f64>::from_fn(|i| 0.3 + 0.01 * k as f64 + 0.2 * i as f64);
-    let states: Vec<_> = (0..Side::COUNT + 5).map(state).collect();
+    let states: Vec<_> = (0..BatchLanes::COUNT + 5).map(state).collect();
     let packed = Batch::<M>::pack(&states);
-    let mut accelerations = vec![M::Accelerations::from_fn(|_| Side::splat(1.0)); packed.len()];
+    let mut accelerations = vec![M::Accelerations::from_fn(|_| BatchLanes::splat(1.0)); packed.len()];
     let batch = Batch::new(model, contact_set(M::LAYOUT, closed).unwrap()).unwrap();
     batch.reduced_accelerations(&packed, &mut accelerations);
     let phase = Phases::phase(model, closed).unwrap();
     for (k, state) in states.iter().enumerate() {
         let alone = phase.reduced_accelerations(state.as_ref());
         assert_eq!(alone.len(), kept);
-        for (i, a) in accelerations[k / Side::COUNT].as_ref().iter().enumerate() {
-            assert_eq!(a.lane(k % Side::COUNT), alone.get(i).copied().unwrap_or(0.0));
+        for (i, a) in accelerations[k / BatchLanes::COUNT].as_ref().iter().enumerate() {
+            assert_eq!(a.lane(k % BatchLanes::COUNT), alone.get(i).copied().unwrap_or(0.0));
         }
     }
 }
@@ -41,7 +41,7 @@ fn a_batch_slides_with_friction() {
     let state = [0.5, 0.0, 1.0, 0.0];
     let accelerated = |belt: &Belt| {
         let batch = Batch::new(belt, contact_set(Belt::LAYOUT, &["P"]).unwrap()).unwrap();
-        let mut accelerations = vec![[Side::splat(0.0); 2]];
+        let mut accelerations = vec![[BatchLanes::splat(0.0); 2]];
         batch.reduced_accelerations(&Batch::<Belt>::pack(&[state]), &mut accelerations);
         accelerations[0][0].lane(0)
     };
@@ -62,17 +62,17 @@ fn chains_side_by_side_agree_with_one() {
             _ => 6.0 * (((1 + 14 * k + i) as f64 * 0.618_034).fract() - 0.5),
         })
     };
-    let states: Vec<_> = (0..Side::COUNT + 3).map(state).collect();
+    let states: Vec<_> = (0..BatchLanes::COUNT + 3).map(state).collect();
     let batch = Batch::new(&chain, contact_set(HangingChain::LAYOUT, &[]).unwrap()).unwrap();
     let of = |states: &[[f64; 14]]| {
         let packed = Batch::<HangingChain>::pack(states);
-        let mut accelerations = vec![[Side::splat(0.0); 7]; packed.len()];
+        let mut accelerations = vec![[BatchLanes::splat(0.0); 7]; packed.len()];
         batch.reduced_accelerations(&packed, &mut accelerations);
         accelerations
     };
     let (together, phase) = (of(&states), Phases::phase(&chain, &[]).unwrap());
     for (k, state) in states.iter().enumerate() {
-        let lane = together[k / Side::COUNT].map(|a| a.lane(k % Side::COUNT));
+        let lane = together[k / BatchLanes::COUNT].map(|a| a.lane(k % BatchLanes::COUNT));
         assert_eq!(lane, of(&states[k..=k])[0].map(|a| a.lane(0)), "{k} beside others");
         let alone = phase.reduced_accelerations(state);
         let size = alone.iter().fold(0.0f64, |size, a| size.max(a.abs()));

@@ -2,7 +2,7 @@
 
 use liftoff_codegen::functions::PhaseFunctions;
 use liftoff_core::model::{ContactSet, Form};
-use liftoff_core::system::Phase;
+use liftoff_core::system::PhaseEquations;
 use liftoff_interpreter::Interpreted;
 use std::sync::Arc;
 
@@ -30,7 +30,7 @@ impl Pair {
     pub(super) fn interpreted_form(&self, functions: &PhaseFunctions, full: &Full, [a, r]: [&[f64]; 2]) {
         let model = Interpreted::from_analysis(&self.analysis).model(&self.parameters);
         let set = ContactSet::from_bits_and_stick(functions.set.closed, functions.set.stick);
-        let phase: Arc<dyn Phase> = model.system.phase(set, Form::Reduced);
+        let phase: Arc<dyn PhaseEquations> = model.system.phase(set, Form::Reduced);
         let (mut y, mut reactions) = (vec![0.0; phase.info().entries], vec![0.0; r.len()]);
         phase.restrict(&self.state(full), &mut y);
         let mut f = y.clone();

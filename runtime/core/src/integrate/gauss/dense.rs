@@ -2,7 +2,7 @@
 //! y = y₀ + Σ (2k+1) mₖ ∫₀^θ Pₖ with the modes mₖ of h y′.
 
 use super::legendre::{FINE, next, round};
-use super::stages::{Equations, Sum};
+use super::stages::{CollocationEquations, Sum};
 use super::tableau::Tableau;
 use crate::integrate::Rates;
 use crate::scalar::{DoubleDouble, Real, Scalar};
@@ -45,7 +45,7 @@ impl Fine {
     ) -> [[f64; N]; TERMS] {
         let guess = self.tableau.of_modes(modes);
         let mut l = guess;
-        let equations = Equations { f, tableau: &self.tableau, pairs };
+        let equations = CollocationEquations { f, tableau: &self.tableau, pairs };
         if equations.solve((&Sum::new(*y0), h), &mut l, [enough, &[0.0; N]], evaluations).is_err() {
             l = guess;
         }

@@ -11,10 +11,10 @@ pub(super) const STAGES: usize = 6;
 pub(super) const FINE: usize = 2 * STAGES;
 
 /// P₀ … P₁₂ at one place.
-pub(super) type Values = [DoubleDouble; FINE + 1];
+pub(super) type LegendreValues = [DoubleDouble; FINE + 1];
 
 /// P₀(x) … P₁₂(x): (k + 1) Pₖ₊₁ = (2k + 1) x Pₖ − k Pₖ₋₁.
-pub(super) fn values(x: DoubleDouble) -> Values {
+pub(super) fn values(x: DoubleDouble) -> LegendreValues {
     let mut p = [DoubleDouble::ratio(1, 1); FINE + 1];
     p[1] = x;
     for k in 1..FINE {
@@ -33,7 +33,7 @@ pub(super) fn next(k: usize, turned: DoubleDouble, before: DoubleDouble) -> Doub
 /// The zeros of P_s and the weights on [0, 1], bᵢ = 1/((1 − xᵢ²) P_s′(xᵢ)²) (Abramowitz & Stegun 25.4.29).
 pub(super) fn nodes<const S: usize>() -> [(DoubleDouble, DoubleDouble); S] {
     let one = DoubleDouble::ratio(1, 1);
-    let slope = |x: DoubleDouble, p: &Values| {
+    let slope = |x: DoubleDouble, p: &LegendreValues| {
         DoubleDouble::ratio(S as i64, 1) * (p[S - 1] - x * p[S]) / (one - x * x)
     };
     core::array::from_fn(|i| {

@@ -19,7 +19,7 @@ use super::{Dense, StepError, StepState, Stepper, is_finite};
 use crate::scalar::Elementary as _;
 use dense::{Fine, TERMS};
 use legendre::STAGES;
-use stages::{Equations, IterationFailure, Sum};
+use stages::{CollocationEquations, IterationFailure, Sum};
 use tableau::Stages;
 use tableau::Tableau;
 
@@ -182,7 +182,7 @@ impl<F: Fn(&[f64; N]) -> [f64; N], const N: usize> Gauss<F, N> {
         let mut l = self.first_guess(h).map_err(|_| Refusal::after(&IterationFailure::NotFinite, h))?;
         let rounding = *self.step_state.tolerance.absolute();
         let counts = &mut self.step_state.counts.evaluations;
-        let equations = Equations { f: &self.f, tableau: &self.tableau, pairs: self.pairs };
+        let equations = CollocationEquations { f: &self.f, tableau: &self.tableau, pairs: self.pairs };
         let solved = equations.solve((&state, h), &mut l, [&[0.0; N], &rounding], counts);
         solved.map_err(|failure| Refusal::after(&failure, h))?;
         let end = state.advance(&l);
@@ -236,7 +236,7 @@ impl<F: Fn(&[f64; N]) -> [f64; N], const N: usize> Gauss<F, N> {
             *counts += 1;
             let slope = (self.f)(&state.high);
             let mut l = self.tableau.constant(half, &slope);
-            let equations = Equations { f: &self.f, tableau: &self.tableau, pairs: self.pairs };
+            let equations = CollocationEquations { f: &self.f, tableau: &self.tableau, pairs: self.pairs };
             let solved = equations.solve((&state, half), &mut l, [&[0.0; N], &rounding], counts);
             solved.map_err(|failure| Refusal::after(&failure, h))?;
             state = state.advance(&l);

@@ -44,14 +44,14 @@ impl<const N: usize> Sum<N> {
 }
 
 /// What is solved.
-pub(super) struct Equations<'a, const N: usize, const S: usize> {
+pub(super) struct CollocationEquations<'a, const N: usize, const S: usize> {
     pub(super) f: Rates<'a, f64, N>,
     pub(super) tableau: &'a Tableau<S>,
     /// The rates of the first so many entries are the entries that follow.
     pub(super) pairs: usize,
 }
 
-impl<const N: usize, const S: usize> Equations<'_, N, S> {
+impl<const N: usize, const S: usize> CollocationEquations<'_, N, S> {
     /// Lⱼ = h bⱼ f(y + Σ μⱼₖ Lₖ), found from `l` with each entry used as soon as it is known, until it
     /// changes by no more than `enough`; where it stalls, changes within `rounding` are rounding too. Counts evaluations of f.
     pub(super) fn solve(

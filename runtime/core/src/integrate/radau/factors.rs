@@ -8,13 +8,13 @@ use super::lu::Lu;
 use super::newton::Stages;
 
 /// The factors of γ/h − J and (α + iβ)/h − J.
-pub(super) struct Factors<const N: usize> {
+pub(super) struct NewtonFactors<const N: usize> {
     pub(super) h: f64,
     real: Lu<f64, N>,
     complex: Lu<Complex<f64>, N>,
 }
 
-impl<const N: usize> Factors<N> {
+impl<const N: usize> NewtonFactors<N> {
     /// `unit`: that of each entry of the state. None if one of the matrices is singular.
     pub(super) fn new(h: f64, jacobian: &[[f64; N]; N], unit: &[f64; N]) -> Option<Self> {
         let real = core::array::from_fn(|i| {

@@ -3,7 +3,7 @@
 
 use super::coefficients::{ALPHA, BACK, BETA, FORWARD, GAMMA};
 use super::newton::Stages;
-use crate::integrate::Jacobian;
+use crate::integrate::JacobianFn;
 
 /// A row of the matrix, one block for each stage, and its right-hand side.
 type MatrixRow<const N: usize> = ([[f64; N]; 3], f64);
@@ -34,7 +34,7 @@ impl<const N: usize> Full<N> {
     /// The change of the stages z with the slopes `f`; None if the system is singular. 3 Jacobians.
     pub(super) fn change(
         &mut self,
-        jacobian: Jacobian<f64, N>,
+        jacobian: JacobianFn<f64, N>,
         (y, h, unit): (&[f64; N], f64, &[f64; N]),
         f: &Stages<N>,
         z: &Stages<N>,

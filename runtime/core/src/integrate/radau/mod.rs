@@ -22,7 +22,7 @@ use super::{Dense, StepError, StepState, Stepper, Tolerance, is_finite};
 use coefficients::{GAMMA, NODES};
 use control::Control;
 use newton::{NewtonFailure, Stages};
-use system::{Solved, System};
+use system::{NewtonSystem, Solved};
 
 /// The error estimate is O(h⁴).
 const ORDER: f64 = 4.0;
@@ -36,7 +36,7 @@ pub struct Radau<'a, F, const N: usize> {
     /// What the error estimate is held to.
     tolerance: Tolerance<N>,
     rhs: RhsCache<f64, N>,
-    system: System<'a, N>,
+    system: NewtonSystem<'a, N>,
     control: Control,
     last: Last<N>,
 }
@@ -75,7 +75,7 @@ impl<'a, F: Fn(&[f64; N]) -> [f64; N], const N: usize> Radau<'a, F, N> {
         let tolerance = for_estimate(&step_state.tolerance);
         let dense = Dense::with_room(5);
         let last = Last { times: [step_state.time; 2], terms: [[0.0; N]; 5], dense, jumps: None };
-        let (rhs, system, control) = (RhsCache::UNKNOWN, System::new(jacobian), Control::NEW);
+        let (rhs, system, control) = (RhsCache::UNKNOWN, NewtonSystem::new(jacobian), Control::NEW);
         Self { f, step_state, tolerance, rhs, system, control, last }
     }
 

@@ -1,7 +1,7 @@
 //! The stages of a step: which Jacobian serves, and which iteration.
 
 use super::coefficients::DEFECT;
-use super::factors::Factors;
+use super::factors::NewtonFactors;
 use super::full::Full;
 use super::newton::{Criterion, Newton, NewtonFailure, Stages};
 use crate::integrate::growth::{compute_growth, compute_reach};
@@ -24,13 +24,13 @@ const ERROR_CONSTANT: f64 = 1.0 / 7200.0;
 type Exact<'a, const N: usize> = Box<dyn Fn(&[f64; N]) -> [[f64; N]; N] + 'a>;
 
 /// The Jacobian last computed, of which jump it is and whether of the present state, and its factors.
-pub(super) struct System<'a, const N: usize> {
+pub(super) struct NewtonSystem<'a, const N: usize> {
     jacobian: Exact<'a, N>,
     known: Option<([[f64; N]; N], u64)>,
     /// The largest rate at which a motion grows by it.
     growth: f64,
     fresh: bool,
-    factors: Option<Factors<N>>,
+    factors: Option<NewtonFactors<N>>,
     newton: Newton,
     full: Full<N>,
     /// So many steps more are made with the Jacobian of every stage.
@@ -43,7 +43,7 @@ pub(super) struct Solved<const N: usize> {
     pub(super) scale: [f64; N],
 }
 
-impl<'a, const N: usize> System<'a, N> {
+impl<'a, const N: usize> NewtonSystem<'a, N> {
     pub(super) fn new(jacobian: impl Fn(&[f64; N]) -> [[f64; N]; N] + 'a) -> Self {
         let (newton, full) = (Newton::new(), Full::new());
         Self {
@@ -129,17 +129,21 @@ impl<'a, const N: usize> System<'a, N> {
 
     /// The factors for a step of length `h`; `unit`: that of each entry of the state.
     fn factor(&mut self, h: f64, unit: &[f64; N]) {
-        let serves = |factors: &Factors<N>| (factors.h - h).abs() <= SAME * h;
+        let serves = |factors: &NewtonFactors<N>| (factors.h - h).abs() <= SAME * h;
         if self.factors.as_ref().is_some_and(serves) {
             return;
         }
         let finite = self.known.as_ref().filter(|(jacobian, _)| jacobian.iter().all(is_finite));
-        self.factors = finite.and_then(|(jacobian, _)| Factors::new(h, jacobian, unit));
+        self.factors = finite.and_then(|(jacobian, _)| NewtonFactors::new(h, jacobian, unit));
     }
 }
 
 /// The tolerance, not below rounding.
-fn criterion<const N: usize>(tolerance: &Tolerance<N>, factors: &Factors<N>, y: &[f64; N]) -> Criterion<N> {
+fn criterion<const N: usize>(
+    tolerance: &Tolerance<N>,
+    factors: &NewtonFactors<N>,
+    y: &[f64; N],
+) -> Criterion<N> {
     let rounding = factors.rounding(y);
     let mut scale = tolerance.scale(y, y);
     for (scale, rounding) in scale.iter_mut().zip(rounding) {

@@ -32,7 +32,7 @@ fn values_and_derivatives_satisfy_the_equations() {
             let right: [Dual4; WIDTH] = core::array::from_fn(|_| random(&mut seed));
             let (mut left, mut factors, mut swaps, mut x) = (right, matrix, [0; WIDTH], [Dual4::ZERO; WIDTH]);
             let room = (&mut factors[..], &mut swaps[..]);
-            if refined(Shape { size, width: WIDTH }, &matrix, &mut left, 1e-2, room, &mut x) {
+            if refined(MatrixShape { size, width: WIDTH }, &matrix, &mut left, 1e-2, room, &mut x) {
                 let most = missed(size, &matrix, &right, &x);
                 solved += 1;
                 assert!(most < 1e-8, "{size}, {case}: {most:e}");
@@ -51,7 +51,7 @@ fn singular_systems_are_left() {
         let matrix = entries.map(Dual4::constant);
         let (mut right, mut factors, mut swaps, mut x) = ([Dual4::ZERO; 2], matrix, [0; 2], [Dual4::ZERO; 2]);
         let room = (&mut factors[..], &mut swaps[..]);
-        refined(Shape { size: 2, width: 2 }, &matrix, &mut right, 1e-14, room, &mut x)
+        refined(MatrixShape { size: 2, width: 2 }, &matrix, &mut right, 1e-14, room, &mut x)
     };
     assert!(solves([0.0, 1.0, 1.0, 0.0]) && solves([1.0, 2.0, 2.0, 1.0]));
     assert!(!solves([1.0, 2.0, 2.0, 4.0]) && !solves([0.0; 4]) && !solves([f64::NAN, 1.0, 1.0, 0.0]));

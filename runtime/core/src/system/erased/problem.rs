@@ -4,13 +4,13 @@ use core::cell::RefCell;
 
 use super::filled;
 use crate::integrate::StepState;
-use crate::system::{Jacobian, Phase};
+use crate::system::{Jacobian, PhaseEquations};
 
 /// An initial value problem of a phase.
 #[derive(Clone, Copy)]
 pub struct InitialValueProblem<'a> {
     /// The equations.
-    pub phase: &'a dyn Phase,
+    pub phase: &'a dyn PhaseEquations,
     /// Time at the start.
     pub t: f64,
     /// The reduced state there.

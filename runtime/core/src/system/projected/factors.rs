@@ -1,6 +1,6 @@
 //! The balanced factors of K = [M −Jᵀ; J 0], for many right-hand sides.
 
-use crate::kernel::{Shape, balance, factorise};
+use crate::kernel::{MatrixShape, balance, factorise};
 use crate::model::KernelView;
 use crate::scalar::Real;
 
@@ -41,7 +41,7 @@ impl Factors {
             }
         }
         let rounding = f64::EPSILON * 8.0 * size as f64;
-        if !factorise(Shape { size, width: size }, rows, rounding, swaps) {
+        if !factorise(MatrixShape { size, width: size }, rows, rounding, swaps) {
             rows.fill(f64::NAN);
         }
         for (j, column) in columns.chunks_exact_mut(size.max(1)).enumerate() {

@@ -6,7 +6,7 @@ use crate::series::TapeOf;
 
 /// An entry of K = [M −Jᵀ; J 0] that varies: its row and its column, and where in the equations it is found.
 #[derive(Clone, Copy, Debug)]
-struct Entry {
+struct VaryingEntry {
     row: usize,
     column: usize,
     source: Source,
@@ -24,7 +24,7 @@ enum Source {
 pub(super) struct LinearSeries {
     factors: Factors,
     /// A column of the tape each.
-    entries: Vec<Entry>,
+    entries: Vec<VaryingEntry>,
     tape: TapeOf<f64>,
     /// x₀.
     values: Vec<f64>,
@@ -38,12 +38,12 @@ impl LinearSeries {
         let size = coordinates + closed.len();
         let mut entries = Vec::new();
         for &[i, j] in varying.mass {
-            entries.push(Entry { row: i, column: j, source: Source::Mass([i, j]) });
+            entries.push(VaryingEntry { row: i, column: j, source: Source::Mass([i, j]) });
         }
         for (k, &row) in (coordinates..).zip(closed) {
             for &[_, j] in varying.jacobian.iter().filter(|[of, _]| *of == row) {
-                entries.push(Entry { row: k, column: j, source: Source::Jacobian([row, j], 1.0) });
-                entries.push(Entry { row: j, column: k, source: Source::Jacobian([row, j], -1.0) });
+                entries.push(VaryingEntry { row: k, column: j, source: Source::Jacobian([row, j], 1.0) });
+                entries.push(VaryingEntry { row: j, column: k, source: Source::Jacobian([row, j], -1.0) });
             }
         }
         Self {

@@ -10,7 +10,7 @@ const TURNED: Driven = Driven { m: 2.0, l: 1.5, g: 9.81, c: 7.0 };
 /// Steps of a run, with what tells their work and the equations they are of.
 fn steps(
     method: MethodId,
-    look: impl Fn(&dyn Fn(&DenseOutput, f64) -> Option<f64>, &dyn Phase, &DenseOutput),
+    look: impl Fn(&dyn Fn(&DenseOutput, f64) -> Option<f64>, &dyn PhaseEquations, &DenseOutput),
 ) {
     let start = Pose::new("phi", 0.4).with("phi'", -1.0);
     let run =

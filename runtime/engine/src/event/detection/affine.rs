@@ -13,7 +13,7 @@ use crate::context::{RunContext, slips};
 use crate::integrate::Guards;
 use crate::model::{ContactSet, Slip};
 use crate::series::ORDERS;
-use crate::system::{DenseOutput, Phase};
+use crate::system::{DenseOutput, PhaseEquations};
 
 /// Where slopes are taken, in natural units: so far away that what a guard is at zero is lost in the rounding of the difference. An
 /// affine function has the same slope everywhere.
@@ -28,7 +28,11 @@ pub(crate) struct KnownAffineGuards(Vec<AffineGuards>);
 
 impl KnownAffineGuards {
     /// Of a phase in closed form; those of a set that returns are not found again.
-    pub(crate) fn find_or_compute(&mut self, phase: &dyn Phase, context: &RunContext) -> &mut AffineGuards {
+    pub(crate) fn find_or_compute(
+        &mut self,
+        phase: &dyn PhaseEquations,
+        context: &RunContext,
+    ) -> &mut AffineGuards {
         let set = phase.info().set;
         let place = self.0.iter().position(|known| known.set == set).unwrap_or_else(|| {
             self.0.push(AffineGuards::compute(phase, context));
@@ -53,7 +57,7 @@ pub(crate) struct AffineGuards {
 
 impl AffineGuards {
     /// Of a phase that has only such guards.
-    fn compute(phase: &dyn Phase, context: &RunContext) -> Self {
+    fn compute(phase: &dyn PhaseEquations, context: &RunContext) -> Self {
         let (layout, entries) = (context.layout(), phase.info().entries);
         let (reactions, feet) = (layout.reactions(), 2 * layout.feet());
         let rows = 2 * reactions + feet;
@@ -100,7 +104,7 @@ impl AffineGuards {
 }
 
 /// All guards at a reduced state: zero are gaps of closed contacts, and slip velocities but of those that slide.
-fn values(phase: &dyn Phase, reduced: &[f64]) -> Vec<f64> {
+fn values(phase: &dyn PhaseEquations, reduced: &[f64]) -> Vec<f64> {
     let (system, set) = (phase.system(), phase.info().set);
     let layout = system.layout();
     let (contacts, all) = (layout.contacts.len(), layout.reactions());

@@ -10,7 +10,7 @@ use crate::integration::phase_point::PhasePoint;
 use crate::model::{ContactSet, Form};
 use crate::numerics::root_isolation::{GuardError, Smooth, TERMS};
 use crate::numerics::zero::roundoff;
-use crate::system::{DenseOutput, Phase};
+use crate::system::{DenseOutput, PhaseEquations};
 use smallvec::smallvec;
 
 /// What a condition reads, over a step.
@@ -18,7 +18,7 @@ pub(super) type Leaves = Vec<(Variable, Smooth)>;
 
 /// A step of a phase, as the guards see it.
 pub(crate) struct StepView<'a> {
-    pub(super) phase: &'a Arc<dyn Phase>,
+    pub(super) phase: &'a Arc<dyn PhaseEquations>,
     /// The closed contacts: those of the phase, and those that depend on them.
     pub(super) closed: ContactSet,
     pub(super) context: &'a RunContext,
@@ -37,7 +37,11 @@ pub(crate) struct StepView<'a> {
 
 impl<'a> StepView<'a> {
     /// A step known by its dense output only.
-    pub(crate) fn new(phase: &'a Arc<dyn Phase>, context: &'a RunContext, dense: &'a DenseOutput) -> Self {
+    pub(crate) fn new(
+        phase: &'a Arc<dyn PhaseEquations>,
+        context: &'a RunContext,
+        dense: &'a DenseOutput,
+    ) -> Self {
         let closed = phase.info().set;
         Self { phase, closed, context, dense, guards: None, is_fitted: false, kept: &[], is_bridge: false }
     }

@@ -16,7 +16,7 @@ use crate::integration::chart::nan_max;
 use crate::model::ContactSet;
 use crate::numerics::legendre::{LegendreSeries, POINTS, X};
 use crate::numerics::zero::{MARGIN, SOLVED};
-use crate::system::{DenseOutput, Phase};
+use crate::system::{DenseOutput, PhaseEquations};
 
 /// Repeated integrations; each is ten times nearer and more.
 const MOST: usize = 40;
@@ -60,7 +60,7 @@ impl Bridge {
     }
 
     /// As dense output of a phase.
-    pub(crate) fn dense(&self, phase: &dyn Phase) -> DenseOutput {
+    pub(crate) fn dense(&self, phase: &dyn PhaseEquations) -> DenseOutput {
         let [t0, t1] = self.t;
         let time = |k: usize| [t0, t1 - t0].get(k).copied().unwrap_or(0.0);
         let powers: Vec<_> = self.series.iter().map(LegendreSeries::powers).collect();

@@ -9,7 +9,7 @@ use crate::model::{ContactSet, Form};
 use crate::numerics::zero::roundoff;
 use crate::simulation::snapshot::Snapshot;
 use crate::simulation::{RunCause, Simulation};
-use crate::system::Phase;
+use crate::system::PhaseEquations;
 use crate::trajectory::LoggedDecision;
 
 impl Snapshot<'_> {
@@ -24,7 +24,7 @@ impl Snapshot<'_> {
     }
 
     /// The closed form of a set, if it has one that holds here.
-    pub(super) fn valid_chart(&self, set: ContactSet) -> Option<Arc<dyn Phase>> {
+    pub(super) fn valid_chart(&self, set: ContactSet) -> Option<Arc<dyn PhaseEquations>> {
         let Simulation { context, tolerance, .. } = self.setup;
         let (chart, phase) =
             chart::choose_chart(context, set, &self.state, (self.bound_with(set), *tolerance));
@@ -60,7 +60,7 @@ impl Snapshot<'_> {
         Ok(Entry { phase, state: Some(state), log })
     }
 
-    fn chart(&self, bearing: ContactSet, state: &[f64]) -> (Chart, Arc<dyn Phase>) {
+    fn chart(&self, bearing: ContactSet, state: &[f64]) -> (Chart, Arc<dyn PhaseEquations>) {
         let Simulation { context, form, tolerance, .. } = self.setup;
         if *form == Form::Multipliers {
             return (Chart::Absent, context.phase(bearing, *form));

@@ -19,7 +19,7 @@ use crate::context::CLOSED;
 use crate::model::ContactSet;
 use crate::simulation::RunCause;
 use crate::simulation::snapshot::Snapshot;
-use crate::system::Phase;
+use crate::system::PhaseEquations;
 use crate::trajectory::LoggedDecision;
 use slips::reason_name;
 
@@ -61,7 +61,7 @@ pub(crate) struct Decision {
 
 /// How a phase is entered.
 pub(crate) struct Entry {
-    phase: Arc<dyn Phase>,
+    phase: Arc<dyn PhaseEquations>,
     /// The state where it had to be put onto the contacts of the phase.
     state: Option<Vec<f64>>,
     log: Vec<LoggedDecision>,

@@ -22,7 +22,7 @@ use crate::model::{ContactSet, Energy, Form};
 use crate::numerics::zero::roundoff;
 use crate::simulation::parts::Parts;
 use crate::simulation::{Allowance, Exhausted};
-use crate::system::{DenseOutput, InitialValueProblem, Phase};
+use crate::system::{DenseOutput, InitialValueProblem, PhaseEquations};
 use crate::trajectory::observe::Observer;
 use crate::trajectory::{LogEntry, LoggedDecision, RecordedPhase, Work};
 use record::Recording;
@@ -101,7 +101,7 @@ pub(crate) struct PhaseOutcome {
 /// A phase to integrate.
 pub(crate) struct PhaseRun<'a> {
     pub(crate) context: &'a RunContext,
-    pub(crate) phase: Arc<dyn Phase>,
+    pub(crate) phase: Arc<dyn PhaseEquations>,
     /// The closed contacts: those of the phase, and those that depend on them.
     pub(crate) closed: ContactSet,
     pub(crate) detector: EventDetector<'a>,
@@ -200,7 +200,7 @@ impl PhaseRun<'_> {
 
     fn begin<'p>(
         &self,
-        phase: &'p dyn Phase,
+        phase: &'p dyn PhaseEquations,
         method: &dyn Method,
         (t, start, absolute): (f64, &'p [f64], &'p [f64]),
     ) -> Option<StartedStepper<'p>> {
@@ -286,7 +286,7 @@ impl PhaseRun<'_> {
     }
 
     /// Brings the state of a projected phase back on its constraints.
-    fn project(&self, phase: &dyn Phase, state: &mut [f64]) {
+    fn project(&self, phase: &dyn PhaseEquations, state: &mut [f64]) {
         if phase.info().form == Form::Multipliers {
             self.context.system().project(phase.info().set, state, self.context.scales.length);
         }
@@ -295,7 +295,7 @@ impl PhaseRun<'_> {
 
 /// The absolute tolerance of each entry that a phase integrates.
 pub(crate) fn absolute_tolerance(
-    phase: &dyn Phase,
+    phase: &dyn PhaseEquations,
     scales: &Scales,
     (tolerance, least): (f64, f64),
 ) -> Numbers {

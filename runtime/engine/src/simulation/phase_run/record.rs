@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::context::{Numbers, RunContext};
 use crate::expression::Output;
 use crate::model::ContactSet;
-use crate::system::{DenseOutput, Phase};
+use crate::system::{DenseOutput, PhaseEquations};
 use crate::trajectory::observe::Step;
 use crate::trajectory::{RecordedPhase, Segment};
 
@@ -20,7 +20,7 @@ pub(super) struct Recording {
 impl Recording {
     /// A phase that begins at a time in a state; it keeps all its steps or only the last.
     pub(super) fn new(
-        (phase, closed): (Arc<dyn Phase>, ContactSet),
+        (phase, closed): (Arc<dyn PhaseEquations>, ContactSet),
         (t0, start): (f64, Numbers),
         keeps: bool,
     ) -> Self {

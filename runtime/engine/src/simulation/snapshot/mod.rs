@@ -30,7 +30,7 @@ use crate::model::{ContactSet, Energy, Form, Layout};
 use crate::simulation::awaited::{Awaited, Role};
 use crate::simulation::schedule::Trigger;
 use crate::simulation::{Exhausted, RunCause, Simulation};
-use crate::system::Phase;
+use crate::system::PhaseEquations;
 use crate::trajectory::RecordedPhase;
 use tiny::ZeroBounds;
 
@@ -43,7 +43,7 @@ pub(crate) struct Snapshot<'a> {
     pub(super) contacts: Contacts,
     /// The phase that follows. The contacts of its set bear: independent ones, which hold the other
     /// closed ones too.
-    pub(super) phase: Arc<dyn Phase>,
+    pub(super) phase: Arc<dyn PhaseEquations>,
     /// Reactions at the last decision, or at the end of the phase since.
     pub(super) reactions: Vec<f64>,
     pub(super) onset: Onset,

@@ -5,7 +5,7 @@ mod long;
 use super::Gauss;
 use super::dense::{Fine, TERMS};
 use super::legendre::{FINE, STAGES};
-use super::stages::{Equations, Sum};
+use super::stages::{CollocationEquations, Sum};
 use super::tableau::Tableau;
 use crate::integrate::tests::fields::{distance, kepler, orbit};
 use crate::integrate::tests::orders::step_orders;
@@ -70,7 +70,7 @@ fn a_polynomial_is_continued() {
 /// One step of length `h` from the orbit at time 3.
 fn single(h: f64) -> Dense<f64, 4> {
     let (tableau, y0) = (Tableau::<STAGES>::new(), orbit(3.0));
-    let equations = Equations { f: &kepler, tableau: &tableau, pairs: 2 };
+    let equations = CollocationEquations { f: &kepler, tableau: &tableau, pairs: 2 };
     let start = Sum::new(y0);
     let mut l = tableau.constant(h, &kepler(&y0));
     assert!(equations.solve((&start, h), &mut l, [&[0.0; 4]; 2], &mut 0).is_ok());

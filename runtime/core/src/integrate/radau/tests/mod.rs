@@ -7,8 +7,8 @@ use nalgebra::{Complex, SMatrix};
 use super::coefficients::{BACK, DEFECT, FORWARD, GAMMA, NODES, transform};
 use super::full::Full;
 use super::lu::Lu;
-use super::system::{Solved, System};
-use super::{dense, factors::Factors};
+use super::system::{NewtonSystem, Solved};
+use super::{dense, factors::NewtonFactors};
 use crate::integrate::tests::fields::{Field, Kepler, distance, kepler, orbit};
 use crate::integrate::tests::from;
 use crate::integrate::tests::orders::step_orders;
@@ -85,7 +85,7 @@ fn both_iterations_are_one_for_a_linear_system() {
     let (y, h) = ([1.0, -3.0], 0.07);
     let z = [[0.1, 0.2], [0.3, -0.4], [-0.5, 0.6]];
     let slopes = z.map(|z| f(&[y[0] + z[0], y[1] + z[1]]));
-    let simplified = Factors::new(h, &j, &[1.0; 2]).expect("regular").change(h, &slopes, &z);
+    let simplified = NewtonFactors::new(h, &j, &[1.0; 2]).expect("regular").change(h, &slopes, &z);
     let full = Full::new().change(&|_| j, (&y, h, &[1.0; 2]), &slopes, &z).expect("regular");
     for (a, b) in simplified.iter().zip(full) {
         // Rounding times ‖J‖ h.
@@ -96,7 +96,7 @@ fn both_iterations_are_one_for_a_linear_system() {
 /// One step of length `h` from the orbit at time 3.
 fn single(h: f64) -> Dense<f64, 4> {
     let mut step_state = from(1e-12, orbit(3.0));
-    let mut system = System::new(|y: &[f64; 4]| Kepler.jacobian(y));
+    let mut system = NewtonSystem::new(|y: &[f64; 4]| Kepler.jacobian(y));
     let tolerance = Tolerance::new(1e-12, [1e-12; 4]).expect("a valid tolerance");
     let y0 = *step_state.state();
     system.update_jacobian(&mut step_state, h);

@@ -16,7 +16,7 @@ use crate::integrate::Guards;
 use crate::model::*;
 use crate::numerics::root_isolation::GuardError;
 use crate::series::ORDERS;
-use crate::system::{DenseOutput, Equations, Model, Phase, PhaseInfo, System};
+use crate::system::{DenseOutput, Equations, Model, PhaseEquations, PhaseInfo, System};
 
 pub(crate) const CONTACTS: usize = 8;
 pub(crate) const FRICTIONS: usize = 3;
@@ -149,7 +149,7 @@ impl System for Given {
         true
     }
 
-    fn phase(self: Arc<Self>, _: ContactSet, _: Form) -> Arc<dyn Phase> {
+    fn phase(self: Arc<Self>, _: ContactSet, _: Form) -> Arc<dyn PhaseEquations> {
         self
     }
 
@@ -172,7 +172,7 @@ impl System for Given {
     }
 }
 
-impl Phase for Given {
+impl PhaseEquations for Given {
     fn system(&self) -> &dyn System {
         self
     }
@@ -232,7 +232,7 @@ impl EventDetector<'_> {
 /// A phase with what is given, from time 0.
 pub(crate) struct Scene {
     pub(crate) context: RunContext,
-    pub(crate) phase: Arc<dyn Phase>,
+    pub(crate) phase: Arc<dyn PhaseEquations>,
     asked: Arc<AtomicUsize>,
 }
 
