@@ -14,6 +14,9 @@ const FILES: [(&str, &str); 4] = [
     (".gitignore", "/target\n"),
 ];
 
+/// The sources of this crate where this program was built.
+const SOURCE: &str = env!("CARGO_MANIFEST_DIR");
+
 /// Cargo's own folders, and what the project depends on.
 const TAKEN: [&str; 7] =
     ["build", "deps", "examples", "incremental", "liftoff", "liftoff-cli", "liftoff-dynamics"];
@@ -22,7 +25,7 @@ const TAKEN: [&str; 7] =
 pub struct New {
     /// Name of the project and of its folder
     name: PathBuf,
-    /// Where liftoff's sources are, if not on crates.io
+    /// Where liftoff's sources are; by default crates.io, or where this program was built from if that was no published version
     #[arg(long, value_name = "DIRECTORY")]
     liftoff: Option<PathBuf>,
 }
@@ -51,12 +54,25 @@ impl New {
 
     /// What `Cargo.toml` says of a crate: a version, or the path to its sources.
     fn source(&self, part: &str) -> Result<String, CommandError> {
-        let Some(folder) = &self.liftoff else {
-            return Ok(format!("version = \"{}\"", env!("CARGO_PKG_VERSION")));
+        let folder = match &self.liftoff {
+            Some(folder) => folder,
+            // Cargo keeps the sources of a published crate in a folder that ends with its version.
+            None if SOURCE.ends_with(concat!("-", env!("CARGO_PKG_VERSION"))) => {
+                return Ok(format!("version = \"{}\"", env!("CARGO_PKG_VERSION")));
+            }
+            None => Path::new(SOURCE).parent().and_then(Path::parent).unwrap_or(Path::new(SOURCE)),
         };
         let path = folder.join(part);
-        let found = fs::canonicalize(&path)
-            .map_err(|error| CommandError::Usage(format!("--liftoff: {}: {error}", path.display())))?;
+        let found = fs::canonicalize(&path).map_err(|error| {
+            CommandError::Usage(match &self.liftoff {
+                Some(_) => format!("--liftoff: {}: {error}", path.display()),
+                None => format!(
+                    "the sources that this program was built from are not there any more ({}: {error}); say where \
+                     they are by --liftoff DIRECTORY",
+                    path.display()
+                ),
+            })
+        })?;
         Ok(format!("path = {:?}", found.display().to_string()))
     }
 }

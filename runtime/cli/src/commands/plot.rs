@@ -12,13 +12,6 @@ use liftoff_studio::run_spec::{RunSpec, overridden};
 use std::path::PathBuf;
 
 #[derive(Args, Debug)]
-#[command(after_help = "\
-Examples:
-  plot ladder                                          coordinates, reactions and energies against time
-  plot ladder --output 'N(A)' --output 'N(B)' --against phi
-  plot ladder --picture drawing                        the model with its dimensions
-  plot ladder --picture pattern --trail B              superposed positions and the path of B
-  plot pendulum --picture portrait --also phi=1 --also 'phi=0,phi\\'=5'")]
 pub struct Plot {
     /// Name of the model, as `list` has it; or a file of Rust, `FILE.rs`, compiled or not
     #[arg(value_name = "MODEL|FILE.rs")]

@@ -5,99 +5,142 @@ use clap::Command;
 use liftoff_studio::registry::{Entry, Models};
 use std::fmt::Write;
 
-/// Command, what to ask of it, what that does. `{model}`, `{parameter}`, `{value}`, `{coordinate}` and `{support}` are those
-/// of the first model.
-const EXAMPLES: [(&str, &str, &str); 46] = [
-    ("list", "list {model}", "one of them with the run that it makes if nothing is said"),
-    ("list", "list --json", "all models with their parameters, for another program"),
-    ("explain", "explain {model}", "its equations, phase by phase"),
-    ("explain", "explain {model} --phase free", "only those without contact"),
-    ("explain", "explain {model} --format html --output equations.html", "as a page"),
-    ("explain", "explain src/main.rs", "of a file, compiled or not; errors as of the compiler"),
-    ("conditions", "conditions {model}", "of all its phases, the motion starting at rest anywhere"),
+/// Command, a line for a shell, what that does. `{model}`, `{parameter}`, `{value}`, `{coordinate}` and `{support}` are those
+/// of the first model; the name of a model in braces is that model, if the program has it; `swing/src/main.rs` is what `new swing` writes.
+const EXAMPLES: [(&str, &str, &str); 52] = [
+    ("list", "{program} list {model}", "one of them with the run that it makes if nothing is said"),
+    ("list", "{program} list --json", "all models with their parameters, for another program"),
+    ("explain", "{program} explain {model}", "its equations, phase by phase"),
+    ("explain", "{program} explain {model} --phase free", "only those without contact"),
+    ("explain", "{program} explain {model} --format html --output equations.html", "as a page"),
+    (
+        "explain",
+        "{program} explain swing/src/main.rs",
+        "of a file, compiled or not; errors as of the compiler",
+    ),
+    ("conditions", "{program} conditions {model}", "of all its phases, the motion starting at rest anywhere"),
     (
         "conditions",
-        "conditions {model} --from {coordinate}=0.1",
+        "{program} conditions {model} --from {coordinate}=0.1",
         "from this start, with the places of lift-off",
     ),
-    ("export", "export {model} --sympy equations.py", "its equations as a module of Python"),
-    ("modes", "modes {model} --dot", "its contact sets as a graph for Graphviz"),
-    ("equilibrium", "equilibrium {model}", "from its default start, all contact sets"),
+    ("export", "{program} export {model} --sympy equations.py", "its equations as a module of Python"),
+    ("modes", "{program} modes {model} --dot", "its contact sets as a graph for Graphviz"),
+    ("equilibrium", "{program} equilibrium {model}", "from its default start, all contact sets"),
     (
         "equilibrium",
-        "equilibrium {model} --set '{parameter}={value}' --json",
+        "{program} equilibrium {model} --set '{parameter}={value}' --json",
         "with all digits, for another program",
     ),
-    ("equilibrium", "equilibrium {model} --load '{parameter}'", "and how far the parameter may grow"),
-    ("linearise", "linearise {model} --closed free", "about its default start, without contact"),
-    ("linearise", "linearise {model} --svg modes.svg", "drawn, each mode moving"),
-    ("sensitivity", "sensitivity {model}", "of its default run, by all parameters and its start"),
+    (
+        "equilibrium",
+        "{program} equilibrium {model} --load '{parameter}'",
+        "and how far the parameter may grow",
+    ),
+    ("linearise", "{program} linearise {model} --closed free", "about its default start, without contact"),
+    ("linearise", "{program} linearise {model} --svg modes.svg", "drawn, each mode moving"),
+    ("sensitivity", "{program} sensitivity {model}", "of its default run, by all parameters and its start"),
     (
         "fit",
-        "fit {model} --vary '{parameter}' --event 'first open=0.45'",
-        "a parameter from the time of the first opening",
+        "{program} fit swing/src/main.rs --vary l --until 'phi = 0' --event 'first stop=0.33'",
+        "a length from the time at which a condition is met, with its error",
     ),
     (
         "fit",
-        "fit {model} --vary '{parameter}' --data motion.csv --of '{coordinate}'",
-        "the same from a series, with its error",
+        "{program} fit swing/src/main.rs --vary l --data swing.csv --of phi",
+        "the same from a series, `run swing/src/main.rs --csv swing.csv`",
     ),
     (
         "optimise",
-        "optimise {model} --vary '{parameter}={value}/2:2*{value}' --of 'end E' --greatest",
-        "the parameter, between bounds, with which the energy at the end is greatest",
+        "{program} optimise swing/src/main.rs --vary 'l=0.4:1.6' --until 't = 1' --of 'end phi'",
+        "the length, between bounds, with which the angle after a second is least",
     ),
     (
         "orbit",
-        "orbit {model} --section 'impact {support}'",
-        "from its default start, looked at where a support is struck",
+        "{program} orbit swing/src/main.rs --section 'phi > 0'",
+        "looked at where the coordinate comes above 0",
     ),
     (
         "orbit",
-        "orbit {model} --section '{coordinate} > 0' --continue '{parameter}=2*{value}'",
-        "looked at where the coordinate comes above 0, and followed in a parameter",
+        "{program} orbit {rimless-wheel} --section impact --drift phi --drift x --drift y --continue j=0.2",
+        "looked at where a spoke is struck, and followed in a parameter",
     ),
     (
         "boundary",
-        "boundary {model} --vary '{parameter}={value}:2*{value}' --vary '{coordinate}=0.1:1' --observe 'first open'",
+        "{program} boundary {model} --vary '{parameter}={value}:2*{value}' --vary '{coordinate}=0.1:1' --observe 'first open'",
         "where in this plane another support opens first",
     ),
-    ("run", "run {model}", "the default run, event by event"),
-    ("run", "run {model} --set '{parameter}={value}' --until 't = 1'", "other parameters, another end"),
-    ("run", "run {model} --start '{coordinate}=40deg'", "another start; values may have units"),
-    ("run", "run {model} --output 'N({support})' --every 0.1", "a reaction at the events and every 0.1"),
-    ("run", "run {model} --csv motion.csv", "the motion as a table"),
-    ("plot", "plot {model} --output E --out energy.svg", "an output against time"),
-    ("animate", "animate {model} --out motion.html", "the motion as a page"),
-    ("watch", "watch swing.rs --open", "in the browser; each save shows the new motion, or what is wrong"),
-    ("new", "new crane", "a folder with Cargo.toml and a model, to be compiled"),
-    ("run", "run swing.rs", "of a file of Rust that no compiler has seen"),
-    ("precision", "precision {model}", "error against run time, every method"),
-    ("precision", "precision {model} --methods taylor,dop853 --svg work.svg", "two of them, drawn"),
-    ("stability", "stability {model}", "numerical checks of its default run"),
-    ("stability", "stability --short energy forms", "two groups of cases, of every model"),
+    ("run", "{program} run {model}", "the default run, event by event"),
+    (
+        "run",
+        "{program} run {model} --set '{parameter}={value}' --until 't = 1'",
+        "other parameters, another end",
+    ),
+    ("run", "{program} run {model} --start '{coordinate}=40deg'", "another start; values may have units"),
+    (
+        "run",
+        "{program} run {model} --output 'N({support})' --every 0.1",
+        "a reaction at the events and every 0.1",
+    ),
+    ("run", "{program} run {model} --csv motion.csv", "the motion as a table"),
+    ("run", "{program} run swing/src/main.rs --csv swing.csv", "of a file of Rust that no compiler has seen"),
+    ("plot", "{program} plot {model}", "coordinates, reactions and energies against time"),
+    ("plot", "{program} plot {model} --output E --out energy.svg", "an output against time"),
+    ("plot", "{program} plot {model} --picture drawing --out drawing.svg", "the model with its dimensions"),
+    ("plot", "{program} plot {model} --picture pattern --out pattern.svg", "superposed positions"),
+    (
+        "plot",
+        "{program} plot swing/src/main.rs --picture portrait --also phi=1 --also \"phi=0,phi'=5\"",
+        "rates against coordinates, of three motions",
+    ),
+    ("animate", "{program} animate {model} --out motion.html", "the motion as a page"),
+    ("animate", "{program} animate {model} --out motion.svg", "as a picture that moves"),
+    (
+        "watch",
+        "{program} watch swing/src/main.rs",
+        "serves a page that shows the motion of each save, or what is wrong; --open opens it",
+    ),
+    ("new", "{program} new swing", "a folder with Cargo.toml and a model, to be compiled"),
+    ("precision", "{program} precision {model}", "error against run time, every method"),
+    ("precision", "{program} precision {model} --methods taylor,dop853 --svg work.svg", "two of them, drawn"),
+    ("stability", "{program} stability {model}", "numerical checks of its default run"),
+    ("stability", "{program} stability --short energy forms", "two groups of cases, of every model"),
     (
         "sweep",
-        "sweep {model} --vary '{parameter}={value}:2*{value}:101' --observe 'first open t'",
+        "{program} sweep {model} --vary '{parameter}={value}:2*{value}:101' --observe 'first open t'",
         "a parameter varied",
     ),
     (
         "sweep",
-        "sweep {model} --vary '{parameter}={value}:2*{value}:101' --observe 'first open t' --out parts --shard 0/2",
+        "{program} sweep {model} --vary '{parameter}={value}:2*{value}:101' --observe 'first open t' --out parts --shard 0/2",
         "every second member, for one of two processes",
     ),
     (
         "sweep",
-        "sweep {model} --vary '{parameter}={value}:2*{value}:101' --observe 'first open t' --out parts --sbatch job.sh",
+        "{program} sweep {model} --vary '{parameter}={value}:2*{value}:101' --observe 'first open t' --out parts --shard 1/2",
+        "the others",
+    ),
+    (
+        "sweep",
+        "{program} sweep {model} --vary '{parameter}={value}:2*{value}:101' --observe 'first open t' --out parts --sbatch job.sh",
         "a script for Slurm",
     ),
-    ("merge", "merge parts --csv table.csv", "all parts as one table, or what is missing"),
-    ("report", "report {model}", "one page with drawing, equations, run and checks"),
-    ("report", "report --out pages", "a page for each model, and their index"),
-    ("completions", "completions bash >~/.local/share/bash-completion/completions/{program}", "for bash"),
-    ("completions", "completions zsh >~/.zfunc/_{program}", "for zsh"),
-    ("completions", "completions fish >~/.config/fish/completions/{program}.fish", "for fish"),
-    ("completions", "completions powershell", "for PowerShell"),
+    ("merge", "{program} merge parts --csv table.csv", "all parts as one table, or what is missing"),
+    ("report", "{program} report {model}", "one page with drawing, equations, run and checks"),
+    ("report", "{program} report {model} --out pages", "the same in another folder"),
+    (
+        "completions",
+        "mkdir -p ~/.local/share/bash-completion/completions && \
+         {program} completions bash >~/.local/share/bash-completion/completions/{program}",
+        "for bash",
+    ),
+    ("completions", "mkdir -p ~/.zfunc && {program} completions zsh >~/.zfunc/_{program}", "for zsh"),
+    (
+        "completions",
+        "mkdir -p ~/.config/fish/completions && {program} completions fish >~/.config/fish/completions/{program}.fish",
+        "for fish",
+    ),
+    ("completions", "{program} completions powershell", "for PowerShell"),
 ];
 
 /// Commands that make a model's default run where nothing else is said.
@@ -130,24 +173,25 @@ fn asked(models: &Models) -> Option<&Entry> {
 }
 
 /// What stands in the place of each word in braces.
-struct Names(Vec<(&'static str, String)>);
+struct Names(Vec<(String, String)>);
 
 impl Names {
     fn of(program: &str, models: &Models) -> Self {
-        let mut names = vec![("{program}", program.to_owned())];
+        let mut names = vec![("program", program.to_owned())];
         if let Some(model) = models.iter().next() {
-            names.push(("{model}", model.name().to_owned()));
+            names.push(("model", model.name().to_owned()));
             let (layout, spec) = (model.layout(), model.default_run());
-            names.extend(layout.coordinates.first().map(|c| ("{coordinate}", c.name.to_owned())));
-            names.extend(layout.contacts.first().map(|c| ("{support}", c.supports[0].to_owned())));
+            names.extend(layout.coordinates.first().map(|c| ("coordinate", c.name.to_owned())));
+            names.extend(layout.contacts.first().map(|c| ("support", c.supports[0].to_owned())));
             let parameter = spec.parameters.into_iter().next();
             names.extend(
                 parameter
                     .into_iter()
-                    .flat_map(|(name, value)| [("{parameter}", name), ("{value}", value.to_string())]),
+                    .flat_map(|(name, value)| [("parameter", name), ("value", value.to_string())]),
             );
         }
-        Self(names)
+        names.extend(models.iter().map(|model| (model.name(), model.name().to_owned())));
+        Self(names.into_iter().map(|(word, name)| (format!("{{{word}}}"), name)).collect())
     }
 
     /// The examples of a command that have a name for each of their words.
@@ -163,8 +207,7 @@ impl Names {
     }
 
     fn filled(&self, line: &str) -> Option<String> {
-        let program = &self.0[0].1;
         let filled = self.0.iter().fold(line.to_owned(), |line, (word, name)| line.replace(word, name));
-        (!filled.contains('{')).then(|| format!("{program} {filled}"))
+        (!filled.contains('{')).then_some(filled)
     }
 }

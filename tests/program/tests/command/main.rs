@@ -7,6 +7,7 @@ mod colours;
 mod completions;
 mod diagnostics;
 mod ends;
+mod examples;
 mod files;
 mod fit;
 mod help;
