@@ -3,7 +3,7 @@
 use crate::paper::{ReportError, report};
 use crate::stability::GROUPS;
 use clap::{Args, Subcommand};
-use liftoff_cli::{CommandError, ExtraCommand, print};
+use liftoff_cli::{CommandError, ExtraCommand, check_folder, print};
 use liftoff_studio::registry::Models;
 use liftoff_verification::cases::Group;
 use std::path::PathBuf;
@@ -38,7 +38,10 @@ impl Default for Paper {
 impl ExtraCommand for Command {
     fn execute(self, _: &Models) -> Result<(), CommandError> {
         match self {
-            Self::Paper(paper) => Ok(report(paper.tol, &paper.out, &paper.peers, print)?),
+            Self::Paper(paper) => {
+                check_folder(&paper.out)?;
+                Ok(report(paper.tol, &paper.out, &paper.peers, print)?)
+            }
         }
     }
 

@@ -16,7 +16,7 @@ mod output;
 pub use errors::{CommandError, interrupted};
 pub use liftoff_studio as studio;
 pub use liftoff_studio::{DefaultRun, RunSpec, models};
-pub use output::print;
+pub use output::{file::check_folder, print};
 
 use clap::{ColorChoice, CommandFactory, FromArgMatches, Parser, Subcommand};
 use commands::{

@@ -5,7 +5,7 @@ use crate::errors::interrupted::{interrupted, is_interrupted};
 use crate::options::run_args::RunArgs;
 use crate::options::sliders::Sliders;
 use crate::options::values::number;
-use crate::output::file::{print_beside, probe, write, write_picture};
+use crate::output::file::{Form, print_beside, probe_as, write, write_picture};
 use crate::output::progress::Progress;
 use clap::Args;
 use liftoff::Trajectory;
@@ -51,7 +51,7 @@ impl Animate {
         self.check_pace()?;
         let engine = self.engine()?;
         let path = self.path();
-        probe(&path)?;
+        probe_as(&path, &[Form::HTML, Form::SVG])?;
         let spec = self.run_args.spec(model)?;
         let options = RunOptions::by(self.method).cancel(Arc::clone(interrupted()));
         let progress = Progress::endless(format!("running {}", self.model));
@@ -132,5 +132,5 @@ impl Animate {
 }
 
 fn is_picture(path: &Path) -> bool {
-    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("svg"))
+    Form::find(path, &[Form::SVG]).is_some()
 }

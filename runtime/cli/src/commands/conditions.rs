@@ -1,16 +1,13 @@
 //! `liftoff conditions`.
 
 use crate::CommandError;
-use crate::commands::explain::Format;
+use crate::commands::explain::{Format, Target};
 use crate::options::run_args::checked;
 use crate::options::values::{Assignment, assignment};
-use crate::output::file;
-use crate::output::print::print;
 use clap::Args;
 use liftoff_studio::explain::conditions::{Request, conditions, latex, page, text};
 use liftoff_studio::registry::{Models, Place};
 use liftoff_studio::run_spec::overridden;
-use std::path::PathBuf;
 
 #[derive(Args, Debug)]
 pub struct Conditions {
@@ -26,17 +23,14 @@ pub struct Conditions {
     /// A parameter
     #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
     set: Vec<Assignment>,
-    /// How to write them
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    format: Format,
-    /// Where to write, in place of the standard output
-    #[arg(long, value_name = "FILE")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    target: Target,
 }
 
 impl Conditions {
     /// Prints or writes when each reaction vanishes, as a formula, and what stays constant.
     pub fn execute(&self, models: &Models) -> Result<(), CommandError> {
+        let format = self.target.format()?;
         let model = models.find(&self.model)?;
         let request = Request {
             start: checked(model, Place::Start, &self.from)?,
@@ -47,14 +41,11 @@ impl Conditions {
         };
         let layout = model.layout();
         let sections = conditions(layout, self.phase.as_deref(), &request).map_err(CommandError::Usage)?;
-        let written = match self.format {
+        let written = match format {
             Format::Text => text(layout.name, &sections),
             Format::Latex => latex(layout.name, &sections),
             Format::Html => page(layout.name, &sections),
         };
-        match &self.output {
-            None => Ok(print(&written)?),
-            Some(path) => file::write(path, written).map(|()| file::tell_written(path)),
-        }
+        self.target.write(&written)
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::CommandError;
 use crate::options::files;
-use crate::output::file;
+use crate::output::file::{Form, check_form, tell_written, write};
 use crate::output::print::print;
 use clap::{Args, ValueEnum};
 use liftoff_studio::explain::text::{Equations, PhaseEquations};
@@ -20,12 +20,48 @@ pub struct Explain {
     /// Only the phase with these supports closed (`A, E`), or `free`
     #[arg(long, value_name = "SUPPORTS")]
     phase: Option<String>,
-    /// How to write them
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    format: Format,
+    #[command(flatten)]
+    target: Target,
+}
+
+/// How equations are written, and where.
+#[derive(Args, Debug)]
+pub struct Target {
+    /// How to write them; by default as the name of the file ends, else as text
+    #[arg(long, value_enum)]
+    format: Option<Format>,
     /// Where to write, in place of the standard output
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,
+}
+
+impl Target {
+    /// The format that is asked for by its name or by that of the file.
+    ///
+    /// # Errors
+    /// A file whose name ends as that of another format.
+    pub fn format(&self) -> Result<Format, CommandError> {
+        let formats = [Format::Text, Format::Latex, Format::Html];
+        let Some(path) = &self.output else { return Ok(self.format.unwrap_or(Format::Text)) };
+        let allowed: Vec<_> =
+            formats.into_iter().filter(|format| self.format.is_none_or(|asked| asked == *format)).collect();
+        let forms: Vec<Form> = allowed.iter().map(|format| format.form()).collect();
+        check_form(path, &forms)?;
+        let found = Form::find(path, &forms);
+        Ok(allowed
+            .iter()
+            .find(|format| found.is_none_or(|form| form == format.form()))
+            .copied()
+            .unwrap_or(Format::Text))
+    }
+
+    /// Prints the text, or writes it to the file.
+    pub fn write(&self, text: &str) -> Result<(), CommandError> {
+        match &self.output {
+            None => Ok(print(text)?),
+            Some(path) => write(path, text).map(|()| tell_written(path)),
+        }
+    }
 }
 
 /// How equations are written.
@@ -39,41 +75,54 @@ pub enum Format {
     Html,
 }
 
+impl Format {
+    fn form(self) -> Form {
+        match self {
+            Self::Text => Form::TEXT,
+            Self::Latex => Form::LATEX,
+            Self::Html => Form::HTML,
+        }
+    }
+}
+
 impl Explain {
     /// Prints or writes the equations: the system's, then those of each phase in closed form; of a file, of the model that is
     /// chosen or of all.
     pub fn execute(&self, models: &Models, chosen: Option<&str>) -> Result<(), CommandError> {
+        let format = self.target.format()?;
         let text = match files::is_file(&self.model, models) {
-            true => self.of_file(chosen)?,
-            false => files::no_choice(chosen).and_then(|()| self.of_model(models))?,
+            true => self.of_file(chosen, format)?,
+            false => files::no_choice(chosen).and_then(|()| self.of_model(models, format))?,
         };
-        match &self.output {
-            None => Ok(print(&text)?),
-            Some(path) => file::write(path, text).map(|()| file::tell_written(path)),
-        }
+        self.target.write(&text)
     }
 
-    fn of_model(&self, models: &Models) -> Result<String, CommandError> {
+    fn of_model(&self, models: &Models, format: Format) -> Result<String, CommandError> {
         let model = models.find(&self.model)?;
-        let drawings = if self.format == Format::Html { drawings(model) } else { Drawings::default() };
-        self.written(&liftoff_studio::explain::equations(model.layout()), &drawings)
+        let drawings = if format == Format::Html { drawings(model) } else { Drawings::default() };
+        self.written(&liftoff_studio::explain::equations(model.layout()), format, &drawings)
     }
 
-    fn of_file(&self, chosen: Option<&str>) -> Result<String, CommandError> {
+    fn of_file(&self, chosen: Option<&str>, format: Format) -> Result<String, CommandError> {
         let all = files::read(&self.model, source::equations)?;
-        let one = chosen.is_some() || self.format != Format::Text;
+        let one = chosen.is_some() || format != Format::Text;
         let chosen = match one {
             true => vec![files::one(&self.model, all, chosen, |equations| &equations.name)?],
             false => all,
         };
         let texts: Result<Vec<String>, _> =
-            chosen.iter().map(|equations| self.written(equations, &Drawings::default())).collect();
+            chosen.iter().map(|equations| self.written(equations, format, &Drawings::default())).collect();
         Ok(texts?.join("\n"))
     }
 
-    fn written(&self, equations: &Equations, drawings: &Drawings) -> Result<String, CommandError> {
+    fn written(
+        &self,
+        equations: &Equations,
+        format: Format,
+        drawings: &Drawings,
+    ) -> Result<String, CommandError> {
         let phase = self.phase.as_ref().map(|supports| phase(equations, supports)).transpose()?;
-        Ok(match (self.format, phase) {
+        Ok(match (format, phase) {
             (Format::Text, None) => equations.to_string(),
             (Format::Text, Some(phase)) => phase.to_string(),
             (Format::Latex, None) => latex(equations),

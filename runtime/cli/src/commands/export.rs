@@ -1,7 +1,7 @@
 //! `liftoff export`.
 
 use crate::CommandError;
-use crate::output::file::{self, unwritable};
+use crate::output::file::{self, Form, check_folder, check_form, unwritable};
 #[cfg(feature = "fmu")]
 use crate::output::notes::note;
 use clap::Args;
@@ -34,6 +34,9 @@ impl Export {
     pub fn execute(&self, models: &Models) -> Result<(), CommandError> {
         let model = models.find(&self.model)?;
         let layout = model.layout();
+        self.sympy.iter().try_for_each(|path| check_form(path, &[Form::PYTHON]))?;
+        self.c.iter().try_for_each(|folder| check_folder(folder))?;
+        self.fmu.iter().try_for_each(|path| check_form(path, &[Form::FMU]))?;
         if let Some(path) = &self.sympy {
             write(path, &export::sympy(layout).map_err(CommandError::Failed)?)?;
         }

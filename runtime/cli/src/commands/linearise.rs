@@ -3,7 +3,7 @@
 use crate::CommandError;
 use crate::options::pose_args::{self, PoseArgs};
 use crate::output::analysis;
-use crate::output::file::{probe_picture, tell_written, write_picture};
+use crate::output::file::{Form, probe_as, tell_written, write_picture};
 use crate::output::notes::note;
 use crate::output::print::print;
 use clap::Args;
@@ -41,7 +41,7 @@ impl Linearise {
     /// Prints or draws the modes of vibration about the start, at rest, of one contact set.
     pub fn execute(&self, models: &Models) -> Result<(), CommandError> {
         if let Some(path) = &self.svg {
-            probe_picture(path)?;
+            probe_as(path, &[Form::SVG])?;
         }
         let model = models.find(&self.model)?;
         let subject = self.pose.subject(model)?;

@@ -2,7 +2,7 @@
 
 use crate::CommandError;
 use crate::options::columnar_files::ColumnarFiles;
-use crate::output::file::{is_output, print_beside, probe, tell_written};
+use crate::output::file::{Form, is_output, print_beside, probe_as, tell_written};
 use clap::Args;
 use liftoff_studio::sweep::merge;
 use std::path::{Path, PathBuf};
@@ -23,7 +23,7 @@ pub struct Merge {
 impl Merge {
     /// Checks that all shards of one sweep are there and whole, and writes its table.
     pub fn execute(self) -> Result<(), CommandError> {
-        self.csv.iter().try_for_each(|path| probe(path))?;
+        self.csv.iter().try_for_each(|path| probe_as(path, &[Form::CSV]))?;
         self.columnar.check()?;
         let merged = merge(&self.shards)?;
         if let Some(path) = &self.csv {

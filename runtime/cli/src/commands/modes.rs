@@ -1,7 +1,7 @@
 //! `liftoff modes`.
 
 use crate::CommandError;
-use crate::output::file::{probe_picture, tell_written, write_picture};
+use crate::output::file::{Form, probe_as, tell_written, write_picture};
 use crate::output::print::print;
 use clap::Args;
 use liftoff_studio::modes::svg;
@@ -27,7 +27,7 @@ impl Modes {
         let model = models.find(&self.model)?;
         let modes = model.modes(&model.default_run())?;
         if let Some(path) = &self.svg {
-            probe_picture(path)?;
+            probe_as(path, &[Form::SVG])?;
             write_picture(path, &svg(&modes))?;
             tell_written(path);
             return Ok(());

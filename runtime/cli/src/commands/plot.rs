@@ -3,7 +3,7 @@
 use crate::CommandError;
 use crate::options::run_args::{RunArgs, checked};
 use crate::options::values::{Assignment, assignment, whole};
-use crate::output::file::{print_beside, probe_picture, write_picture};
+use crate::output::file::{Form, print_beside, probe_as, write_picture};
 use clap::{Args, ValueEnum};
 use liftoff::Trajectory;
 use liftoff_studio::picture::{Charts, Portrait, Positions, clearest_pose, drawing};
@@ -83,7 +83,7 @@ impl Plot {
     pub fn execute(self, models: &Models) -> Result<(), CommandError> {
         let model = models.find(&self.model)?;
         let path = self.out.clone().unwrap_or_else(|| format!("{}.svg", model.name()).into());
-        probe_picture(&path)?;
+        probe_as(&path, &[Form::SVG])?;
         let spec = self.run_args.spec(model)?;
         let drawn = match self.kind() {
             Picture::Drawing => {

@@ -4,7 +4,7 @@ use crate::CommandError;
 use crate::errors::interrupted::is_interrupted;
 use crate::options::run_args::RunArgs;
 use crate::options::values::{number, whole};
-use crate::output::file::{is_output, print_beside, probe, probe_picture, tell_written, write_picture};
+use crate::output::file::{Form, is_output, print_beside, probe_as, tell_written, write_picture};
 use crate::output::json::pretty;
 use crate::output::print::tell;
 use crate::output::progress::Progress;
@@ -63,8 +63,8 @@ impl Precision {
         let shown = |row: &WorkPrecisionRow| self.models.contains(&row.model);
         let others: Result<Vec<_>, _> = self.peers.iter().map(|path| peers(path)).collect();
         let others = others?;
-        self.csv.iter().try_for_each(|path| probe(path))?;
-        self.svg.iter().try_for_each(|path| probe_picture(path))?;
+        self.csv.iter().try_for_each(|path| probe_as(path, &[Form::CSV]))?;
+        self.svg.iter().try_for_each(|path| probe_as(path, &[Form::SVG]))?;
         let mut all = self.measured(models)?;
         all.extend(others.into_iter().flatten().filter(shown));
         if let Some(path) = &self.csv {

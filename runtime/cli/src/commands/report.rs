@@ -3,7 +3,7 @@
 use crate::CommandError;
 use crate::errors::interrupted::{is_interrupted, unless_interrupted};
 use crate::options::sliders::Sliders;
-use crate::output::file::{unwritable, write};
+use crate::output::file::{check_folder, unwritable, write};
 use crate::output::print::print;
 use crate::output::progress::Progress;
 use clap::Args;
@@ -41,6 +41,7 @@ impl Report {
     /// Writes page after page, then the index of those that are written.
     pub fn execute(&self, models: &'static Models) -> Result<(), CommandError> {
         let selected = self.selected(models)?;
+        check_folder(&self.out)?;
         std::fs::create_dir_all(&self.out).map_err(|error| unwritable(&self.out, &error))?;
         let engine = self.sliders.engine()?;
         if let Some(engine) = &engine {

@@ -7,7 +7,7 @@ use crate::options::columnar_files::ColumnarFiles;
 use crate::options::run_args::RunArgs;
 use crate::options::samples::{Observers, Samples};
 use crate::options::sampling::{Sampling, head};
-use crate::output::file::{is_output, print_beside, tell_written};
+use crate::output::file::{Form, check_form, is_output, print_beside, tell_written};
 use crate::output::json;
 use crate::output::motion_file::{MotionFile, Subject};
 use crate::output::notes::{decisions, note};
@@ -91,6 +91,7 @@ impl Run {
 
     /// The file that is to have the motion, if one is.
     fn file(&self) -> Result<Option<MotionFile<'_>>, CommandError> {
+        self.csv.iter().try_for_each(|path| check_form(path, &[Form::CSV]))?;
         self.columnar.check()?;
         let csv = self.csv.iter().map(|path| ("--csv", None, path.as_path()));
         let columnar = self.columnar.each().map(|(option, format, path)| (option, Some(format), path));

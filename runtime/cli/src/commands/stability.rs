@@ -2,7 +2,7 @@
 
 use crate::CommandError;
 use crate::errors::interrupted::is_interrupted;
-use crate::output::file::{unwritable, write};
+use crate::output::file::{check_folder, unwritable, write};
 use crate::output::json::pretty;
 use crate::output::print::print;
 use crate::output::progress::Progress;
@@ -45,6 +45,7 @@ type SelectedGroup = (&'static str, &'static str, Vec<Case>);
 impl Stability {
     /// Judges every case asked for; fails if one of them does.
     pub fn execute(&self, groups: &[Group], models: &'static Models) -> Result<(), CommandError> {
+        check_folder(&self.out)?;
         let results = self.judge(self.selected(groups, models)?)?;
         let verdicts: Vec<_> = results.iter().flat_map(|group| group.verdicts.iter().cloned()).collect();
         let page = self.write(&results)?;

@@ -1,10 +1,19 @@
 //! Files with columns and units that other programs read at once.
 
 use crate::CommandError;
-use crate::output::file::probe;
+use crate::output::file::{Form, probe_as};
 use clap::Args;
 use liftoff_columnar::Format;
 use std::path::{Path, PathBuf};
+
+/// How names of its files end.
+fn form(format: Format) -> Form {
+    match format {
+        Format::Parquet => Form::PARQUET,
+        Format::Arrow => Form::ARROW,
+        Format::Npz => Form::NPZ,
+    }
+}
 
 #[derive(Args, Clone, Default, Debug)]
 pub struct ColumnarFiles {
@@ -34,7 +43,7 @@ impl ColumnarFiles {
     pub fn check(&self) -> Result<(), CommandError> {
         self.each().try_for_each(|(option, format, path)| {
             format.check().map_err(|missing| CommandError::Usage(format!("{option}: {missing}")))?;
-            probe(path)
+            probe_as(path, &[form(format)])
         })
     }
 

@@ -6,9 +6,37 @@ use liftoff_studio::file;
 use liftoff_studio::plot::with_theme;
 use std::path::Path;
 
-/// Forms of pictures that are not drawn here.
-const OTHER_FORMS: [&str; 12] =
-    ["png", "jpg", "jpeg", "gif", "webp", "bmp", "tif", "tiff", "pdf", "eps", "ps", "html"];
+/// What a file can be written as: the name of the form, and how names of such files end.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Form {
+    name: &'static str,
+    endings: &'static [&'static str],
+}
+
+impl Form {
+    pub const ARROW: Self = Self { name: "Arrow", endings: &["arrow", "ipc", "feather"] };
+    pub const CSV: Self = Self { name: "CSV", endings: &["csv", "txt", "dat"] };
+    pub const FMU: Self = Self { name: "FMU", endings: &["fmu"] };
+    pub const HTML: Self = Self { name: "HTML", endings: &["html", "htm"] };
+    pub const LATEX: Self = Self { name: "LaTeX", endings: &["tex"] };
+    pub const NPZ: Self = Self { name: "NPZ", endings: &["npz"] };
+    pub const PARQUET: Self = Self { name: "Parquet", endings: &["parquet"] };
+    pub const PYTHON: Self = Self { name: "Python", endings: &["py"] };
+    pub const SVG: Self = Self { name: "SVG", endings: &["svg"] };
+    pub const TEXT: Self = Self { name: "text", endings: &["txt", "md"] };
+
+    /// That of a name's ending, if it is one of these.
+    pub fn find(path: &Path, forms: &[Self]) -> Option<Self> {
+        let ending = find_ending(path)?;
+        forms.iter().find(|form| form.endings.contains(&ending.as_str())).copied()
+    }
+}
+
+/// Endings of files, which are no folders.
+const FILES: [&str; 19] = [
+    "html", "svg", "csv", "txt", "json", "png", "jpg", "jpeg", "gif", "webp", "apng", "mp4", "webm", "mov",
+    "avi", "pdf", "eps", "c", "zip",
+];
 
 /// Bytes of a picture that no viewer shows in reasonable time.
 const LARGEST: usize = 64 << 20;
@@ -39,19 +67,51 @@ pub fn tell_written(path: &Path) {
     }
 }
 
-/// Refuses names of pictures that are no SVG, and files that cannot be written.
-pub fn probe_picture(path: &Path) -> Result<(), CommandError> {
-    let form = path.extension().map(|form| form.to_string_lossy().to_lowercase());
-    match form.filter(|form| OTHER_FORMS.contains(&form.as_str())) {
-        Some(form) => Err(CommandError::Usage(format!(
-            "{}: pictures are written as SVG, not as {}; name the file {}, which browsers show and Inkscape or \
-             rsvg-convert turn into others",
-            path.display(),
-            form.to_uppercase(),
-            path.with_extension("svg").display(),
-        ))),
-        None => probe(path),
+/// Refuses names of files of other forms than these, and files that cannot be written.
+pub fn probe_as(path: &Path, forms: &[Form]) -> Result<(), CommandError> {
+    check_form(path, forms).and_then(|()| probe(path))
+}
+
+/// Refuses names of files of other forms than these. Names without an ending are allowed.
+pub fn check_form(path: &Path, forms: &[Form]) -> Result<(), CommandError> {
+    match find_ending(path).filter(|_| Form::find(path, forms).is_none()) {
+        Some(ending) => {
+            let names: Vec<&str> = forms.iter().map(|form| form.name).collect();
+            let others = forms.iter().map(|form| path.with_extension(form.endings[0]).display().to_string());
+            let converted = match forms.contains(&Form::SVG) {
+                true => ", which browsers show and Inkscape or rsvg-convert turn into others",
+                false => "",
+            };
+            Err(CommandError::Usage(format!(
+                "{}: this is written as {}, not as {}; name the file {}{converted}",
+                path.display(),
+                names.join(" or "),
+                ending.to_uppercase(),
+                others.collect::<Vec<_>>().join(" or "),
+            )))
+        }
+        None => Ok(()),
     }
+}
+
+/// Refuses the name of a file where a folder is to be.
+///
+/// # Errors
+/// The name ends as that of a file.
+pub fn check_folder(path: &Path) -> Result<(), CommandError> {
+    match find_ending(path).filter(|ending| FILES.contains(&ending.as_str())) {
+        Some(_) if !path.is_dir() => Err(CommandError::Usage(format!(
+            "{}: a folder is written, not a file; name it {}",
+            path.display(),
+            path.with_extension("").display(),
+        ))),
+        _ => Ok(()),
+    }
+}
+
+/// How the name of a file ends, in lower case.
+fn find_ending(path: &Path) -> Option<String> {
+    Some(path.extension()?.to_string_lossy().to_lowercase())
 }
 
 /// Writes an SVG on a card of its own; one that is too large to be shown is refused.
@@ -68,7 +128,7 @@ pub fn write_picture(path: &Path, svg: &str) -> Result<(), CommandError> {
 }
 
 /// Tries whether a file can be written, before anything is computed for it.
-pub fn probe(path: &Path) -> Result<(), CommandError> {
+fn probe(path: &Path) -> Result<(), CommandError> {
     file::probe(path).map_err(|error| unwritable(path, &error))
 }
 
@@ -82,13 +142,18 @@ mod tests {
     use super::*;
 
     #[test]
-    fn other_forms_than_svg_are_refused() {
-        let told = probe_picture(Path::new("a/b.PNG")).unwrap_err();
+    fn other_forms_are_refused() {
+        let told = probe_as(Path::new("a/b.PNG"), &[Form::SVG]).unwrap_err();
         assert_eq!(told.code(), 2);
         assert!(told.to_string().contains("not as PNG; name the file a/b.svg, "), "{told}");
-        for allowed in ["b.svg", "b", "/dev/null", "-"] {
-            probe_picture(&std::env::temp_dir().join(allowed)).unwrap();
+        let told = probe_as(Path::new("b.mp4"), &[Form::HTML, Form::SVG]).unwrap_err().to_string();
+        assert!(told.contains("as HTML or SVG, not as MP4; name the file b.html or b.svg, "), "{told}");
+        for allowed in ["b.svg", "b.SVG", "b", "/dev/null", "-"] {
+            probe_as(&std::env::temp_dir().join(allowed), &[Form::SVG]).unwrap();
         }
+        let told = check_folder(Path::new("a/b.gif")).unwrap_err().to_string();
+        assert_eq!(told, "a/b.gif: a folder is written, not a file; name it a/b");
+        check_folder(Path::new("pages-1.2")).unwrap();
     }
 
     #[test]

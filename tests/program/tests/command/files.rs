@@ -225,3 +225,46 @@ fn a_file_is_refused_before_the_run() {
     assert_eq!(run(&endless).status.code(), Some(1));
     assert!(begun.elapsed() < std::time::Duration::from_secs(5));
 }
+
+#[test]
+fn forms_that_are_not_written_are_refused_before_anything_is_computed() {
+    let sweep = [&["sweep", MODEL], &SWEPT[..]].concat();
+    let cases: [(&[&str], &str, &str, &str); 17] = [
+        (&["animate", MODEL], "--out", "a.gif", "as HTML or SVG, not as GIF; name the file a.html or a.svg"),
+        (&["animate", MODEL], "--out", "a.mp4", "not as MP4"),
+        (&["animate", MODEL], "--out", "a.xyz", "not as XYZ"),
+        (&["plot", MODEL], "--out", "a.pdf", "as SVG, not as PDF; name the file a.svg"),
+        (&["plot", MODEL], "--out", "a.html", "not as HTML"),
+        (&["modes", MODEL], "--svg", "a.png", "as SVG, not as PNG"),
+        (&["linearise", MODEL], "--svg", "a.png", "as SVG, not as PNG"),
+        (&["precision", MODEL], "--csv", "a.png", "as CSV, not as PNG; name the file a.csv"),
+        (&["precision", MODEL], "--svg", "a.webp", "not as WEBP"),
+        (&["run", MODEL], "--csv", "a.svg", "as CSV, not as SVG"),
+        (&sweep, "--csv", "a.json", "as CSV, not as JSON"),
+        (&sweep, "--svg", "a.gif", "as SVG, not as GIF"),
+        (&sweep, "--out", "a.gif", "a folder is written, not a file; name it a"),
+        (&["report", MODEL], "--out", "a.pdf", "a folder is written"),
+        (&["stability", MODEL], "--out", "a.html", "a folder is written"),
+        (&["explain", MODEL], "--output", "a.pdf", "as text or LaTeX or HTML, not as PDF"),
+        (&["export", MODEL], "--sympy", "a.txt", "as Python, not as TXT; name the file a.py"),
+    ];
+    for (command, option, name, said) in cases {
+        let output = run(&[command, &[option, name]].concat());
+        assert_eq!(output.status.code(), Some(2), "{command:?} {name}");
+        assert!(errors(&output).contains(said), "{command:?} {name}: {}", errors(&output));
+        assert!(!std::env::temp_dir().join(name).exists(), "{name}");
+    }
+}
+
+/// A format that is given by its name may not contradict the file's.
+#[test]
+fn equations_are_written_as_their_file_is_named() {
+    let path = place("equations.tex");
+    let file = path.to_str().expect("UTF-8");
+    told(&["explain", MODEL, "--output", file]);
+    assert!(std::fs::read_to_string(&path).expect("written").contains("\\documentclass"));
+    std::fs::remove_file(&path).expect("removed");
+    let refused = run(&["explain", MODEL, "--format", "html", "--output", file]);
+    assert!(errors(&refused).contains("as HTML, not as TEX"), "{}", errors(&refused));
+    assert!(!path.exists());
+}

@@ -4,7 +4,7 @@ use crate::CommandError;
 use crate::options::columnar_files::ColumnarFiles;
 use crate::options::run_args::{EventArgs, given, likely_degrees};
 use crate::options::values::{assignment, whole, width};
-use crate::output::file::{is_output, probe, probe_picture};
+use crate::output::file::{Form, is_output, probe_as};
 use clap::Args;
 use liftoff_studio::registry::Entry;
 use liftoff_studio::sweep::{MOST_MEMBERS, MOST_SHARDS, MOST_THREADS, Sample, Shard};
@@ -152,9 +152,9 @@ impl Options {
 
     /// Refuses files that cannot be written before anything is computed for them.
     pub fn check_files(&self) -> Result<(), CommandError> {
-        self.csv.iter().try_for_each(|path| probe(path))?;
+        self.csv.iter().try_for_each(|path| probe_as(path, &[Form::CSV]))?;
         self.columnar.check()?;
-        self.svg.iter().try_for_each(|path| probe_picture(path))
+        self.svg.iter().try_for_each(|path| probe_as(path, &[Form::SVG]))
     }
 
     /// These, and where none is given those of a file.

@@ -2,7 +2,7 @@
 
 use super::Options;
 use crate::CommandError;
-use crate::output::file::tell_written;
+use crate::output::file::{check_folder, tell_written};
 use crate::output::notes::note;
 use crate::output::print::print;
 use liftoff_studio::sweep::{Shard, Share};
@@ -20,6 +20,7 @@ type Environment<'a> = &'a dyn Fn(&str) -> Option<String>;
 impl Options {
     /// The folder of shards, where a part of the sweep is asked for, or a script that does.
     pub fn folder(&self) -> Result<Option<&Path>, CommandError> {
+        self.out.iter().try_for_each(|folder| check_folder(folder))?;
         let usage = |text: String| Err(CommandError::Usage(text));
         let part = [("--shard", self.shard.is_some()), ("--sbatch", self.sbatch.is_some())];
         let whole = [
