@@ -73,6 +73,7 @@ fn a_step_ladder() {
         "0 = ½ (s² − 4 l² cos² φ)/s",
         "⅔ m l² φ̈ − m l y_C'' cos φ = m g l cos φ − l N(A, B) cos φ + 2 (l²/s) N(AB) sin 2φ",
         "−m l φ̈ cos φ + (2 m + p) y_C'' + m l φ̇² sin φ = −(2 m + p) g + N(A, B)",
+        "N(A, B) = N(A) + N(B)",
     ];
     let text = set.to_string();
     assert_eq!(text.lines().map(str::trim).collect::<Vec<_>>(), expected);

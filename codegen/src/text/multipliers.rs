@@ -50,7 +50,12 @@ impl TextWriter<'_> {
             unclosed: self.unclosed(),
             eliminated: rows.iter().filter_map(|&row| self.constraint(row)).collect(),
             motion: (0..motion.n).map(|i| self.balance(dense, &acting, i)).collect(),
-            reactions: self.lengths(set).chain(self.frictions(set)).collect(),
+            reactions: rows
+                .iter()
+                .filter_map(|&row| self.total(row))
+                .chain(self.lengths(set))
+                .chain(self.frictions(set))
+                .collect(),
             ..PhaseEquations::default()
         }
     }

@@ -25,7 +25,11 @@ impl TextWriter<'_> {
             reactions: phase
                 .reactions
                 .iter()
-                .map(|(row, reaction)| Equation::new(self.row(*row), self.quotient(reaction)))
+                .flat_map(|(row, reaction)| {
+                    self.total(*row)
+                        .into_iter()
+                        .chain([Equation::new(self.row(*row), self.quotient(reaction))])
+                })
                 .chain(self.frictions(phase.set))
                 .collect(),
             cost: self.cost(phase),

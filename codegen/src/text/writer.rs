@@ -1,8 +1,8 @@
 //! Names of parameters, coordinates and reactions as they are written.
 
 use crate::Analysis;
-use crate::algebra::{Angle, Series, Symbol, SymbolNames};
-use crate::math::Math;
+use crate::algebra::{Angle, Names, Series, Symbol};
+use crate::math::{Equation, Math};
 use crate::system::{CoordinateKind, ParameterNames, Reference};
 
 /// Writes with the names of one model.
@@ -77,6 +77,14 @@ impl TextWriter<'_> {
             _ if row < slips => Math::Words(format!("force of {}", kinematics.joints[row - contacts].name)),
             _ => Math::named("R", &motion.contacts[motion.tangents[row - slips]].label(system)),
         }
+    }
+
+    /// `N(A, E) = N(A) + N(E)` of a contact with several supports.
+    pub fn total(&self, row: usize) -> Option<Equation> {
+        let Analysis { system, motion, .. } = self.analysis;
+        let contact = motion.contacts.get(row).filter(|contact| contact.supports.len() > 1)?;
+        let each = contact.supports.iter().map(|&support| Math::of("N", &system.supports[support].name));
+        Some(Equation::new(self.row(row), Math::sum(each)))
     }
 
     /// A constant direction in words.

@@ -75,6 +75,7 @@ impl<'a> Functions<'a> {
             let factors = form.vanishing(&self.ring, self.level.coordinate);
             Condition {
                 label: self.label(*row),
+                total: self.named.writer.total(*row),
                 reaction: Equation::new(self.named.reaction(*row as u16), self.written().form(form)),
                 vanishes: (!factors.is_empty())
                     .then(|| Equation::new(Math::ZERO, self.written().product(&factors))),

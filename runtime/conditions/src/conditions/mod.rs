@@ -47,6 +47,8 @@ pub struct Conditions {
 pub struct Condition {
     /// The contact.
     pub label: String,
+    /// `N(A, E) = N(A) + N(E)` where it has several supports.
+    pub total: Option<Equation>,
     /// `N = …`.
     pub reaction: Equation,
     /// `0 = …`, without factors that have one sign for all positive parameters; none of a reaction that never vanishes.

@@ -73,7 +73,8 @@ impl Conditions {
 }
 
 fn of_condition(condition: &Condition) -> Vec<Statement> {
-    let mut statements = vec![Statement::equation(&condition.reaction)];
+    let equations = condition.total.iter().chain([&condition.reaction]);
+    let mut statements: Vec<Statement> = equations.map(Statement::equation).collect();
     let reaction = &condition.reaction.left;
     let about = || Statement::default().formula(reaction);
     match &condition.vanishes {
