@@ -80,10 +80,11 @@ impl<'py> Options<'py> {
 
 /// Refuses conditions that the model cannot watch.
 pub fn check_conditions(layout: &'static Layout, spec: &RunSpec) -> PyResult<()> {
-    let cuts = spec.cut.iter().map(|(_, condition)| ("cut", condition));
-    let all = spec.until.iter().map(|condition| ("until", condition)).chain(cuts);
-    for (what, condition) in all {
-        Condition::parse(layout, condition).map_err(|error| refused(what, condition, &error))?;
+    for condition in &spec.until {
+        Condition::parse_each(layout, condition).map_err(|error| refused("until", condition, &error))?;
+    }
+    for (_, condition) in &spec.cut {
+        Condition::parse(layout, condition).map_err(|error| refused("cut", condition, &error))?;
     }
     Ok(())
 }

@@ -2,6 +2,8 @@
 
 use liftoff::__private::expression::si_unit::{NEWTON, RADIAN, SECOND, SiUnit};
 use liftoff::OutputError;
+use liftoff::expression::normalize_rate;
+use liftoff::expression::si_unit::{NEWTON, RADIAN, SECOND, SiUnit};
 use liftoff_studio::registry::{Quantity, QuantityError, Units};
 use liftoff_studio::run_spec::PointImpulse;
 use std::ops::RangeInclusive;
@@ -20,7 +22,11 @@ pub struct Assignment {
 pub fn assignment(text: &str) -> Result<Assignment, String> {
     let (name, value) = text.split_once('=').ok_or("expected name=value")?;
     let formula = formula(value)?;
-    Ok(Assignment { name: name.trim().to_owned(), value: formula.value(&[]), unit: formula.unit() })
+    Ok(Assignment {
+        name: normalize_rate(name.trim()).into_owned(),
+        value: formula.value(&[]),
+        unit: formula.unit(),
+    })
 }
 
 /// `support@time` as it was given.

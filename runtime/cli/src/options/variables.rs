@@ -2,6 +2,7 @@
 
 use crate::CommandError;
 use liftoff::Simulation;
+use liftoff::expression::normalize_rate;
 use liftoff_analysis::Variable;
 use liftoff_studio::run_spec::RunSpec;
 
@@ -43,7 +44,7 @@ pub fn variables(
         };
         Ok(Variable { name: name.clone(), parameter, value, unit })
     };
-    names.iter().map(variable).collect()
+    names.iter().map(|name| variable(&normalize_rate(name).into_owned())).collect()
 }
 
 /// The natural unit of a coordinate or rate.

@@ -3,7 +3,7 @@
 use crate::assembly::StartError;
 use crate::context::{CLOSED, RunContext};
 use crate::error::NameError;
-use crate::expression::{contact_of, unknown_support};
+use crate::expression::{contact_of, normalize_rate, unknown_support};
 use crate::model::names::CoordinateName;
 use crate::model::{ContactSet, DependentAngle, Layout, Term};
 use crate::system::Model;
@@ -115,6 +115,7 @@ impl GivenPose {
     }
 
     fn slot(&mut self, layout: &Layout, name: &str) -> Result<Slot<'_>, StartError> {
+        let name = &*normalize_rate(name);
         let (base, list) = match name.strip_suffix('\'') {
             Some(base) => (base, &mut self.rates),
             None => (name, &mut self.positions),

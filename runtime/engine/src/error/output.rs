@@ -34,6 +34,18 @@ pub enum OutputError {
         /// What was asked for.
         name: String,
     },
+    /// An equation joined with another condition: it holds at moments, not between them.
+    #[error("`{condition}`: `and` joins `<` and `>`, not equations; `a > b` is met where a rises through b")]
+    Combined {
+        /// The condition.
+        condition: String,
+    },
+    /// Too many comparisons in one condition.
+    #[error("`and` and `or` join {most} comparisons at most")]
+    Clauses {
+        /// The limit.
+        most: usize,
+    },
     /// The share of one support is not determined.
     #[error("only the total reaction of {contact} is determined: write N({contact})")]
     NotShared {

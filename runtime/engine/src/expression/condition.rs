@@ -1,4 +1,4 @@
-//! Conditions that end a run: `a = b`, `a < b`, `a > b`, or an expression that becomes zero.
+//! Conditions that end a run: `a = b`, `a < b`, `a > b`, comparisons joined by `and` and `or`, or an expression that becomes zero.
 
 use core::fmt;
 use std::sync::Arc;
@@ -7,7 +7,7 @@ use super::environment::{self, Environment};
 use super::evaluate;
 use super::parse::Parser;
 use super::resolve::Vocabulary;
-use super::tree::Expression;
+use super::tree::{Expression, Operator};
 use crate::context::RunContext;
 use crate::error::OutputError;
 use crate::integration::phase_point::PhasePoint;
@@ -16,6 +16,9 @@ use crate::numerics::zero::roundoff;
 
 /// Of the size of two sides, what they may differ by where they are equal.
 const ROUNDED: f64 = roundoff(64.0);
+
+/// Comparisons that `and` and `or` join; each doubles what is computed of the others.
+const MOST_CLAUSES: usize = 8;
 
 /// A condition on a motion; it is met when it becomes true, not where a run starts with it.
 ///
@@ -37,31 +40,41 @@ pub(crate) enum Relation {
     Greater,
 }
 
-/// What can be taken for a condition on a model: text or a [`Condition`].
-pub trait IntoCondition {
-    /// The condition with the names of a model.
-    ///
-    /// # Errors
-    /// The text is no condition, or names something that the model does not have.
-    fn into_condition(self, layout: &'static Layout) -> Result<Condition, OutputError>;
+/// A comparison, or several as one.
+struct Clause {
+    relation: Relation,
+    sides: [Expression; 2],
+    /// How many comparisons.
+    count: usize,
 }
 
-impl IntoCondition for Condition {
-    fn into_condition(self, _: &'static Layout) -> Result<Condition, OutputError> {
-        Ok(self)
+impl Clause {
+    /// `a < b or c > d`: holds where one of them does.
+    fn parse_any(parser: &mut Parser<'_>, text: &str) -> Result<Self, OutputError> {
+        let mut any = Self::parse_all(parser, text)?;
+        while parser.take_word("or") {
+            any = any.combine(Self::parse_all(parser, text)?, 1.0, text)?;
+        }
+        Ok(any)
     }
-}
 
-impl<T: AsRef<str>> IntoCondition for T {
-    fn into_condition(self, layout: &'static Layout) -> Result<Condition, OutputError> {
-        Condition::parse(layout, self.as_ref())
+    /// `a < b and c > d`: holds where both do.
+    fn parse_all(parser: &mut Parser<'_>, text: &str) -> Result<Self, OutputError> {
+        let mut all = Self::parse(parser, text)?;
+        while parser.take_word("and") {
+            all = all.combine(Self::parse(parser, text)?, -1.0, text)?;
+        }
+        Ok(all)
     }
-}
 
-impl Condition {
-    /// Reads a condition with the names of a model.
-    pub fn parse(layout: &'static Layout, text: &str) -> Result<Self, OutputError> {
-        let mut parser = Parser::new(text, Vocabulary::new(layout))?;
+    fn parse(parser: &mut Parser<'_>, text: &str) -> Result<Self, OutputError> {
+        if parser.take_clause() {
+            parser.enter()?;
+            let inner = Self::parse_any(parser, text)?;
+            parser.close()?;
+            parser.leave();
+            return Ok(inner);
+        }
         let left = parser.sum()?;
         let relation = if parser.take('<') {
             Some(Relation::Less)
@@ -71,8 +84,59 @@ impl Condition {
             parser.take('=').then_some(Relation::Equal)
         };
         let right = if relation.is_some() { parser.sum()? } else { Expression::Number(0.0) };
+        Ok(Self { relation: relation.unwrap_or(Relation::Equal), sides: [left, right], count: 1 })
+    }
+
+    /// Where the least (`sign` −1) or the greatest (1) of both margins is above 0.
+    fn combine(self, other: Self, sign: f64, text: &str) -> Result<Self, OutputError> {
+        let count = self.count + other.count;
+        if count > MOST_CLAUSES {
+            return Err(OutputError::Clauses { most: MOST_CLAUSES });
+        }
+        let equation = || OutputError::Combined { condition: text.trim().to_owned() };
+        let [one, other] = [self, other].map(Self::into_margin);
+        let margin = Expression::extreme(sign, one.ok_or_else(equation)?, other.ok_or_else(equation)?);
+        Ok(Self { relation: Relation::Greater, sides: [margin, Expression::Number(0.0)], count })
+    }
+
+    /// What is above 0 where it holds; nothing of an equation.
+    fn into_margin(self) -> Option<Expression> {
+        let [left, right] = self.sides;
+        let (above, below) = match self.relation {
+            Relation::Equal => return None,
+            Relation::Greater => (left, right),
+            Relation::Less => (right, left),
+        };
+        Some(match below {
+            Expression::Number(0.0) => above,
+            below => Expression::join(Operator::Subtract, above, below),
+        })
+    }
+}
+
+impl Condition {
+    /// Reads a condition with the names of a model.
+    pub fn parse(layout: &'static Layout, text: &str) -> Result<Self, OutputError> {
+        let mut parser = Parser::new(text, Vocabulary::of(layout))?;
+        let Clause { relation, sides, .. } = Clause::parse_any(&mut parser, text)?;
         parser.end()?;
-        Self::refined(text.trim(), relation.unwrap_or(Relation::Equal), [left, right])
+        Self::refined(text.trim(), relation, sides)
+    }
+
+    /// Reads the conditions that `or` joins, each as one of its own; equations may be among them.
+    pub fn parse_each(layout: &'static Layout, text: &str) -> Result<Vec<Self>, OutputError> {
+        let mut parser = Parser::new(text, Vocabulary::of(layout))?;
+        let mut all = Vec::new();
+        loop {
+            let start = parser.column();
+            let Clause { relation, sides, .. } = Clause::parse_all(&mut parser, text)?;
+            let own: String = text.chars().take(parser.column() - 1).skip(start - 1).collect();
+            all.push(Self::refined(own.trim(), relation, sides)?);
+            if !parser.take_word("or") {
+                parser.end()?;
+                return Ok(all);
+            }
+        }
     }
 
     /// Refuses what cannot become true; a side that is to become zero is taken in the form that changes its sign there.
@@ -104,7 +168,11 @@ impl Condition {
             Relation::Less => (Relation::Greater, ['<', '>']),
             Relation::Greater => (Relation::Less, ['>', '<']),
         };
-        let text = self.text.replace(sign[0], &sign[1].to_string()).into();
+        let text = match self.text.matches(['<', '>']).count() {
+            1 => self.text.replace(sign[0], &sign[1].to_string()),
+            _ => format!("not ({})", self.text),
+        };
+        let text = text.into();
         Self { text, relation, ..self.clone() }
     }
 

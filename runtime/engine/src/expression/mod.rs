@@ -25,8 +25,8 @@ pub(crate) use enclosure::Enclosure;
 pub use environment::{Environment, Variable};
 pub use formula::Formula;
 pub(crate) use interval::Interval;
-pub use resolve::{contact_of, contact_set, unknown_support};
-pub(crate) use series::{SeriesQuantity, Sides};
+pub use resolve::{contact_of, contact_set, normalize_rate, unknown_support};
+pub(crate) use series::{Known, Sides};
 pub use significant::{significant, superscript, unrounded};
 pub(crate) use switch::{Switch, Switched, Switches};
 pub use tree::{Function, Operator};
@@ -44,7 +44,7 @@ use tree::Expression;
 /// A quantity of a motion.
 ///
 /// Numbers, `+ - * / ^`, parentheses, `sqrt sin cos tan abs`, `pi`, parameters, `t`; coordinates `phi`, rates `phi'`,
-/// accelerations `phi''`; position, velocity and acceleration of a point `x(P) y(P) vx(P) vy(P) ax(P) ay(P)`;
+/// accelerations `phi''`, also `rate(phi)`; angles may have a unit, `30 deg`; position, velocity and acceleration of a point `x(P) y(P) vx(P) vy(P) ax(P) ay(P)`;
 /// the reaction of a support or tension of a thread `N(A)`, of a whole contact `N(A, C, E)`; the friction force of a support
 /// that has friction or is rough `R(A)`, and `ratio(A)` = R/N, of a guide R/|N|; of one with friction its slip velocity `v(A)` and the
 /// coefficient `mu(A)` that bounds |R|/N, the static one while it sticks; `gap(A)`; energies `T`, `V`, `E`, and `D`, what friction,

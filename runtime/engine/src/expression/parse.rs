@@ -1,6 +1,6 @@
 //! Recursive descent: sum → product → sign → power → primary.
 
-use super::resolve::{DRIVE, Vocabulary};
+use super::resolve::{DRIVE, RATE, Vocabulary};
 use super::token::{Token, tokens, unexpected};
 use super::tree::{Expression, Function, Operator};
 use crate::error::{LONGEST, MOST_OPERATORS, OutputError};
@@ -44,6 +44,28 @@ impl<'a> Parser<'a> {
         next
     }
 
+    /// Takes the name if it is next.
+    pub(super) fn take_word(&mut self, word: &str) -> bool {
+        let next = matches!(self.token(), Token::Name(name, 0) if name == word);
+        self.at += usize::from(next);
+        next
+    }
+
+    /// Takes `(` if it is next and has a comparison up to its `)`: an expression has none.
+    pub(super) fn take_clause(&mut self) -> bool {
+        let mut open = 0;
+        let inside = self.tokens[self.at..].iter().map(|(token, _)| token).take_while(|token| {
+            open += match token {
+                Token::Symbol('(') => 1,
+                Token::Symbol(')') => -1,
+                _ => 0,
+            };
+            open > 0
+        });
+        let is_comparison = |token: &Token| matches!(token, Token::Symbol('<' | '>' | '='));
+        inside.into_iter().any(is_comparison) && self.take('(')
+    }
+
     pub(super) fn sum(&mut self) -> Result<Expression, OutputError> {
         let mut sum = self.product()?;
         loop {
@@ -76,14 +98,20 @@ impl<'a> Parser<'a> {
 
     /// Also the exponent of a power, so that `2^-1` and `-x^2` read as usual.
     fn sign(&mut self) -> Result<Expression, OutputError> {
-        self.depth += 1;
-        if self.depth > DEEPEST {
-            return Err(OutputError::Depth { column: self.column() });
-        }
+        self.enter()?;
         let signed =
             if self.take('-') { Expression::apply(Function::Negate, self.sign()?) } else { self.power()? };
-        self.depth -= 1;
+        self.leave();
         Ok(signed)
+    }
+
+    pub(super) fn enter(&mut self) -> Result<(), OutputError> {
+        self.depth += 1;
+        if self.depth > DEEPEST { Err(OutputError::Depth { column: self.column() }) } else { Ok(()) }
+    }
+
+    pub(super) fn leave(&mut self) {
+        self.depth -= 1;
     }
 
     fn power(&mut self) -> Result<Expression, OutputError> {
@@ -98,7 +126,9 @@ impl<'a> Parser<'a> {
         match self.token().clone() {
             Token::Number(x) => {
                 self.at += 1;
-                Ok(Expression::Number(x))
+                let value = if self.take_word("deg") { x.to_radians() } else { x };
+                self.take_word("rad");
+                Ok(Expression::Number(value))
             }
             Token::Name(name, primes) => {
                 self.at += 1;
@@ -121,6 +151,14 @@ impl<'a> Parser<'a> {
             return Ok(Expression::apply(function, argument));
         }
         let names = self.names.of_model(name)?;
+        if name == RATE {
+            let column = self.column();
+            let rate = self.sum()?.rate();
+            self.close()?;
+            return rate.ok_or_else(|| {
+                unexpected("a coordinate, or `x` or `y` of a point", "something else".to_owned(), column)
+            });
+        }
         if names.is_quantity(name) {
             let arguments = self.raw()?;
             return names.quantity(name, &arguments);
@@ -175,7 +213,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    fn close(&mut self) -> Result<(), OutputError> {
+    pub(super) fn close(&mut self) -> Result<(), OutputError> {
         if self.take(')') { Ok(()) } else { Err(self.expected("`)`")) }
     }
 
@@ -183,7 +221,7 @@ impl<'a> Parser<'a> {
         &self.tokens[self.at].0
     }
 
-    fn column(&self) -> usize {
+    pub(super) fn column(&self) -> usize {
         self.tokens[self.at].1
     }
 

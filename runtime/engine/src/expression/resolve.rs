@@ -4,6 +4,7 @@ use super::tree::{Expression, Function, Operator};
 use crate::error::{NameError, OutputError};
 use crate::model::{Contact, ContactKind, ContactSet, DependentAngle, Layout, Quantity, Term};
 use core::f64::consts::FRAC_PI_2;
+use std::borrow::Cow;
 
 const POINTS: [(&str, usize, usize); 6] =
     [("x", 0, 0), ("y", 1, 0), ("vx", 0, 1), ("vy", 1, 1), ("ax", 0, 2), ("ay", 1, 2)];
@@ -16,6 +17,16 @@ const COEFFICIENT: &str = "mu";
 /// What the names of drives on conditions begin with.
 pub(super) const DRIVE: &str = "drive";
 const OF_CONTACTS: [&str; 6] = ["N", "R", "ratio", SLIP, COEFFICIENT, "gap"];
+
+/// A rate as a function: `rate(phi)` is `phi'`.
+pub(super) const RATE: &str = "rate";
+
+/// `phi'` for `rate(phi)`; other names as they are.
+pub fn normalize_rate(name: &str) -> Cow<'_, str> {
+    let inner =
+        name.strip_prefix(RATE).and_then(|rest| rest.trim_start().strip_prefix('(')?.strip_suffix(')'));
+    inner.map_or(Cow::Borrowed(name), |inner| Cow::Owned(format!("{}'", inner.trim())))
+}
 
 /// What names stand for.
 #[derive(Clone, Copy)]
@@ -104,7 +115,7 @@ impl Names {
 
     /// Refuses unknown functions before their arguments are read.
     pub(super) fn check_function(&self, name: &str) -> Result<(), OutputError> {
-        let of_names = || POINTS.iter().map(|(name, ..)| *name).chain(OF_CONTACTS);
+        let of_names = || POINTS.iter().map(|(name, ..)| *name).chain(OF_CONTACTS).chain([RATE]);
         if of_names().any(|known| known == name) {
             return Ok(());
         }

@@ -2,8 +2,8 @@
 
 use super::parse::Parser;
 use super::resolve::Vocabulary;
-use super::tree::{Expression, Operator};
-use super::{Condition, Formula};
+use super::tree::{Expression, Function, Operator};
+use super::{Condition, Environment, Formula, Variable};
 use crate::error::OutputError;
 use crate::model::{Contact, ContactKind, Coordinate, Friction, Law, Layout, Quantity, QuantityKind};
 
@@ -203,6 +203,76 @@ fn a_side_that_is_constant_is_subtracted() {
     assert!((negative.size() - 9.0).abs() < 1e-14 && sides("phi = 2.6").size() == 2.6);
 }
 
+#[test]
+fn rates_degrees_and_comparisons_have_all_their_spellings() {
+    let same = |one: &str, other: &str| assert_eq!(parse(one).unwrap(), parse(other).unwrap(), "{one}");
+    same("rate(phi)", "phi'");
+    same("rate(rate( phi ))", "phi''");
+    same("rate(x(D))", "vx(D)");
+    same("rate(l * phi - m)", "l * phi' - 0");
+    same("30deg", &30.0_f64.to_radians().to_string());
+    same("2 * 30° + 1 rad", &format!("2 * {} + 1", 30.0_f64.to_radians()));
+    assert!(parse("rate(phi'')").is_err() && parse("rate(sin(phi))").is_err() && parse("30 m").is_err());
+    let sides = |text: &str| {
+        let condition = Condition::parse(&LAYOUT, text).unwrap();
+        (condition.relation(), condition.values(&At(0.3)).unwrap())
+    };
+    assert_eq!(sides("phi == 1"), sides("phi = 1"));
+    assert_eq!(sides("phi <= 1"), sides("phi < 1"));
+    assert_eq!(sides("phi >= 1 && phi' < 0"), sides("(phi > 1) and (rate(phi) < 0)"));
+    assert_eq!(sides("phi > 1 || phi < -1"), sides("phi > 1 or phi < -1"));
+}
+
+/// Every variable has this value.
+struct At(f64);
+
+impl Environment for At {
+    type Value = f64;
+    type Error = core::convert::Infallible;
+
+    fn number(&self, x: f64) -> f64 {
+        x
+    }
+
+    fn read(&self, _: Variable) -> Result<f64, Self::Error> {
+        Ok(self.0)
+    }
+
+    fn apply(&self, function: Function, x: f64) -> Result<f64, Self::Error> {
+        Ok(function.of(x))
+    }
+
+    fn join(&self, operator: Operator, a: f64, b: f64) -> Result<f64, Self::Error> {
+        Ok(operator.of(a, b))
+    }
+}
+
+/// `and` is the least margin, `or` the greatest; `and` goes before `or`.
+#[test]
+fn joined_comparisons_hold_as_in_logic() {
+    let holds = |text: &str, phi: f64| {
+        let condition = Condition::parse(&LAYOUT, text).unwrap();
+        let [left, right] = condition.values(&At(phi)).unwrap();
+        left > right
+    };
+    for phi in [-2.0, -0.5, 0.5, 2.0] {
+        assert_eq!(holds("phi > -1 and phi < 1", phi), phi > -1.0 && phi < 1.0);
+        assert_eq!(holds("phi < -1 or phi > 1", phi), !(-1.0..=1.0).contains(&phi));
+        assert_eq!(holds("phi < -1 or phi > 0 and phi < 1", phi), phi < -1.0 || phi > 0.0 && phi < 1.0);
+        assert_eq!(holds("(phi < -1 or phi > 0) and phi < 1", phi), (phi < -1.0 || phi > 0.0) && phi < 1.0);
+    }
+    let each = Condition::parse_each(&LAYOUT, "phi = 1 or t = 3 or phi > 0 and phi' > 2").unwrap();
+    let texts: Vec<String> = each.iter().map(ToString::to_string).collect();
+    assert_eq!(texts, ["phi = 1", "t = 3", "phi > 0 and phi' > 2"]);
+    let error = |text: &str| Condition::parse(&LAYOUT, text).unwrap_err();
+    assert!(matches!(error("phi = 0 and phi' > 0"), OutputError::Combined { .. }));
+    assert!(matches!(error(&vec!["phi > 0"; 9].join(" and ")), OutputError::Clauses { most: 8 }));
+    let deep = format!("{}phi > 0{}", "(".repeat(1000), ")".repeat(1000));
+    assert!(matches!(error(&deep), OutputError::Depth { .. }));
+    let negated = Condition::parse(&LAYOUT, "phi > 0 and phi' > 2").unwrap().negated();
+    assert_eq!(negated.to_string(), "not (phi > 0 and phi' > 2)");
+}
+
 /// Whatever is accepted is read, evaluated and dropped on the 2 MiB of stack that a thread has.
 #[test]
 fn length_and_depth_are_bounded() {
@@ -230,10 +300,10 @@ fn length_and_depth_are_bounded() {
 /// Words of the language in any order, and any characters: read or refused, within its bounds.
 #[test]
 fn whatever_is_written_is_read_or_refused() {
-    const WORDS: [&str; 40] = [
-        "phi", "phi'", "m", "l", "x", "y", "(", ")", "+", "-", "*", "/", "^", "=", "<", ">", ",", "N", "A",
-        "E", "D", "B", "sin", "sqrt", "abs", "fx", "gap", "ratio", "1", "2.5e3", ".", "1e", "e-", "'", "mm",
-        "deg", "kg/s^2", " ", "µ", "\0",
+    const WORDS: [&str; 47] = [
+        " and ", " or ", "==", "&&", "||", "rate", "°", "phi", "phi'", "m", "l", "x", "y", "(", ")", "+",
+        "-", "*", "/", "^", "=", "<", ">", ",", "N", "A", "E", "D", "B", "sin", "sqrt", "abs", "fx", "gap",
+        "ratio", "1", "2.5e3", ".", "1e", "e-", "'", "mm", "deg", "kg/s^2", " ", "µ", "\0",
     ];
     let mut state = 1u64;
     let mut draw = |below: usize| {

@@ -49,6 +49,19 @@ pub(super) fn tokens(text: &str) -> Result<Vec<(Token, usize)>, OutputError> {
             }
             c if c.is_ascii_digit() || c == '.' => number(&characters, &mut at)?,
             c if c.is_alphabetic() || c == '_' => name(&characters, &mut at),
+            '°' => {
+                at += 1;
+                Token::Name("deg".to_owned(), 0)
+            }
+            // `==`, `<=` and `>=`: equality makes no difference to when a condition becomes true.
+            c @ ('=' | '<' | '>') if characters.get(at + 1) == Some(&'=') => {
+                at += 2;
+                Token::Symbol(c)
+            }
+            c @ ('&' | '|') if characters.get(at + 1) == Some(&c) => {
+                at += 2;
+                Token::Name(if c == '&' { "and" } else { "or" }.to_owned(), 0)
+            }
             c @ ('+' | '-' | '*' | '/' | '^' | '(' | ')' | ',' | '=' | '<' | '>') => {
                 at += 1;
                 Token::Symbol(c)

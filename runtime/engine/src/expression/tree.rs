@@ -116,6 +116,35 @@ impl Expression {
         Self::Join(operator, Box::new(left), Box::new(right))
     }
 
+    /// Its derivative by time, of what is linear in coordinates and positions of points; none of anything else.
+    pub(super) fn rate(&self) -> Option<Self> {
+        match self {
+            fixed if fixed.is_fixed() => Some(Self::Number(0.0)),
+            &Self::Coordinate { index, order } => {
+                (order < 2).then_some(Self::Coordinate { index, order: order + 1 })
+            }
+            &Self::Point { index, axis, order } => {
+                (order < 2).then_some(Self::Point { index, axis, order: order + 1 })
+            }
+            Self::Apply(Function::Negate, x) => Some(Self::apply(Function::Negate, x.rate()?)),
+            Self::Join(operator @ (Operator::Add | Operator::Subtract), a, b) => {
+                Some(Self::join(*operator, a.rate()?, b.rate()?))
+            }
+            Self::Join(Operator::Multiply, a, b) if a.is_fixed() => {
+                Some(Self::join(Operator::Multiply, (**a).clone(), b.rate()?))
+            }
+            _ => None,
+        }
+    }
+
+    /// The least of two where `sign` is −1, the greatest where it is 1: ½ (a + b ± |a − b|).
+    pub(super) fn extreme(sign: f64, a: Self, b: Self) -> Self {
+        let distance = Self::apply(Function::Abs, Self::join(Operator::Subtract, a.clone(), b.clone()));
+        let distance = Self::join(Operator::Multiply, Self::Number(sign), distance);
+        let sum = Self::join(Operator::Add, Self::join(Operator::Add, a, b), distance);
+        Self::join(Operator::Multiply, Self::Number(0.5), sum)
+    }
+
     /// Whether it depends on parameters only.
     pub(super) fn is_fixed(&self) -> bool {
         match self {

@@ -330,13 +330,14 @@ impl Simulation {
     }
 
     /// Ends the run where a condition becomes true, in an impact too: `phi = pi/2`, `y(D) < -l`, `t = 5`, or an expression becoming zero.
-    /// An equation that an impact passes is not met. Text or a [`Condition`] is taken.
-    pub fn until(mut self, condition: impl IntoCondition) -> Result<Self, OutputError> {
-        let condition = condition.into_condition(self.layout())?;
-        if condition.time(&self.context.model.parameters).is_some_and(|at| at.is_nan() || at <= 0.0) {
-            return Err(OutputError::Constant { condition: condition.to_string() });
+    /// An equation that an impact passes is not met. `and` joins `<` and `>`, `or` any conditions.
+    pub fn until(mut self, condition: &str) -> Result<Self, OutputError> {
+        for condition in Condition::parse_each(self.layout(), condition)? {
+            if condition.time(&self.context.model.parameters).is_some_and(|at| at.is_nan() || at <= 0.0) {
+                return Err(OutputError::Constant { condition: condition.to_string() });
+            }
+            self.ends.conditions.push(condition);
         }
-        self.ends.conditions.push(condition);
         Ok(self)
     }
 

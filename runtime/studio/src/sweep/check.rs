@@ -45,7 +45,10 @@ pub(super) fn check(spec: &RunSpec, layout: &'static Layout) -> Result<(), Sweep
             return Err(NameError::new("point", &blow.point, layout.points.iter().copied()).into());
         }
     }
-    for condition in spec.until.iter().chain(spec.cut.iter().map(|(_, condition)| condition)) {
+    for condition in &spec.until {
+        Condition::parse_each(layout, condition).map_err(SweepError::output(condition))?;
+    }
+    for (_, condition) in &spec.cut {
         Condition::parse(layout, condition).map_err(SweepError::output(condition))?;
     }
     if !(spec.tolerance > 0.0 && spec.tolerance < 1.0) {

@@ -2,7 +2,8 @@
 
 use super::{MOST_MEMBERS, SweepError};
 use crate::registry::Quantity;
-use liftoff::__private::expression::si_unit::SiUnit;
+use liftoff::expression::normalize_rate;
+use liftoff::expression::si_unit::SiUnit;
 
 const MANY: usize = MOST_MEMBERS + 1;
 
@@ -81,7 +82,7 @@ impl Varied {
         let form =
             || SweepError::syntax(text, "expected name=low:high:count, name=low:high or name=value,value,…");
         let (name, spread) = text.split_once('=').ok_or_else(form)?;
-        let name = name.trim().to_owned();
+        let name = normalize_rate(name.trim()).into_owned();
         let mut units = Vec::new();
         let spread =
             if spread.contains(':') { ranged(spread, &mut units) } else { listed(spread, &mut units) };

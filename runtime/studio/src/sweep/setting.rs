@@ -4,7 +4,8 @@ use super::SweepError;
 use crate::registry::{Place, Quantity};
 use crate::run_spec::{RunSpec, Values};
 use liftoff::NameError;
-use liftoff_core::model::Layout;
+use liftoff::expression::normalize_rate;
+use liftoff::model::Layout;
 
 /// `name=formula` as it was given.
 #[derive(Clone, PartialEq, Debug)]
@@ -18,7 +19,11 @@ impl Assignment {
     pub(super) fn parse(target: Place, text: &str) -> Result<Self, SweepError> {
         let (name, formula) =
             text.split_once('=').ok_or_else(|| SweepError::syntax(text, "expected name=formula"))?;
-        Ok(Self { target, name: name.trim().to_owned(), formula: formula.trim().to_owned() })
+        Ok(Self {
+            target,
+            name: normalize_rate(name.trim()).into_owned(),
+            formula: formula.trim().to_owned(),
+        })
     }
 
     /// Its meaning for a model, with these varied names.
