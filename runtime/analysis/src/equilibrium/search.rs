@@ -2,8 +2,8 @@
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
-use liftoff_core::model::ContactSet;
-use liftoff_core::scalar::{DoubleDouble, Real};
+use liftoff::model::{ContactSet, Coordinate};
+use liftoff::scalar::{DoubleDouble, Real};
 
 use super::Equilibrium;
 use super::bearing::loads;
@@ -21,7 +21,8 @@ const SAME: f64 = 1e-8;
 const DEEP: f64 = 1e-9;
 
 /// The equilibria that are found from the position of the subject: of all subsets of up to eight contacts, else of those that touch
-/// there and of their subsets without one. Of a model without contacts and loops, and where nothing is found, they are looked for from that
+/// there and of their subsets without one. The nearest is the first; angles are between −π and π where whole turns make no
+/// difference. Of a model without contacts and loops, and where nothing is found, they are looked for from that
 /// position with angles turned by quarters too.
 ///
 /// # Errors
@@ -34,6 +35,7 @@ pub fn equilibria(subject: &Subject) -> Result<Vec<Equilibrium>, AnalysisError> 
     for start in turned(subject) {
         for set in &sets {
             let Some(state) = equilibrium(subject, *set, &start, 1.0) else { continue };
+            let state = without_turns(subject, *set, state);
             if !is_possible(subject, &state) || found.iter().any(|known| is_same(subject, known, &state)) {
                 continue;
             }
@@ -43,6 +45,7 @@ pub fn equilibria(subject: &Subject) -> Result<Vec<Equilibrium>, AnalysisError> 
             break;
         }
     }
+    found.sort_by(|one, other| distance(subject, one).total_cmp(&distance(subject, other)));
     if found.is_empty() { Err(AnalysisError::NotFound { tried: sets.len() }) } else { Ok(found) }
 }
 
@@ -94,6 +97,37 @@ pub(super) fn is_possible(subject: &Subject, state: &[DoubleDouble]) -> bool {
         let beyond = foot.is_some_and(|k| feet[2 * k..2 * k + 2].iter().any(|margin| *margin < -bound));
         beyond || gaps[i] >= -bound
     })
+}
+
+/// The same position with angles between −π and π, unless it is no equilibrium there, as with a torsion spring.
+fn without_turns(subject: &Subject, set: ContactSet, state: Vec<DoubleDouble>) -> Vec<DoubleDouble> {
+    let coordinates = subject.layout().coordinates;
+    let turned = |(coordinate, q): (&Coordinate, &DoubleDouble)| match coordinate.is_angle {
+        // Half a turn is π, whatever the rounding.
+        true => *q - DoubleDouble::from_f64(TAU * (q.hi() / TAU - 0.5 - SAME).ceil()),
+        false => *q,
+    };
+    let mut moved = state.clone();
+    let positions: Vec<_> = coordinates.iter().zip(&state).map(turned).collect();
+    moved[..positions.len()].copy_from_slice(&positions);
+    let is_near = |found: &Vec<DoubleDouble>| {
+        let mut entries = coordinates.iter().zip(found.iter().zip(&moved));
+        entries.all(|(coordinate, (a, b))| {
+            (*a - *b).hi().abs() <= SAME * subject.scales.coordinate(coordinate).max(a.hi().abs())
+        })
+    };
+    equilibrium(subject, set, &moved, 1.0).filter(is_near).unwrap_or(state)
+}
+
+/// How far it is from the position of the subject, in natural units; whole turns do not count.
+fn distance(subject: &Subject, found: &Equilibrium) -> f64 {
+    let entries = subject.layout().coordinates.iter().zip(found.positions.iter().zip(&subject.state));
+    let parts = entries.map(|(coordinate, (a, b))| {
+        let apart = a - b.hi();
+        let apart = if coordinate.is_angle { apart - TAU * (apart / TAU).round() } else { apart };
+        (apart / subject.scales.coordinate(coordinate)).powi(2)
+    });
+    parts.sum()
 }
 
 /// Whether positions differ by whole turns at most.
