@@ -53,7 +53,8 @@ impl TextWriter<'_> {
         names.zip(&system.meanings).map(parameter).collect()
     }
 
-    fn coordinates(&self) -> Vec<CoordinateText> {
+    /// What coordinates and dependent angles measure.
+    pub fn coordinates(&self) -> Vec<Coordinate> {
         let coordinates = self.analysis.kinematics.coordinates.iter().enumerate();
         let meaning = |(i, coordinate): (usize, &crate::kinematics::Coordinate)| CoordinateText {
             symbol: self.symbol(Symbol::coordinate(i)),

@@ -60,7 +60,7 @@ def value(made, name):
         ("fig_1a", [("y", 2.0), ("phi", 0.1)], "support P, Q is penetrated"),
         ("fig_1a", [("m", -1.0)], "mass"),
         ("fig_1a", [("l", 0.0)], "l"),
-        ("four_bar", [("phi", 0.0)], "is broken by"),
+        ("four_bar", [("phi", 0.0)], "cannot close"),
     ],
 )
 @pytest.mark.parametrize("of", [FMU3Slave, FMU3Model])

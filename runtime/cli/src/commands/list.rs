@@ -1,7 +1,7 @@
 //! `liftoff list`.
 
 use crate::CommandError;
-use crate::options::defaults::{block, parameters};
+use crate::options::defaults::{block, measured, parameters};
 use crate::output::json::pretty;
 use crate::output::print::print;
 use crate::output::style::{LABEL, NAME, styled};
@@ -94,13 +94,9 @@ fn default_run(model: &Entry) -> Map<String, Value> {
 /// Name, summary, names, default run.
 fn in_full(model: &Entry) -> String {
     let layout = model.layout();
-    let coordinates: Vec<_> = layout
-        .names_of_positions()
-        .map(|name| format!("{name} ({})", if layout.is_angle(name) { "rad" } else { "m" }))
-        .collect();
     let supports: Vec<_> = layout.contacts.iter().map(|contact| contact.label).collect();
     let names = [
-        ("coordinates", coordinates.join(", ")),
+        ("coordinates", measured(layout)),
         ("supports", supports.join(" | ")),
         ("points", layout.points.join(", ")),
     ];

@@ -15,6 +15,8 @@ use crate::output::print::print;
 use crate::output::progress::Progress;
 use crate::output::style::{EVENT, styled};
 use clap::Args;
+use liftoff::expression::significant;
+use liftoff::model::Layout;
 use liftoff::{Observer, Output, Trajectory};
 use liftoff_core::model::Layout;
 use liftoff_studio::registry::{Entry, MethodId, Models, RunOptions, as_far, line_violation};
@@ -78,6 +80,7 @@ impl Run {
             None => (self.run(model, &spec, (samples.as_mut(), None))?, Ok(())),
         };
         self.show(&spec, &ran, samples)?;
+        self.completed(&ran.record).iter().for_each(|text| note(text));
         decisions(&ran.record).iter().for_each(|text| note(text));
         self.run_args.note_end(&ran.record);
         written?;
@@ -152,6 +155,22 @@ impl Run {
         {
             note(&behind.to_string());
         }
+    }
+
+    /// What a start that is given in part has been completed to.
+    fn completed(&self, record: &Trajectory) -> Option<String> {
+        let start = record.events().first()?;
+        let layout = record.layout();
+        let rates = layout.names_of_positions().map(|name| format!("{name}'"));
+        let rates = rates.filter(|name| start[name.as_str()] != 0.0);
+        let names = layout.names_of_positions().map(str::to_owned).chain(rates);
+        let open: Vec<String> = names
+            .filter(|name| !self.run_args.is_given(name))
+            .map(|name| format!("{name} = {}", significant(start[name.as_str()], 4)))
+            .collect();
+        (self.run_args.has_start() && !open.is_empty()).then(|| {
+            format!("the start is completed by {}: near the figure, and as contacts have it", open.join(", "))
+        })
     }
 
     fn show(&self, spec: &RunSpec, ran: &Ran, samples: Option<Samples>) -> Result<(), CommandError> {

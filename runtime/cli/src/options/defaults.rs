@@ -1,6 +1,8 @@
 //! What a run of a model takes where nothing is said.
 
 use crate::output::style::{LABEL, styled};
+use liftoff::model::Layout;
+use liftoff_studio::explain::meanings;
 use liftoff_studio::registry::Entry;
 use liftoff_studio::run_spec::{PointImpulse, RunSpec, Values};
 use std::fmt::Write;
@@ -29,6 +31,19 @@ pub fn block(model: &Entry) -> String {
         let _ = writeln!(text, "  {} {value}", styled(LABEL, &format!("{label:<11}")));
         text
     })
+}
+
+/// What coordinates measure, with their units: `phi (rad): angle of AB from the right`.
+pub fn measured(layout: &Layout) -> String {
+    let meanings = meanings(layout).unwrap_or_default();
+    let one = |(i, name): (usize, &'static str)| {
+        let unit = if layout.is_angle(name) { "rad" } else { "m" };
+        match meanings.get(i) {
+            Some(meaning) => format!("{name} ({unit}): {meaning}"),
+            None => format!("{name} ({unit})"),
+        }
+    };
+    layout.names_of_positions().enumerate().map(one).collect::<Vec<_>>().join("; ")
 }
 
 /// With their defaults, where the model has a default run, and their units, where it declares them.

@@ -155,7 +155,12 @@ pub fn with_examples(command: Command, models: &Models) -> Command {
         let examples = names.examples(command.get_name());
         let runs = RUNNING.contains(&command.get_name());
         let defaults = asked.filter(|_| runs).map(|model| {
-            format!("{}, where nothing else is said:\n{}", model.name(), defaults::block(model))
+            format!(
+                "Coordinates of {name}: {}\n{name}, where nothing else is said:\n{}",
+                defaults::measured(model.layout()),
+                defaults::block(model),
+                name = model.name(),
+            )
         });
         let texts = defaults.into_iter().chain([examples]).filter(|text| !text.is_empty());
         match texts.collect::<Vec<_>>().join("\n") {

@@ -58,6 +58,11 @@ impl RunArgs {
         !self.pose.start.is_empty()
     }
 
+    /// Whether the start has this coordinate or rate.
+    pub fn is_given(&self, name: &str) -> bool {
+        self.pose.start.iter().any(|given| given.name == name)
+    }
+
     /// The latest end time, where one is given.
     pub fn limit(&self) -> Option<f64> {
         self.events.limit

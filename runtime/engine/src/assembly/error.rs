@@ -4,6 +4,7 @@ use thiserror::Error;
 
 use crate::contact::ContactError;
 use crate::error::NameError;
+use crate::expression::significant;
 
 /// A start from which no motion follows.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -104,7 +105,7 @@ pub enum StartError {
     },
     /// A joint or constraint is not satisfied.
     #[error(
-        "{joint} is broken by {gap:.3e}: nothing that is left open closes it; change the start, or lengths"
+        "{joint} cannot close: {} are missing (m, of angles rad), whatever the coordinates that are left open; change the start, or lengths", significant(gap.abs(), 4)
     )]
     Broken {
         /// The joint.

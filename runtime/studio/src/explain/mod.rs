@@ -87,6 +87,15 @@ fn attribute(attribute: &syn::Attribute) -> String {
     format!("#[{text}]")
 }
 
+/// What each coordinate of a model measures, in the order of [`Layout::names_of_positions`]: `angle of AB from the right`.
+///
+/// # Errors
+/// The mistakes of a declaration that has any.
+pub fn meanings(layout: &Layout) -> Result<Vec<String>, String> {
+    let coordinates = derived(layout, |analysis| Ok(text::Writer::of(analysis).coordinates()))?;
+    Ok(coordinates.into_iter().map(|coordinate| coordinate.meaning).collect())
+}
+
 /// The equations of motion of a model and of its phases in textbook notation: those of the whole system and those of each
 /// phase in closed form. As text they are stable, fit for snapshots. In place of a declaration's equations stand its mistakes,
 /// if it has any.

@@ -82,6 +82,7 @@ pub use observation::Observation;
 pub use range::{Range, Spread, Varied};
 pub use sample::Sample;
 pub use shard::{MOST_SHARDS, Merged, Shard, Share, merge};
+pub use summary::SHOWN;
 pub use table::Table;
 pub use team::Leader;
 pub use threshold::Threshold;

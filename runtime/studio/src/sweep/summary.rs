@@ -9,8 +9,8 @@ use std::fmt::Write;
 
 /// So many members that failed are listed.
 const LISTED: usize = 10;
-/// A sweep of so many members is shown whole.
-const SHOWN: usize = 20;
+/// A sweep of at most so many members is shown whole.
+pub const SHOWN: usize = 20;
 
 impl Table {
     /// How many members, what was observed how often, least, median and greatest numbers, which failed and why.

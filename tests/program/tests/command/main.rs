@@ -9,6 +9,7 @@ mod diagnostics;
 mod ends;
 mod examples;
 mod files;
+mod first_steps;
 mod fit;
 mod help;
 mod interrupted;

@@ -15,7 +15,7 @@ use clap::Args;
 use liftoff_processes::{Processes, joined};
 use liftoff_studio::registry::{Entry, Models};
 use liftoff_studio::sweep::{
-    Leader, Shard, Share, Sweep as Builder, SweepError, Table, Threshold, merge, refuse,
+    Leader, SHOWN, Shard, Share, Sweep as Builder, SweepError, Table, Threshold, merge, refuse,
 };
 use options::Options;
 use std::fs::{remove_dir, remove_file};
@@ -182,7 +182,13 @@ impl Options {
         let pictures = self.svg.iter().map(PathBuf::as_path);
         print_beside(self.tables().chain(pictures).find(|path| is_output(path)), &table.summary())?;
         drawn?;
+        if self.tables().next().is_none() && table.rows.len() > SHOWN {
+            note("a table of all members is written by --csv FILE");
+        }
         match (table.is_whole(), self.journal()) {
+            (true, _) if !table.rows.is_empty() && table.failed().count() == table.rows.len() => {
+                Err(CommandError::Failed("every member has failed".to_owned()))
+            }
             (true, _) => Ok(()),
             (false, Some(path)) => Err(CommandError::Interrupted(format!(
                 "interrupted; the same command goes on where it was: {} has what is done",
