@@ -5,8 +5,5 @@ pub mod command;
 pub mod paper;
 pub mod stability;
 
-#[cfg(feature = "compiled")]
-pub use liftoff_compiled::models;
 pub use liftoff_systems as systems;
-#[cfg(not(feature = "compiled"))]
 pub use liftoff_systems::models;

@@ -54,7 +54,7 @@ impl TextWriter<'_> {
     }
 
     /// What coordinates and dependent angles measure.
-    pub fn coordinates(&self) -> Vec<Coordinate> {
+    pub fn coordinates(&self) -> Vec<CoordinateText> {
         let coordinates = self.analysis.kinematics.coordinates.iter().enumerate();
         let meaning = |(i, coordinate): (usize, &crate::kinematics::Coordinate)| CoordinateText {
             symbol: self.symbol(Symbol::coordinate(i)),

@@ -1,7 +1,7 @@
 //! Names of parameters, coordinates and reactions as they are written.
 
 use crate::Analysis;
-use crate::algebra::{Angle, Names, Series, Symbol};
+use crate::algebra::{Angle, Series, Symbol, SymbolNames};
 use crate::math::{Equation, Math};
 use crate::system::{CoordinateKind, ParameterNames, Reference};
 
@@ -83,7 +83,7 @@ impl TextWriter<'_> {
     pub fn total(&self, row: usize) -> Option<Equation> {
         let Analysis { system, motion, .. } = self.analysis;
         let contact = motion.contacts.get(row).filter(|contact| contact.supports.len() > 1)?;
-        let each = contact.supports.iter().map(|&support| Math::of("N", &system.supports[support].name));
+        let each = contact.supports.iter().map(|&support| Math::named("N", &system.supports[support].name));
         Some(Equation::new(self.row(row), Math::sum(each)))
     }
 

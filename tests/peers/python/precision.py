@@ -5,7 +5,7 @@ The error is the largest of an angle in radians and of a rate in natural units â
     pip install heyoka
     python precision.py
 
-Beside it, on the same machine: cargo run --profile bench --features compiled -- precision double-pendulum
+Beside it, on the same machine: cargo run --profile bench -p liftoff-compiled --features program -- precision double-pendulum
 --start phi_1=2 --start phi_2=1 --limit 10.
 """
 import time

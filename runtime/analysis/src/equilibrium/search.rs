@@ -2,8 +2,8 @@
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
-use liftoff::model::{ContactSet, Coordinate};
-use liftoff::scalar::{DoubleDouble, Real};
+use liftoff_core::model::{ContactSet, Coordinate};
+use liftoff_core::scalar::{DoubleDouble, Real};
 
 use super::Equilibrium;
 use super::bearing::loads;

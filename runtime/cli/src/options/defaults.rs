@@ -1,7 +1,7 @@
 //! What a run of a model takes where nothing is said.
 
 use crate::output::style::{LABEL, styled};
-use liftoff::model::Layout;
+use liftoff_core::model::Layout;
 use liftoff_studio::explain::meanings;
 use liftoff_studio::registry::Entry;
 use liftoff_studio::run_spec::{PointImpulse, RunSpec, Values};

@@ -1,9 +1,8 @@
 //! `name=value`, `support@time`, `thread=condition` and `point=px,py@time` arguments.
 
+use liftoff::__private::expression::normalize_rate;
 use liftoff::__private::expression::si_unit::{NEWTON, RADIAN, SECOND, SiUnit};
 use liftoff::OutputError;
-use liftoff::expression::normalize_rate;
-use liftoff::expression::si_unit::{NEWTON, RADIAN, SECOND, SiUnit};
 use liftoff_studio::registry::{Quantity, QuantityError, Units};
 use liftoff_studio::run_spec::PointImpulse;
 use std::ops::RangeInclusive;

@@ -1,8 +1,8 @@
 //! Parameters, and what is given at the start, as what runs are varied with.
 
 use crate::CommandError;
+use liftoff::__private::expression::normalize_rate;
 use liftoff::Simulation;
-use liftoff::expression::normalize_rate;
 use liftoff_analysis::Variable;
 use liftoff_studio::run_spec::RunSpec;
 

@@ -40,6 +40,27 @@ pub(crate) enum Relation {
     Greater,
 }
 
+/// What can be taken for conditions on a model, one of which is to be met: text or a [`Condition`].
+pub trait IntoConditions {
+    /// The conditions with the names of a model.
+    ///
+    /// # Errors
+    /// The text is no condition, or names something that the model does not have.
+    fn into_conditions(self, layout: &'static Layout) -> Result<Vec<Condition>, OutputError>;
+}
+
+impl IntoConditions for Condition {
+    fn into_conditions(self, _: &'static Layout) -> Result<Vec<Condition>, OutputError> {
+        Ok(vec![self])
+    }
+}
+
+impl<T: AsRef<str>> IntoConditions for T {
+    fn into_conditions(self, layout: &'static Layout) -> Result<Vec<Condition>, OutputError> {
+        Condition::parse_each(layout, self.as_ref())
+    }
+}
+
 /// A comparison, or several as one.
 struct Clause {
     relation: Relation,
@@ -117,7 +138,7 @@ impl Clause {
 impl Condition {
     /// Reads a condition with the names of a model.
     pub fn parse(layout: &'static Layout, text: &str) -> Result<Self, OutputError> {
-        let mut parser = Parser::new(text, Vocabulary::of(layout))?;
+        let mut parser = Parser::new(text, Vocabulary::new(layout))?;
         let Clause { relation, sides, .. } = Clause::parse_any(&mut parser, text)?;
         parser.end()?;
         Self::refined(text.trim(), relation, sides)
@@ -125,7 +146,7 @@ impl Condition {
 
     /// Reads the conditions that `or` joins, each as one of its own; equations may be among them.
     pub fn parse_each(layout: &'static Layout, text: &str) -> Result<Vec<Self>, OutputError> {
-        let mut parser = Parser::new(text, Vocabulary::of(layout))?;
+        let mut parser = Parser::new(text, Vocabulary::new(layout))?;
         let mut all = Vec::new();
         loop {
             let start = parser.column();

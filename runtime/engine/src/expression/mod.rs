@@ -20,13 +20,13 @@ mod token;
 mod tree;
 
 pub(crate) use condition::Relation;
-pub use condition::{Condition, IntoCondition};
+pub use condition::{Condition, IntoConditions};
 pub(crate) use enclosure::Enclosure;
 pub use environment::{Environment, Variable};
 pub use formula::Formula;
 pub(crate) use interval::Interval;
 pub use resolve::{contact_of, contact_set, normalize_rate, unknown_support};
-pub(crate) use series::{Known, Sides};
+pub(crate) use series::{SeriesQuantity, Sides};
 pub use significant::{significant, superscript, unrounded};
 pub(crate) use switch::{Switch, Switched, Switches};
 pub use tree::{Function, Operator};

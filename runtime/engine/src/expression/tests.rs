@@ -234,16 +234,16 @@ impl Environment for At {
         x
     }
 
-    fn read(&self, _: Variable) -> Result<f64, Self::Error> {
+    fn get_value(&self, _: Variable) -> Result<f64, Self::Error> {
         Ok(self.0)
     }
 
     fn apply(&self, function: Function, x: f64) -> Result<f64, Self::Error> {
-        Ok(function.of(x))
+        Ok(function.apply(x))
     }
 
     fn join(&self, operator: Operator, a: f64, b: f64) -> Result<f64, Self::Error> {
-        Ok(operator.of(a, b))
+        Ok(operator.apply(a, b))
     }
 }
 

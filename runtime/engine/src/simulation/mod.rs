@@ -34,7 +34,7 @@ use crate::context::{RunContext, Scales, reduce, scales_of};
 use crate::error::{ModelError, NameError, OutputError, ScheduleError, SupportError};
 use crate::event::EventFilter;
 use crate::expression::resolve::{contact_of, unknown_support};
-use crate::expression::{Condition, IntoCondition, Output};
+use crate::expression::{Condition, IntoConditions, Output};
 use crate::integration::method::{Auto, Method};
 use crate::integration::phase_point::PhasePoint;
 use crate::model::names::{ContactFilter, ContactName, PointName, ThreadName};
@@ -330,9 +330,9 @@ impl Simulation {
     }
 
     /// Ends the run where a condition becomes true, in an impact too: `phi = pi/2`, `y(D) < -l`, `t = 5`, or an expression becoming zero.
-    /// An equation that an impact passes is not met. `and` joins `<` and `>`, `or` any conditions.
-    pub fn until(mut self, condition: &str) -> Result<Self, OutputError> {
-        for condition in Condition::parse_each(self.layout(), condition)? {
+    /// An equation that an impact passes is not met. `and` joins `<` and `>`, `or` any conditions. Text or a [`Condition`] is taken.
+    pub fn until(mut self, condition: impl IntoConditions) -> Result<Self, OutputError> {
+        for condition in condition.into_conditions(self.layout())? {
             if condition.time(&self.context.model.parameters).is_some_and(|at| at.is_nan() || at <= 0.0) {
                 return Err(OutputError::Constant { condition: condition.to_string() });
             }

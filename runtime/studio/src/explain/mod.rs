@@ -92,7 +92,7 @@ fn attribute(attribute: &syn::Attribute) -> String {
 /// # Errors
 /// The mistakes of a declaration that has any.
 pub fn meanings(layout: &Layout) -> Result<Vec<String>, String> {
-    let coordinates = derived(layout, |analysis| Ok(text::Writer::of(analysis).coordinates()))?;
+    let coordinates = derived(layout, |analysis| Ok(text::TextWriter::new(analysis).coordinates()))?;
     Ok(coordinates.into_iter().map(|coordinate| coordinate.meaning).collect())
 }
 

@@ -2,8 +2,8 @@
 
 use super::{MOST_MEMBERS, SweepError};
 use crate::registry::Quantity;
-use liftoff::expression::normalize_rate;
-use liftoff::expression::si_unit::SiUnit;
+use liftoff::__private::expression::normalize_rate;
+use liftoff::__private::expression::si_unit::SiUnit;
 
 const MANY: usize = MOST_MEMBERS + 1;
 

@@ -3,9 +3,9 @@
 use super::SweepError;
 use crate::registry::{Place, Quantity};
 use crate::run_spec::{RunSpec, Values};
+use liftoff::__private::expression::normalize_rate;
 use liftoff::NameError;
-use liftoff::expression::normalize_rate;
-use liftoff::model::Layout;
+use liftoff_core::model::Layout;
 
 /// `name=formula` as it was given.
 #[derive(Clone, PartialEq, Debug)]

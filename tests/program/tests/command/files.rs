@@ -259,9 +259,9 @@ fn forms_that_are_not_written_are_refused_before_anything_is_computed() {
 /// A format that is given by its name may not contradict the file's.
 #[test]
 fn equations_are_written_as_their_file_is_named() {
-    let path = place("equations.tex");
+    let path = temporary_path("equations.tex");
     let file = path.to_str().expect("UTF-8");
-    told(&["explain", MODEL, "--output", file]);
+    run_program(&["explain", MODEL, "--output", file]);
     assert!(std::fs::read_to_string(&path).expect("written").contains("\\documentclass"));
     std::fs::remove_file(&path).expect("removed");
     let refused = run(&["explain", MODEL, "--format", "html", "--output", file]);

@@ -1,12 +1,12 @@
 //! What somebody tries first is understood, or told what to write instead.
 
-use crate::program::{errors, place, run, told};
+use crate::program::{errors, run, run_program, temporary_path};
 
 const MODEL: &str = "trestle";
 
 /// The last event of a run with these options.
 fn last(options: &[&str]) -> String {
-    let text = told(&[&["run", MODEL], options].concat());
+    let text = run_program(&[&["run", MODEL], options].concat());
     text.lines().last().expect("an event").to_owned()
 }
 
@@ -33,26 +33,27 @@ fn conditions_have_the_spellings_of_other_languages() {
 #[test]
 fn rates_have_both_names_wherever_they_are_given() {
     let outputs = |rate: &str| {
-        let text = told(&["run", MODEL, "--output", rate, "--start", &format!("{rate}=-1")]);
+        let text = run_program(&["run", MODEL, "--output", rate, "--start", &format!("{rate}=-1")]);
         // The head is as wide as the name.
         text.lines().skip(1).flat_map(str::split_whitespace).map(str::to_owned).collect::<Vec<_>>()
     };
     assert_eq!(outputs("alpha'"), outputs("rate(alpha)"));
-    let swept =
-        |rate: &str| told(&["sweep", MODEL, "--vary", &format!("{rate}=-1:0:3"), "--observe", "end t"]);
+    let swept = |rate: &str| {
+        run_program(&["sweep", MODEL, "--vary", &format!("{rate}=-1:0:3"), "--observe", "end t"])
+    };
     assert_eq!(swept("alpha'"), swept("rate(alpha)"));
 }
 
 #[test]
 fn degrees_are_numbers_in_every_option() {
-    let same = |one: &[&str], other: &[&str]| assert_eq!(told(one), told(other), "{other:?}");
+    let same = |one: &[&str], other: &[&str]| assert_eq!(run_program(one), run_program(other), "{other:?}");
     same(
         &["run", MODEL, "--start", "alpha=pi/3", "--start", "beta=pi/3"],
         &["run", MODEL, "--start", "alpha=60deg", "--start", "beta=60 deg"],
     );
     let sweep = |from: &str, to: &str, until: &str| {
         let varied = format!("alpha={from}:{to}:3");
-        told(&[
+        run_program(&[
             "sweep",
             MODEL,
             "--vary",
@@ -83,7 +84,7 @@ fn coordinates_are_told_with_what_they_measure() {
     let text = "alpha (rad): angle of AC from the right, counter-clockwise; beta (rad): angle of CB from the right, \
                 clockwise; x (m): x of C; y (m): y of C";
     for arguments in [&["list", MODEL][..], &["run", MODEL, "--help"]] {
-        let listed = told(arguments);
+        let listed = run_program(arguments);
         assert!(listed.contains(text), "{listed}");
     }
 }
@@ -102,7 +103,7 @@ fn a_sweep_whose_members_all_fail_fails() {
 
 #[test]
 fn a_loop_that_cannot_close_says_by_what_length() {
-    let file = place("loop.rs");
+    let file = temporary_path("loop.rs");
     let text = "#[derive(BarSystem)] #[bar(OA, mass = 1, length = a)] #[bar(AB, mass = 1, length = 2.2)]
         #[bar(BC, mass = 1, length = 0.5)] #[pin(O = (0, 0))] #[pin(C = (3, 0))]
         #[figure(A = (0.4, 0.3), B = (2.6, 0.3))] #[coordinate(phi = angle(OA), from = right)] #[run(limit = 1)]
@@ -121,13 +122,13 @@ fn a_loop_that_cannot_close_says_by_what_length() {
 /// A pendulum rests below and above; the nearest is told first, without whole turns.
 #[test]
 fn equilibria_are_told_from_the_nearest_on_without_whole_turns() {
-    let file = place("pendulum.rs");
+    let file = temporary_path("pendulum.rs");
     let text = "#[derive(BarSystem)] #[gravity(9.81)] #[bar(OA, mass = 1, length = 1)] #[pin(O = (0, 0))]
         #[figure(A = (0, -1))] #[coordinate(phi = angle(OA), from = down)] struct Pendulum {}";
     std::fs::write(&file, text).expect("a file");
     let name = file.to_str().expect("UTF-8");
     for (start, first, second) in [("0.1", "phi = 0", "phi = 3.14159"), ("16", "phi = 3.14159", "phi = 0")] {
-        let text = told(&["equilibrium", name, "--start", &format!("phi={start}")]);
+        let text = run_program(&["equilibrium", name, "--start", &format!("phi={start}")]);
         let places: Vec<&str> =
             text.lines().filter(|line| line.starts_with("  phi")).map(str::trim).collect();
         assert_eq!(places, [first, second], "{text}");
@@ -138,16 +139,16 @@ fn equilibria_are_told_from_the_nearest_on_without_whole_turns() {
 /// The sum of two reactions says of which.
 #[test]
 fn the_reaction_of_two_supports_is_told_as_their_sum() {
-    let file = place("mirrored.rs");
+    let file = temporary_path("mirrored.rs");
     let text = "#[derive(BarSystem)] #[gravity(9.81)] #[bar(AC, mass = 1, length = 1)] #[bar(CB, mass = 1, length = 1)]
         #[support(A = floor)] #[support(B = floor)] #[figure(A = (-0.6, 0), C = (0, 0.8))]
         #[coordinate(phi = angle(AC), from = horizontal)] #[mirror(x = 0)] #[run(until = \"phi = 30 deg\")] struct Frame {}";
     std::fs::write(&file, text).expect("a file");
     let name = file.to_str().expect("UTF-8");
-    assert!(told(&["explain", name]).contains("\n  N(A, B) = N(A) + N(B)\n"));
-    assert!(told(&["conditions", name]).contains("\n  N(A, B) = N(A) + N(B)\n"));
-    let page = place("mirrored.html");
-    told(&["animate", name, "--out", page.to_str().expect("UTF-8")]);
+    assert!(run_program(&["explain", name]).contains("\n  N(A, B) = N(A) + N(B)\n"));
+    assert!(run_program(&["conditions", name]).contains("\n  N(A, B) = N(A) + N(B)\n"));
+    let page = temporary_path("mirrored.html");
+    run_program(&["animate", name, "--out", page.to_str().expect("UTF-8")]);
     let written = std::fs::read_to_string(&page).expect("written");
     assert!(written.contains("\"label\":\"N(A) + N(B)\""));
     [file, page].into_iter().for_each(|path| std::fs::remove_file(path).expect("removed"));

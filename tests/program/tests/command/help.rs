@@ -1,22 +1,22 @@
 //! Help: examples that can be run, exit codes, no version that is not the program's own.
 
 use crate::examples::{find_commands, find_examples, run_examples};
-use crate::program::{errors, place, run, told};
+use crate::program::{errors, run, run_program, temporary_path};
 use std::path::Path;
 
 #[test]
 fn every_command_has_examples() {
-    let help = told(&["--help"]);
+    let help = run_program(&["--help"]);
     let names = find_commands(&help);
     assert!(names.len() > 6, "{names:?}");
     for name in names {
-        assert!(!find_examples(&told(&[name, "--help"])).is_empty(), "{name}");
+        assert!(!find_examples(&run_program(&[name, "--help"])).is_empty(), "{name}");
     }
 }
 
 #[test]
 fn every_example_runs_as_it_stands() {
-    let told = run_examples(Path::new(env!("CARGO_BIN_EXE_trestle")), &place("examples"));
+    let told = run_examples(Path::new(env!("CARGO_BIN_EXE_trestle")), &temporary_path("examples"));
     assert!(told.len() > 40, "{}", told.len());
     for quick in [
         "trestle list trestle",
