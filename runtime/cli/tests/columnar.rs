@@ -5,7 +5,7 @@ mod processes;
 
 mod example;
 
-use example::{FIG_1B, LADDER, SWEEP, liftoff, program, read, refused, refused_by_a_full_disk, told};
+use example::{FIG_1B, LADDER, SWEEP, liftoff, program, read, refused, refused_by_a_full_disk, run_program};
 use processes::{folder, text};
 use std::fs;
 use std::path::Path;
@@ -26,11 +26,11 @@ fn in_python(folder: &Path, kind: &str, stem: &str) {
 #[test]
 fn a_sweep_reads_as_its_comma_separated_table() {
     let folder = folder("sweep");
-    told(&folder, &with(&["--csv=a.csv", "--parquet=a.parquet", "--arrow=a.arrow"]));
+    run_program(&folder, &with(&["--csv=a.csv", "--parquet=a.parquet", "--arrow=a.arrow"]));
     in_python(&folder, "sweep", "a");
     // A parameter has its unit.
     let vary = ["sweep", FIG_1B, "--vary=m=0.1:0.9:5", "--observe=end vy(C)", "--csv=b.csv"];
-    told(&folder, &[&vary[..], &["--parquet=b.parquet", "--arrow=b.arrow"]].concat());
+    run_program(&folder, &[&vary[..], &["--parquet=b.parquet", "--arrow=b.arrow"]].concat());
     in_python(&folder, "parameters", "b");
 }
 
@@ -39,15 +39,15 @@ fn a_run_reads_as_its_comma_separated_table() {
     let folder = folder("run");
     let run = ["run", LADDER, "--every=1e-3", "--output=E/(m*g*l)"];
     for file in ["--csv=a.csv", "--parquet=a.parquet", "--arrow=a.arrow"] {
-        told(&folder, &[&run[..], &[file]].concat());
+        run_program(&folder, &[&run[..], &[file]].concat());
     }
     in_python(&folder, "run", "a");
     // Of a run of unknown length some thousand rows; an output that is a column already is no second one.
     for file in ["--csv=b.csv", "--parquet=b.parquet", "--arrow=b.arrow"] {
-        told(&folder, &["run", LADDER, "--output=E/(m*g*l)", file]);
+        run_program(&folder, &["run", LADDER, "--output=E/(m*g*l)", file]);
     }
     in_python(&folder, "run", "b");
-    told(&folder, &["run", LADDER, "--output=phi", "--output=E/(m*g*l)", "--parquet=c.parquet"]);
+    run_program(&folder, &["run", LADDER, "--output=phi", "--output=E/(m*g*l)", "--parquet=c.parquet"]);
     assert!(read(folder.join("b.parquet")) == read(folder.join("c.parquet")));
 }
 
@@ -55,7 +55,7 @@ fn a_run_reads_as_its_comma_separated_table() {
 #[test]
 fn a_sweep_has_one_file_however_it_was_computed() {
     let folder = folder("merged");
-    told(&folder, &with(&["--csv=whole.csv", "--parquet=whole.parquet", "--arrow=whole.arrow"]));
+    run_program(&folder, &with(&["--csv=whole.csv", "--parquet=whole.parquet", "--arrow=whole.arrow"]));
     let is_whole = |stem: &str| {
         for form in ["parquet", "arrow"] {
             let same =
@@ -63,15 +63,16 @@ fn a_sweep_has_one_file_however_it_was_computed() {
             assert!(same, "{stem}.{form}");
         }
     };
-    let alone = told(&folder, &with(&["--parquet=alone.parquet", "--arrow=alone.arrow", "--threads=1"]));
+    let alone =
+        run_program(&folder, &with(&["--parquet=alone.parquet", "--arrow=alone.arrow", "--threads=1"]));
     assert_eq!(alone, "100 members of zigzag from 1 shard, 10 failed\n");
     is_whole("alone");
     assert!(!folder.join("alone.parquet.parts").exists());
     for count in [1, 3] {
         for index in 0..count {
-            told(&folder, &with(&["--out=parts", &format!("--shard={index}/{count}")]));
+            run_program(&folder, &with(&["--out=parts", &format!("--shard={index}/{count}")]));
         }
-        told(&folder, &["merge", "parts", "--parquet=merged.parquet", "--arrow=merged.arrow"]);
+        run_program(&folder, &["merge", "parts", "--parquet=merged.parquet", "--arrow=merged.arrow"]);
         is_whole("merged");
         fs::remove_dir_all(folder.join("parts")).expect("removed");
     }
@@ -93,10 +94,10 @@ fn a_sweep_that_was_killed_goes_on_and_ends_alike() {
     child.kill().expect("a child");
     child.wait().expect("a child");
     assert!(!folder.join("a.parquet").exists() && done() >= 50);
-    told(&folder, &sweep);
+    run_program(&folder, &sweep);
     let killed = read(folder.join("a.parquet"));
     fs::remove_file(folder.join("a.parquet")).expect("removed");
-    told(&folder, &sweep);
+    run_program(&folder, &sweep);
     assert!(killed == read(folder.join("a.parquet")));
 }
 
@@ -108,7 +109,7 @@ fn on_a_full_disk_a_file_is_there_whole_or_as_it_was() {
     for (option, name) in [("--parquet=a.parquet", "a.parquet"), ("--arrow=a.arrow", "a.arrow")] {
         let run = ["run", LADDER, "--every=1e-3", option];
         let before = read({
-            told(&folder, &run);
+            run_program(&folder, &run);
             folder.join(name)
         });
         for blocks in [0, 1, before.len() / 1024, before.len() / 512] {
@@ -154,7 +155,7 @@ fn mistakes_are_one_line() {
     assert_eq!(fs::read_dir(&folder).expect("a folder").count(), 1, "nothing is written");
     let told_by = |arguments: &[&str]| refused(&liftoff(&folder, arguments)).0;
     for index in ["0/2", "1/2"] {
-        told(&folder, &with(&["--out=parts", &format!("--shard={index}")]));
+        run_program(&folder, &with(&["--out=parts", &format!("--shard={index}")]));
     }
     let twice = told_by(&["merge", "parts", "parts/0-of-2.shard", "--parquet=a"]);
     assert!(twice.contains("parts/0-of-2.shard is shard 0 as parts/0-of-2.shard is"), "{twice}");

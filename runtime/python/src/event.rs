@@ -36,7 +36,7 @@ pub struct Event {
 }
 
 impl Event {
-    pub fn of(event: &liftoff::Event, motion: &liftoff::Trajectory) -> Self {
+    pub fn from_event(event: &liftoff::Event, motion: &liftoff::Trajectory) -> Self {
         let named = |state: &[f64]| motion.layout().names_of_motion().zip(motion.with_dependent(state));
         Self {
             t: event.t,

@@ -29,7 +29,7 @@ pub struct Model {
 }
 
 impl Model {
-    fn read(py: Python<'_>, path: &str, text: String, name: Option<&str>) -> PyResult<Self> {
+    fn parse(py: Python<'_>, path: &str, text: String, name: Option<&str>) -> PyResult<Self> {
         let found = py.detach(|| source::models(&text));
         let found = found.map_err(|mistakes| errors::declaration(path, &text, &mistakes))?;
         let entry = chosen(path, found, name)?;
@@ -42,7 +42,7 @@ impl Model {
     #[new]
     #[pyo3(signature = (text, model=None))]
     fn new(py: Python<'_>, text: String, model: Option<&str>) -> PyResult<Self> {
-        Self::read(py, "text", text, model)
+        Self::parse(py, "text", text, model)
     }
 
     /// The model that a file declares; where it has several, `model` names one.
@@ -52,7 +52,7 @@ impl Model {
         let told =
             |error: Error| Error::new(error.kind(), format!("cannot read {}: {error}", path.display()));
         let text = read_text(&path, LARGEST).map_err(told)?;
-        Self::read(class.py(), &path.display().to_string(), text, model)
+        Self::parse(class.py(), &path.display().to_string(), text, model)
     }
 
     /// The text that declares it.
@@ -125,7 +125,7 @@ impl Model {
         options: Option<Bound<'py, PyDict>>,
     ) -> PyResult<Trajectory> {
         let (py, entry) = (this.py(), &this.get().entry);
-        let request = Request::of(entry, start, until, options)?;
+        let request = Request::from_options(entry, start, until, options)?;
         let made = |run, stopped| Trajectory::new(this.clone().unbind(), request.clone(), run, stopped);
         match run(py, entry, &request)? {
             Ok(run) => Ok(made(run, None)),
@@ -179,7 +179,7 @@ impl Model {
     ) -> PyResult<Bound<'py, PyAny>> {
         let options = PyDict::new(py);
         options.set_item("set", set)?;
-        let request = Request::of(&self.entry, start, None, Some(options))?;
+        let request = Request::from_options(&self.entry, start, None, Some(options))?;
         crate::pictures::svg(py, explain::drawn(&self.entry, &request.spec, start.is_some())?)
     }
 

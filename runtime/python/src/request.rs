@@ -16,7 +16,7 @@ pub struct Request {
 
 impl Request {
     /// The default run of a model, overridden by the arguments. A given start drops the default energy level too.
-    pub fn of(
+    pub fn from_options(
         entry: &Entry,
         start: Option<&Bound<'_, PyAny>>,
         until: Option<&Bound<'_, PyAny>>,

@@ -69,7 +69,7 @@ impl Trajectory {
     #[getter]
     fn events<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
         let events = || {
-            let events = self.motion.events().iter().map(|event| Event::of(event, &self.motion));
+            let events = self.motion.events().iter().map(|event| Event::from_event(event, &self.motion));
             let events: PyResult<Vec<Py<Event>>> = events.map(|event| Py::new(py, event)).collect();
             Ok::<_, PyErr>(PyList::new(py, events?)?.unbind())
         };
@@ -151,7 +151,8 @@ impl Trajectory {
     }
 
     /// The full state at times: the shape of `t`, then a column for each of `names`.
-    fn at<'py>(&self, py: Python<'py>, t: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    #[pyo3(name = "at")]
+    fn states_at<'py>(&self, py: Python<'py>, t: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         let times = self.times(t)?;
         let flat: Vec<Instant> = times.as_array().iter().map(|&t| Instant { t, is_before: false }).collect();
         let states = py.detach(|| states(&self.motion, &flat))?;

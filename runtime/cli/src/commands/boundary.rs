@@ -68,12 +68,12 @@ impl Boundary {
         let names: Vec<&str> = names.collect();
         Ok(print(&match self.json {
             true => told_as_json(&names, &curves)?,
-            false => told(&names, &curves),
+            false => describe_curves(&names, &curves),
         })?)
     }
 }
 
-fn told(names: &[&str], curves: &[Curve]) -> String {
+fn describe_curves(names: &[&str], curves: &[Curve]) -> String {
     let mut text = String::new();
     for (k, curve) in curves.iter().enumerate() {
         let Curve { left, right, points, ends } = curve;

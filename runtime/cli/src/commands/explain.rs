@@ -104,7 +104,7 @@ impl Explain {
     }
 
     fn of_file(&self, chosen: Option<&str>, format: Format) -> Result<String, CommandError> {
-        let all = files::read(&self.model, source::equations)?;
+        let all = files::parse_file(&self.model, source::equations)?;
         let one = chosen.is_some() || format != Format::Text;
         let chosen = match one {
             true => vec![files::one(&self.model, all, chosen, |equations| &equations.name)?],

@@ -40,7 +40,7 @@ impl Optimise {
     /// Prints the values with which what is asked for is least or greatest.
     pub fn execute(&self, models: &Models) -> Result<(), CommandError> {
         let model = models.find(&self.model)?;
-        let (place, output) = self.read(model.layout())?;
+        let (place, output) = self.resolve(model.layout())?;
         let spec = self.run_args.spec(model)?;
         let simulation = model.simulation(&spec)?;
         let (names, bounds): (Vec<String>, Vec<_>) = self
@@ -73,7 +73,7 @@ impl Optimise {
     }
 
     /// When what is asked for is read, and what it is.
-    fn read(&self, layout: &'static Layout) -> Result<(Place, Option<Output>), CommandError> {
+    fn resolve(&self, layout: &'static Layout) -> Result<(Place, Option<Output>), CommandError> {
         let wrong = |why: &str| CommandError::Usage(format!("--of {}: {why}", self.of));
         let observation = Observation::parse(&self.of, layout).map_err(|error| wrong(&error.to_string()))?;
         if let Some(output) = observation.at_end() {

@@ -104,7 +104,7 @@ impl Precision {
             ));
         }
         let each = spec.methods.len() * spec.tolerances.len() * ROUNDS as usize;
-        let progress = Progress::of(found.len() * each, "measurements");
+        let progress = Progress::new(found.len() * each, "measurements");
         let mut done = 0;
         let mut all = Vec::new();
         for model in found {

@@ -48,7 +48,7 @@ impl Report {
             write(&self.out.join(ENGINE), engine.script())?;
         }
         let sliders = engine.is_some();
-        let progress = Progress::of(selected.len() * LENGTH, "parts");
+        let progress = Progress::new(selected.len() * LENGTH, "parts");
         let mut done = 0;
         let mut reports = Vec::new();
         for &model in &selected {

@@ -99,7 +99,7 @@ impl Stability {
 
     /// Group by group, as long as nobody interrupts.
     fn judge(&self, selected: Vec<SelectedGroup>) -> Result<Vec<GroupResult>, CommandError> {
-        let progress = Progress::of(selected.iter().map(|(.., cases)| cases.len()).sum(), "cases");
+        let progress = Progress::new(selected.iter().map(|(.., cases)| cases.len()).sum(), "cases");
         let mut all = Vec::new();
         for (name, title, cases) in selected {
             let mut verdicts = Vec::new();

@@ -46,7 +46,7 @@ impl Clock {
     }
 
     /// The place of the next time among multiples.
-    pub fn place(&self) -> u64 {
+    pub fn next_index(&self) -> u64 {
         match self {
             Self::Given(Given { multiples, .. }) | Self::Even(Even { multiples, .. }) => *multiples,
         }
@@ -140,7 +140,7 @@ mod tests {
                 rows.retain(|(place, _)| place % every == 0);
                 rows.iter_mut().for_each(|(place, _)| *place /= every);
                 while let Some(next) = clock.next().filter(|next| *next < t) {
-                    rows.push((clock.place(), next));
+                    rows.push((clock.next_index(), next));
                     clock.pass(next);
                 }
                 assert!(rows.len() <= 5000);

@@ -149,7 +149,7 @@ const RUNNING: [&str; 5] = ["run", "plot", "animate", "precision", "sweep"];
 /// The same command with examples in the help of its commands, and in that of a model's run with what it takes where nothing is
 /// said.
 pub fn with_examples(command: Command, models: &Models) -> Command {
-    let names = Names::of(command.get_name(), models);
+    let names = Names::new(command.get_name(), models);
     let asked = asked(models);
     command.mut_subcommands(|command| {
         let examples = names.examples(command.get_name());
@@ -181,7 +181,7 @@ fn asked(models: &Models) -> Option<&Entry> {
 struct Names(Vec<(String, String)>);
 
 impl Names {
-    fn of(program: &str, models: &Models) -> Self {
+    fn new(program: &str, models: &Models) -> Self {
         let mut names = vec![("program", program.to_owned())];
         if let Some(model) = models.iter().next() {
             names.push(("model", model.name().to_owned()));

@@ -19,7 +19,7 @@ pub fn resolved(
 ) -> Result<&'static Models, CommandError> {
     let mut found: Vec<Entry> = Vec::new();
     for word in words.into_iter().filter(|word| is_file(word, models)) {
-        let model = one(word, read(word, source::models)?, chosen, |model| model.layout().name)?;
+        let model = one(word, parse_file(word, source::models)?, chosen, |model| model.layout().name)?;
         if found.iter().any(|other| other.name() == model.name()) {
             let text = format!("{word}: a model `{}` is in another file too", model.name());
             return Err(CommandError::Usage(text));
@@ -47,7 +47,7 @@ pub fn is_file(word: &str, models: &Models) -> bool {
 }
 
 /// What is made of a source file, or its mistakes as the compiler tells them.
-pub fn read<T>(
+pub fn parse_file<T>(
     path: &str,
     make: impl Fn(&str) -> Result<Vec<T>, Vec<Mistake>>,
 ) -> Result<Vec<T>, CommandError> {

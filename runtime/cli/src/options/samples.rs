@@ -76,7 +76,7 @@ impl Samples<'_> {
 
     fn take(&mut self, t: f64, values: Vec<f64>) {
         let is_event = self.events.front() == Some(&t);
-        let (is_requested, place) = (self.clock.next() == Some(t), self.clock.place());
+        let (is_requested, place) = (self.clock.next() == Some(t), self.clock.next_index());
         if is_event {
             self.events.pop_front();
         }
@@ -88,7 +88,7 @@ impl Samples<'_> {
 
     /// The row before an event, asked for where the one after it is.
     fn take_before(&mut self, t: f64, values: Vec<f64>) {
-        let (is_requested, place) = (self.clock.next() == Some(t), self.clock.place());
+        let (is_requested, place) = (self.clock.next() == Some(t), self.clock.next_index());
         self.add(Row { t, values, is_requested, is_event: true, is_before: true, place });
     }
 

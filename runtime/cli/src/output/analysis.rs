@@ -25,8 +25,12 @@ pub fn equilibria_text(layout: &Layout, found: &[Equilibrium], limits: Option<Li
         let positions = layout.coordinates.iter().zip(&rest.positions);
         let positions: Vec<_> = positions.map(|(c, q)| format!("{} = {}", c.name, number(*q))).collect();
         let loads: Vec<_> = rest.loads.iter().flat_map(load).collect();
-        let mut text =
-            format!("{}: {closed}, {}\n  {}\n", i + 1, told(rest.stability()), positions.join("  "));
+        let mut text = format!(
+            "{}: {closed}, {}\n  {}\n",
+            i + 1,
+            describe_stability(rest.stability()),
+            positions.join("  ")
+        );
         if !loads.is_empty() {
             let _ = writeln!(text, "  {}", loads.join("  "));
         }
@@ -157,7 +161,7 @@ fn number(x: f64) -> String {
     if x.is_infinite() { (if x < 0.0 { "−∞" } else { "∞" }).to_owned() } else { significant(x, DIGITS) }
 }
 
-fn told(stability: Stability) -> String {
+fn describe_stability(stability: Stability) -> String {
     match stability {
         Stability::Fixed => "fixed by its contacts".to_owned(),
         Stability::Stable => "stable".to_owned(),
@@ -184,7 +188,7 @@ pub fn equilibria_json(
                 .collect();
             let mut told = json!({
                 "closed": rest.closed,
-                "stability": told(rest.stability()),
+                "stability": describe_stability(rest.stability()),
                 "position": named(layout, rest.positions.iter().map(|q| json!(q))),
                 "loads": loads,
                 "modes": modes(layout, &rest.linear),

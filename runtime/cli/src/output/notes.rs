@@ -19,10 +19,10 @@ pub fn decisions(record: &Trajectory) -> Vec<String> {
             None => found.push((text, *t, 1)),
         }
     }
-    found.into_iter().map(|(text, t, count)| told(&text, t, count)).collect()
+    found.into_iter().map(|(text, t, count)| describe_note(&text, t, count)).collect()
 }
 
-fn told(text: &str, t: f64, count: usize) -> String {
+fn describe_note(text: &str, t: f64, count: usize) -> String {
     match count - 1 {
         0 => format!("at t = {t:.4}: {text}"),
         1 => format!("at t = {t:.4}, and once more: {text}"),
@@ -118,7 +118,7 @@ mod tests {
         let told = decisions(&rod.limit(1.0).run().unwrap());
         assert_eq!(told.len(), 1, "{told:?}");
         assert!(told[0].contains("the reactions are not unique; the least-norm ones are given"), "{told:?}");
-        assert_eq!(super::told("a", 0.5, 1), "at t = 0.5000: a");
-        assert_eq!(super::told("a", 0.5, 3), "at t = 0.5000, and 2 times more: a");
+        assert_eq!(super::describe_note("a", 0.5, 1), "at t = 0.5000: a");
+        assert_eq!(super::describe_note("a", 0.5, 3), "at t = 0.5000, and 2 times more: a");
     }
 }

@@ -31,7 +31,7 @@ pub fn text(layout: &Layout, orbit: &Orbit) -> String {
     if !shifts.is_empty() {
         let _ = writeln!(text, "  shifted: {}", shifts.join(", "));
     }
-    let _ = writeln!(text, "  events: {}", told(&orbit.events));
+    let _ = writeln!(text, "  events: {}", describe_events(&orbit.events));
     let _ = writeln!(text, "  multipliers: {}", multipliers(orbit, DIGITS));
     let _ = writeln!(text, "  misses itself by {:.0e} natural units", orbit.residual);
     text
@@ -57,7 +57,9 @@ pub fn branch_text(layout: &Layout, branch: &Branch, parameter: usize) -> String
 fn end(branch: &Branch) -> String {
     match &branch.end {
         BranchEnd::Reached => "followed to the end".to_owned(),
-        BranchEnd::Sequence(events) => format!("beyond the last one the events are others: {}", told(events)),
+        BranchEnd::Sequence(events) => {
+            format!("beyond the last one the events are others: {}", describe_events(events))
+        }
         BranchEnd::Lost(why) => format!("beyond the last one there is none: {why}"),
         BranchEnd::Long => "the branch is longer than so many orbits".to_owned(),
     }
@@ -73,7 +75,7 @@ fn multipliers(orbit: &Orbit, digits: usize) -> String {
     each.collect::<Vec<_>>().join(", ")
 }
 
-fn told(events: &[(EventKind, Vec<&'static str>)]) -> String {
+fn describe_events(events: &[(EventKind, Vec<&'static str>)]) -> String {
     let each =
         events.iter().map(|(kind, supports)| format!("{} {kind}", supports.join(", ")).trim().to_owned());
     each.collect::<Vec<_>>().join("; ")
@@ -108,7 +110,7 @@ fn value(layout: &Layout, orbit: &Orbit) -> Value {
         "period": orbit.period,
         "state": named(layout.names_of_state().collect(), &orbit.state),
         "shift": named(coordinates, &orbit.shift),
-        "events": told(&orbit.events),
+        "events": describe_events(&orbit.events),
         "multipliers": orbit.multipliers.iter().map(|m| json!([m.re, m.im])).collect::<Vec<_>>(),
         "stable": orbit.stability() == OrbitStability::Stable,
         "residual": orbit.residual,

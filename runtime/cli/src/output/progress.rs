@@ -18,7 +18,7 @@ pub struct Progress {
 
 impl Progress {
     /// Of `total` items, called so: `cases`.
-    pub fn of(total: usize, items: &'static str) -> Self {
+    pub fn new(total: usize, items: &'static str) -> Self {
         let form = "{elapsed_precise} {bar:32} {human_pos} of {human_len} {prefix} {msg} {eta}";
         Self::shown(
             ProgressBar::with_draw_target(Some(total as u64), ProgressDrawTarget::hidden()),

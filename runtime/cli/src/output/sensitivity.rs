@@ -24,14 +24,14 @@ pub fn text(run: &Trajectory, variables: &[Variable], found: &Sensitivities) -> 
             let name = [&event.supports.join(", "), &event.kind.to_string()].map(String::as_str).join(" ");
             let size = event.t.abs().max(run.scales().time);
             let first = [format!("t({})", name.trim()), number(event.t)];
-            rows.push(row(first, told(variables, time, size)));
+            rows.push(row(first, format_slopes(variables, time, size)));
         }
     }
     let units = run.scales().state(run.layout());
     for ((name, unit), (x, slopes)) in
         run.layout().names_of_state().zip(units).zip(run.final_state().iter().zip(&found.end))
     {
-        rows.push(row([name, number(*x)], told(variables, slopes, x.abs().max(unit))));
+        rows.push(row([name, number(*x)], format_slopes(variables, slopes, x.abs().max(unit))));
     }
     aligned(&rows, Some(NAME)).iter().map(|line| format!("{line}\n")).collect()
 }
@@ -63,7 +63,7 @@ fn row(first: [String; 2], rest: impl Iterator<Item = String>) -> Vec<String> {
 }
 
 /// Zero where what they change is rounding.
-fn told(variables: &[Variable], slopes: &[f64], size: f64) -> impl Iterator<Item = String> {
+fn format_slopes(variables: &[Variable], slopes: &[f64], size: f64) -> impl Iterator<Item = String> {
     let told = variables.iter().zip(slopes);
     told.map(move |(of, &x)| number(if (x * of.unit).abs() <= ROUNDED * size { 0.0 } else { x }))
 }

@@ -39,7 +39,7 @@ pub fn liftoff(folder: &Path, arguments: &[&str]) -> Output {
     command.current_dir(folder).args(arguments).output().expect("the command starts")
 }
 
-pub fn told(folder: &Path, arguments: &[&str]) -> String {
+pub fn run_program(folder: &Path, arguments: &[&str]) -> String {
     succeeded(&liftoff(folder, arguments), arguments)
 }
 

@@ -17,7 +17,11 @@ pub struct Given<'py> {
 
 impl<'py> Given<'py> {
     /// Of the arguments of a call.
-    pub fn of(entry: &Entry, vary: Option<&Bound<'py, PyAny>>, options: &mut Options<'py>) -> PyResult<Self> {
+    pub fn from_options(
+        entry: &Entry,
+        vary: Option<&Bound<'py, PyAny>>,
+        options: &mut Options<'py>,
+    ) -> PyResult<Self> {
         let layout = entry.layout();
         let spec = options.planned(layout, entry.default_run())?;
         let mut given = Self { spec, arrays: Vec::new(), formulas: Vec::new() };

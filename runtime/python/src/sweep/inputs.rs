@@ -15,7 +15,7 @@ pub struct Inputs<'py> {
 
 impl<'py> Inputs<'py> {
     /// Of arrays by their names.
-    pub fn of(py: Python<'py>, given: &[(String, Bound<'py, PyAny>)]) -> PyResult<Self> {
+    pub fn from_arrays(py: Python<'py>, given: &[(String, Bound<'py, PyAny>)]) -> PyResult<Self> {
         let numpy = py.import("numpy")?;
         let mut arrays = Vec::new();
         for (name, values) in given {

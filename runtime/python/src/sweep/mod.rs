@@ -33,9 +33,9 @@ pub fn run<'py>(
     }
     let mut options = Options::new("sweep", options);
     let threads = threads(&mut options)?;
-    let given = Given::of(entry, vary, &mut options)?;
+    let given = Given::from_options(entry, vary, &mut options)?;
     options.finish()?;
-    let Inputs { shape, varied, arrays } = Inputs::of(py, &given.arrays)?;
+    let Inputs { shape, varied, arrays } = Inputs::from_arrays(py, &given.arrays)?;
     let sweep =
         prepared(entry, given, varied, &observed).map_err(|error| errors::sweep(&error))?.threads(threads);
     let layout = entry.layout();

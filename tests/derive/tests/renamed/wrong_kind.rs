@@ -14,13 +14,13 @@ struct Rod {
     g: f64,
 }
 
-fn at(_: impl CoordinateName, _: f64) {}
+fn set(_: impl CoordinateName, _: f64) {}
 fn hold(_: impl ContactName) {}
 fn cut(_: impl ThreadName) {}
 fn impulse(_: impl PointName) {}
 
 fn main() {
-    at(Rod::A, 1.0);
+    set(Rod::A, 1.0);
     hold(Rod::B);
     cut(Rod::A);
     impulse(Rod::PHI);

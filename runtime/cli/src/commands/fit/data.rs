@@ -50,7 +50,7 @@ impl Measured {
         {
             return Err(CommandError::Usage(format!("--sd {name} is given twice")));
         }
-        let table = Table::read(layout, path, of)?;
+        let table = Table::load(layout, path, of)?;
         let names = || table.columns.iter().map(|column| column.name.as_str());
         if let Some((name, _)) = deviations.iter().find(|(name, _)| names().all(|known| known != name)) {
             let known = names().collect::<Vec<_>>().join(", ");

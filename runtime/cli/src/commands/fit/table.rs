@@ -13,7 +13,7 @@ const DEVIATION: &str = " ±";
 /// Series, row by row.
 pub struct Table {
     pub columns: Vec<Column>,
-    pub rows: Vec<Row>,
+    pub rows: Vec<DataRow>,
 }
 
 /// A column that is fitted.
@@ -26,7 +26,7 @@ pub struct Column {
 }
 
 /// Values at a time.
-pub struct Row {
+pub struct DataRow {
     /// Counted from 1, the head among them.
     pub line: u64,
     pub t: f64,
@@ -36,7 +36,7 @@ pub struct Row {
 
 impl Table {
     /// Those of these columns, by default of all.
-    pub fn read(layout: &'static Layout, path: &Path, of: &[String]) -> Result<Self, CommandError> {
+    pub fn load(layout: &'static Layout, path: &Path, of: &[String]) -> Result<Self, CommandError> {
         let told = path.display();
         let unreadable = |error: csv::Error| CommandError::Failed(format!("cannot read {told}: {error}"));
         let mut reader = csv::ReaderBuilder::new().flexible(true).trim(csv::Trim::All).from_path(path);
@@ -47,7 +47,7 @@ impl Table {
         let time = head.iter().position(|name| name == "t");
         let time = time.ok_or_else(|| usage(without_time(&head)))?;
         let columns = columns(layout, &head, of).map_err(|why| usage(format!(": {why}")))?;
-        let (mut rows, mut jumped): (Vec<Row>, Option<f64>) = (Vec::new(), None);
+        let (mut rows, mut jumped): (Vec<DataRow>, Option<f64>) = (Vec::new(), None);
         for record in reader.records() {
             let record = record.map_err(unreadable)?;
             let line = record.position().map_or(0, csv::Position::line);
@@ -115,7 +115,7 @@ fn row(
     record: &StringRecord,
     (width, line, time): (usize, u64, usize),
     columns: &[Column],
-) -> Result<Row, String> {
+) -> Result<DataRow, String> {
     if record.len() != width {
         return Err(format!("{} cells, and the head has {width}", record.len()));
     }
@@ -139,5 +139,5 @@ fn row(
         let deviation = deviation.ok_or_else(|| format!("{name}: a standard deviation is a number > 0"))?;
         Ok(Some((value, Some(deviation))))
     };
-    Ok(Row { line, t, cells: columns.iter().map(cell).collect::<Result<_, String>>()? })
+    Ok(DataRow { line, t, cells: columns.iter().map(cell).collect::<Result<_, String>>()? })
 }

@@ -21,17 +21,18 @@ const MODEL: &str = "model";
 const LARGEST: u64 = 1 << 20;
 
 /// The model that a file names, and its options under those given.
-pub fn read(path: &Path, given: Options) -> Result<(String, Options), CommandError> {
+pub fn load(path: &Path, given: Options) -> Result<(String, Options), CommandError> {
     let wrong = |reason: String| CommandError::Usage(format!("{}: {reason}", path.display()));
     let text = read_text(path, LARGEST)
         .map_err(|error| CommandError::Failed(format!("cannot read {}: {error}", path.display())))?;
-    let table: Table = text.parse().map_err(|error: toml::de::Error| wrong(place(&text, &error)))?;
+    let table: Table =
+        text.parse().map_err(|error: toml::de::Error| wrong(describe_position(&text, &error)))?;
     let (model, options) = understood(table).map_err(wrong)?;
     let folder = path.parent().unwrap_or(Path::new(""));
     Ok((model, given.over(options.within(folder))))
 }
 
-fn place(text: &str, error: &toml::de::Error) -> String {
+fn describe_position(text: &str, error: &toml::de::Error) -> String {
     let line = error.span().map(|span| text[..span.start.min(text.len())].matches('\n').count() + 1);
     line.map_or_else(|| error.message().to_owned(), |line| format!("line {line}: {}", error.message()))
 }
@@ -158,7 +159,7 @@ mod tests {
                 Ok(Ok(_)) => 0,
                 Ok(Err(_)) => 1,
                 Err(error) => {
-                    assert!(!place(&text, &error).is_empty());
+                    assert!(!describe_position(&text, &error).is_empty());
                     2
                 }
             };

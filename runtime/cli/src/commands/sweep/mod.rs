@@ -62,9 +62,9 @@ impl Sweep {
     }
 
     /// What is to be done, on as many threads as a process of several may have where no number is given.
-    fn read(self, processes: Option<&dyn Processes>) -> Result<(String, Options), CommandError> {
+    fn resolve(self, processes: Option<&dyn Processes>) -> Result<(String, Options), CommandError> {
         let (what, mut options) = match self.what.ends_with(".toml") {
-            true => file::read(Path::new(&self.what), self.options)?,
+            true => file::load(Path::new(&self.what), self.options)?,
             false => (self.what, self.options),
         };
         options.threads = options.threads.or(processes.map(Processes::threads));
@@ -73,7 +73,8 @@ impl Sweep {
 
     /// Computes what the first process sends, which is told what is wrong.
     fn work(self, models: &Models, processes: &dyn Processes) {
-        let made = self.read(Some(processes)).and_then(|(name, options)| Ok((models.find(&name)?, options)));
+        let made =
+            self.resolve(Some(processes)).and_then(|(name, options)| Ok((models.find(&name)?, options)));
         let sweep = made
             .as_ref()
             .map_err(ToString::to_string)
@@ -86,7 +87,7 @@ impl Sweep {
     }
 
     fn lead(self, models: &Models, team: Option<(&dyn Processes, &Leader<'_>)>) -> Result<(), CommandError> {
-        let (name, options) = self.read(team.map(|(processes, _)| processes))?;
+        let (name, options) = self.resolve(team.map(|(processes, _)| processes))?;
         let model = models.find(&name)?;
         let folder = options.folder()?;
         options.notes(model).iter().for_each(|text| note(text));
@@ -94,7 +95,7 @@ impl Sweep {
             let members = options.sweep(model)?.members()?;
             return options.write_sbatch(path, (model.name(), members), folder);
         }
-        let progress = Progress::of(0, "members");
+        let progress = Progress::new(0, "members");
         let on_progress = |done: usize, total: usize| {
             progress.extend(total);
             progress.reach(done);

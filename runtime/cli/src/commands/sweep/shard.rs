@@ -118,7 +118,7 @@ pub fn tell(share: &Share) -> Result<(), CommandError> {
 mod tests {
     use super::*;
 
-    fn of(variables: &[(&str, &str)]) -> Result<Option<String>, String> {
+    fn find_shard(variables: &[(&str, &str)]) -> Result<Option<String>, String> {
         let value =
             |name: &str| variables.iter().find(|(known, _)| *known == name).map(|(_, v)| (*v).to_owned());
         of_task(&value).map(|shard| shard.map(|shard| shard.to_string()))
@@ -126,10 +126,13 @@ mod tests {
 
     #[test]
     fn tasks_are_numbered_from_zero_or_one() {
-        assert_eq!(of(&[]), Ok(None));
-        assert_eq!(of(&[(ID, "3"), (COUNT, "16")]), Ok(Some("3/16".into())));
-        assert_eq!(of(&[(ID, "16"), (COUNT, "16"), (MIN, "1"), (MAX, "16")]), Ok(Some("15/16".into())));
-        assert_eq!(of(&[(ID, "0"), (COUNT, "16"), (MIN, "0"), (MAX, "15")]), Ok(Some("0/16".into())));
+        assert_eq!(find_shard(&[]), Ok(None));
+        assert_eq!(find_shard(&[(ID, "3"), (COUNT, "16")]), Ok(Some("3/16".into())));
+        assert_eq!(
+            find_shard(&[(ID, "16"), (COUNT, "16"), (MIN, "1"), (MAX, "16")]),
+            Ok(Some("15/16".into()))
+        );
+        assert_eq!(find_shard(&[(ID, "0"), (COUNT, "16"), (MIN, "0"), (MAX, "15")]), Ok(Some("0/16".into())));
     }
 
     #[test]
@@ -146,7 +149,7 @@ mod tests {
             (&[(ID, "3"), (COUNT, "3"), (MIN, "1"), (MAX, "5")], "leaves gaps up to SLURM_ARRAY_TASK_MAX"),
         ];
         for (variables, expected) in cases {
-            let told = of(variables).expect_err("a mistake");
+            let told = find_shard(variables).expect_err("a mistake");
             assert!(told.contains(expected), "{variables:?}: {told}");
         }
     }
