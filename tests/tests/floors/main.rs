@@ -1,8 +1,9 @@
-//! The floors below `runtime/`: which crate may see which, where models stop being types, and
-//! which modules import each other.
+//! The floors below `runtime/`: which crate may see which, where models stop being types, which
+//! modules import each other, and which names say too little.
 
 mod circles;
 mod imports;
+mod names;
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -212,6 +213,31 @@ fn no_import_circle_is_added() {
     let gone = CIRCLES.iter().filter(|(place, _)| !searched.iter().any(|other| other == place));
     complaints.extend(gone.map(|(place, _)| format!("shorten the list: {place} has no modules")));
     assert!(complaints.is_empty(), "{}", complaints.join("\n"));
+}
+
+#[test]
+fn functions_say_what_they_do() {
+    let folders = ["codegen", "derive", "runtime", "models", "tests"];
+    let (mut complaints, mut count) = (Vec::new(), 0);
+    for folder in folders {
+        let (found, functions) = names::find_vague_functions(&root().join(folder));
+        complaints.extend(found);
+        count += functions;
+    }
+    assert!(count > 10_000, "{count}");
+    assert!(complaints.is_empty(), "{}", complaints.join("\n"));
+}
+
+/// Names that two public types of a crate have: a coordinate, and the constant that names it.
+const SHARED: [(&str, &str); 1] = [("runtime/core", "Coordinate")];
+
+#[test]
+fn public_types_of_a_crate_have_names_of_their_own() {
+    for package in packages() {
+        let shared = names::find_shared_types(&sources(&root().join(&package).join("src")));
+        let allowed = SHARED.iter().filter(|(of, _)| *of == package).map(|(_, name)| (*name).to_owned());
+        assert_eq!(shared, allowed.collect(), "{package}");
+    }
 }
 
 /// A package none of whose targets in `src` is built for tests has none there.
