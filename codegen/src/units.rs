@@ -322,7 +322,7 @@ mod tests {
     }
 
     #[test]
-    fn a_unit_that_is_none_is_told_with_the_nearest() {
+    fn a_unit_that_is_none_is_reported_with_the_nearest() {
         let error = |text| split(text).expect_err("no unit");
         assert_eq!(error("75degs"), "no unit `degs`; did you mean `deg`?");
         assert!(error("3 furlong").starts_with("no unit `furlong`; known: m, g, s, "));

@@ -88,7 +88,7 @@ fn every_default_run_comes_to_its_end() {
 }
 
 #[test]
-fn error_against_run_time_is_told_row_by_row() {
+fn error_against_run_time_is_reported_row_by_row() {
     let arguments =
         "precision ladder bouncing-ball --methods dop853,taylor --tolerances 1e-6,1e-9 --measuring 1 --json";
     let told = json(&arguments.split(' ').collect::<Vec<_>>());
@@ -150,7 +150,7 @@ fn run_times_of_an_unoptimised_build_come_with_a_warning() {
 }
 
 #[test]
-fn modes_are_told_as_text_and_as_a_graph() {
+fn modes_are_reported_as_text_and_as_a_graph() {
     let text = |arguments: &[&str]| String::from_utf8(liftoff(arguments).stdout).expect("UTF-8");
     let zigzag = text(&["modes", "zigzag"]);
     assert!(zigzag.contains("on A, E, C        degrees 1, own code; + B, D; − A, E; − C\n"), "{zigzag}");
@@ -239,7 +239,7 @@ fn gauss_passes_loose_tolerances_in_few_steps() {
 /// Formats that are a feature of the program are told where it is built without them, before anything is run.
 #[cfg(not(any(feature = "parquet", feature = "npz")))]
 #[test]
-fn what_a_program_is_built_without_is_told() {
+fn what_a_program_is_built_without_is_reported() {
     let sweep = ["sweep", "zigzag", "--vary=m1=0.1:0.9:3", "--observe=end"];
     let commands: [(&[&str], &str, &str, &str); 5] = [
         (&["run", "ladder"], "--parquet", "Parquet", "parquet"),

@@ -101,7 +101,7 @@ fn the_options_tell_which_picture_is_meant() {
 }
 
 #[test]
-fn mistakes_are_told_in_a_line_with_the_nearest_name() {
+fn mistakes_are_reported_in_a_line_with_the_nearest_name() {
     for (arguments, message) in [
         (["ladder", "--output", "ph"], "no name `ph`; did you mean `phi`?"),
         (["ladder", "--trail", "BB"], "no point `BB`; did you mean `B`?"),
@@ -114,7 +114,7 @@ fn mistakes_are_told_in_a_line_with_the_nearest_name() {
 }
 
 #[test]
-fn a_file_that_cannot_be_written_is_told() {
+fn a_file_that_cannot_be_written_is_reported() {
     let mut command = Command::new(env!("CARGO_BIN_EXE_liftoff"));
     let output = command.args(["plot", "ladder", "--out", "/dev/null/a.svg"]).output().expect("it starts");
     assert_eq!(output.status.code(), Some(1));

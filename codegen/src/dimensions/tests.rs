@@ -32,7 +32,7 @@ fn find_mistakes(item: &str) -> Vec<(String, String)> {
     errors.into_iter().map(|error| (tokens(&error), error.to_string())).collect()
 }
 
-fn told_of(attributes: &str) -> Vec<(String, String)> {
+fn find_mistakes_in(attributes: &str) -> Vec<(String, String)> {
     let bar = "#[gravity(g)] #[bar(AB, mass = m, length = l)] #[pin(A = (0, 0))] \
                #[coordinate(phi = angle(AB))] #[coordinate(x = x(B))]";
     find_mistakes(&format!("{bar} {attributes} struct S {{ m: f64, l: f64, g: f64, f: f64, w: f64 }}"))
@@ -112,25 +112,25 @@ fn constants_and_pure_numbers_take_part() {
 }
 
 #[test]
-fn a_contradiction_is_told_at_its_term() {
+fn a_contradiction_is_reported_at_its_term() {
     let length = "is a length here, but";
     assert_eq!(
-        told_of("#[floor] #[support(B = floor(m))]"),
+        find_mistakes_in("#[floor] #[support(B = floor(m))]"),
         [("m".to_owned(), format!("`m` {length} a mass by the mass of `AB`"))]
     );
     assert_eq!(
-        told_of("#[point(G = AB, at = m * g)]"),
+        find_mistakes_in("#[point(G = AB, at = m * g)]"),
         [("m * g".to_owned(), format!("this {length} a force by the mass of `AB`, gravity"))]
     );
     assert_eq!(
-        told_of("#[couple(AB = m * g)]"),
+        find_mistakes_in("#[couple(AB = m * g)]"),
         [(
             "m * g".to_owned(),
             "this is a torque (force length) here, but a force by the mass of `AB`, gravity".to_owned()
         )]
     );
     assert_eq!(
-        told_of("#[force(B = (m * g + l * f, f))]"),
+        find_mistakes_in("#[force(B = (m * g + l * f, f))]"),
         [(
             "f".to_owned(),
             "`f` is a force here, but a stiffness (force/length) by the mass of `AB`, the length of `AB`, gravity, …"
@@ -138,7 +138,7 @@ fn a_contradiction_is_told_at_its_term() {
         )]
     );
     assert_eq!(
-        told_of("#[force(B = (m * g - l, 0))]"),
+        find_mistakes_in("#[force(B = (m * g - l, 0))]"),
         [(
             "l".to_owned(),
             "`l` is added to a force here, but is a length by the mass of `AB`, the length of `AB`, gravity"
@@ -146,28 +146,28 @@ fn a_contradiction_is_told_at_its_term() {
         )]
     );
     assert_eq!(
-        told_of("#[force(B = (m * g * sin(l), 0))]"),
+        find_mistakes_in("#[force(B = (m * g * sin(l), 0))]"),
         [("l".to_owned(), "`l` is a pure number here, but a length by the length of `AB`".to_owned())]
     );
 }
 
 #[test]
-fn one_mistake_is_told_once() {
+fn one_mistake_is_reported_once() {
     let attributes = "#[pin(C = (m, m))] #[figure(B = (m, -m))] #[support(B = floor(l / m))]";
-    let told = told_of(attributes);
+    let told = find_mistakes_in(attributes);
     assert_eq!(told.len(), 2, "{told:?}");
 }
 
 #[test]
 fn numbers_and_motion_alone_contradict_nothing() {
     for load in ["-50 * x(B)", "sin(t)", "x(B) + t", "f * (1 - t)", "f * cos(3 * t)", "0 * l", "f * l / 2"] {
-        assert_eq!(told_of(&format!("#[force(B = (f + 1, {load}))]")), [], "{load}");
+        assert_eq!(find_mistakes_in(&format!("#[force(B = (f + 1, {load}))]")), [], "{load}");
     }
 }
 
 #[test]
 fn rates_are_per_time() {
-    let load = |value: &str| told_of(&format!("#[force(B = (f, {value}))]"));
+    let load = |value: &str| find_mistakes_in(&format!("#[force(B = (f, {value}))]"));
     assert_eq!(load("f * rate(phi) / w + m * rate(x) * w + m * vx(B) * w + m * x * w * w"), []);
     let text = "this is added to a force here, but is length^2 time^-3 mass";
     assert_eq!(load("f * cos(phi) + f * rate(x)"), [("f * rate(x)".to_owned(), text.to_owned())]);

@@ -86,7 +86,7 @@ fn what_is_costly_is_refused() {
 }
 
 #[test]
-fn beyond_fifty_mistakes_only_their_number_is_told() {
+fn beyond_fifty_mistakes_only_their_number_is_reported() {
     let told = |n: usize| {
         let unknown: String = (0..n).map(|k| format!("#[pin(P{k} = (0, 0))]")).collect();
         let item = format!(

@@ -2,17 +2,19 @@
 
 use super::{PAIR, find_mistakes};
 
-fn told_of(budget: &str) -> Vec<String> {
+fn find_mistakes_in(budget: &str) -> Vec<String> {
     find_mistakes(&format!("{budget} {PAIR}"))
 }
 
 #[test]
-fn what_costs_more_is_told_with_its_place() {
+fn what_costs_more_is_reported_with_its_place() {
     assert_eq!(
-        told_of("#[budget(flops = 1000)] #[budget(flops = 1000, on(P))] #[budget(flops = 1000, on())]"),
+        find_mistakes_in(
+            "#[budget(flops = 1000)] #[budget(flops = 1000, on(P))] #[budget(flops = 1000, on())]"
+        ),
         [""; 0]
     );
-    let all = told_of("#[budget(flops = 2)]");
+    let all = find_mistakes_in("#[budget(flops = 2)]");
     assert_eq!(all.len(), 2, "{all:?}");
     assert!(
         all[0].starts_with("the right-hand side in free motion takes ")
@@ -20,12 +22,12 @@ fn what_costs_more_is_told_with_its_place() {
         "{all:?}"
     );
     assert!(all[1].starts_with("the right-hand side on P, Q takes "), "{all:?}");
-    assert_eq!(told_of("#[budget(flops = 2, on(Q))]"), all[1..]);
-    assert_eq!(told_of("#[budget(flops = 2, on())]"), all[..1]);
+    assert_eq!(find_mistakes_in("#[budget(flops = 2, on(Q))]"), all[1..]);
+    assert_eq!(find_mistakes_in("#[budget(flops = 2, on())]"), all[..1]);
 }
 
 #[test]
-fn what_is_no_budget_is_told() {
+fn what_is_no_budget_is_reported() {
     let cases = [
         ("#[budget(flops = 9, on(R))]", "there is no support `R`"),
         ("#[budget(time = 9)]", "a budget is a number of operations: `flops = 120`"),
@@ -33,7 +35,7 @@ fn what_is_no_budget_is_told() {
         ("#[budget(flops = 0)]", "`flops` must be a whole number from 1"),
     ];
     for (budget, expected) in cases {
-        let told = told_of(budget);
+        let told = find_mistakes_in(budget);
         assert!(told.len() == 1 && told[0].starts_with(expected), "{budget}: {told:?}");
     }
 }

@@ -80,7 +80,7 @@ fn a_step_ladder() {
 }
 
 #[test]
-fn what_a_scene_lacks_is_told() {
+fn what_a_scene_lacks_is_reported() {
     let wheel = "#[bar(AB, mass = m, length = l)] #[pin(A = (0, 0))] #[figure(A = (0, 0), B = (l, 0))] struct Wheel { m: f64, l: f64 }";
     let left_out = |declaration: &str| crate::equations(declaration.parse().unwrap()).unwrap().left_out;
     let says =

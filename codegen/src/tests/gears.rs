@@ -30,7 +30,7 @@ fn gears_have_one_angle() {
 }
 
 #[test]
-fn mistakes_are_told() {
+fn mistakes_are_reported() {
     let example = "(for example `#[equal(angle(AB), angle(CD))]`)";
     let cases = [
         ("#[equal(phi, 0 * angle(CD))]", format!("the multiple of an angle is a whole number from 1 to 64 {example}")),
@@ -55,7 +55,7 @@ fn mistakes_are_told() {
 
 /// A train whose last wheel turns beyond what is exact is a mistake, not an overflow.
 #[test]
-fn long_trains_are_told() {
+fn long_trains_are_reported() {
     let bars: String = (0..8)
         .map(|i| {
             format!(

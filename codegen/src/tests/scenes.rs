@@ -72,7 +72,7 @@ fn what_is_emitted_is_rust() {
 
 /// What `rustc` would refuse before it comes to the derive is told, and not repeated.
 #[test]
-fn what_has_no_name_is_told() {
+fn what_has_no_name_is_reported() {
     for declaration in ["struct pub { l: f64 }", "struct struct Sample { l: f64 }"] {
         let code = crate::expand(declaration.parse().unwrap());
         assert!(code.to_string().contains("compile_error"), "{code}");
@@ -95,7 +95,7 @@ fn everything_has_equations() {
 }
 
 #[test]
-fn angles_that_are_equal_already_or_never_are_told() {
+fn angles_that_are_equal_already_or_never_are_reported() {
     let bars = "#[bar(AB, mass = m, length = l)] #[bar(BC, mass = m, length = l)] #[figure(A = (0, 0), B = (l, 0), C = (2 * l, 0))]";
     let told = |attributes: &str| {
         super::find_mistakes(&format!("{bars} {attributes} struct S {{ m: f64, l: f64 }}"))

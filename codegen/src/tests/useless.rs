@@ -3,7 +3,7 @@
 use super::find_mistakes;
 
 #[test]
-fn supports_of_what_cannot_move_are_told() {
+fn supports_of_what_cannot_move_are_reported() {
     let declaration = |supports: &str| {
         format!(
             "#[bar(OA, mass = m, length = l)] #[bar(PB, mass = m, length = l)] #[pin(O = (0, 0))] #[pin(P = (3 * l, 0))]

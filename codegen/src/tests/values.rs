@@ -27,7 +27,7 @@ fn a_value_is_an_expression_of_numbers_with_a_unit() {
 }
 
 #[test]
-fn mistakes_are_told() {
+fn mistakes_are_reported() {
     let example = "(for example `#[value = 9.81]` or `#[value(9.81, unit = \"m/s²\")]`)";
     let no_number = "a value is a number, or an expression of numbers and `pi`";
     let cases = [

@@ -298,7 +298,7 @@ fn coordinates_keep_their_names_and_are_equal_to_their_images() {
 }
 
 #[test]
-fn what_is_not_unfolded_is_told() {
+fn what_is_not_unfolded_is_reported() {
     let told =
         |declaration: &str| Unfolded::from_tokens(declaration.parse().unwrap()).unwrap_err().to_string();
     let whole = Unfolded::from_tokens(PAIR.parse().unwrap()).unwrap().analysis.system.declaration;

@@ -110,7 +110,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_tolerances_of_every_scene_are_told() {
+    fn the_tolerances_of_every_scene_are_reported() {
         let text = explain_norm();
         assert!(text.starts_with(
             "All methods at the tolerances 10⁻³ … 10⁻¹⁴; stiff-spring by auto and radau at 10⁻³ … 10⁻¹⁰."

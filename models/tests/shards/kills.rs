@@ -193,7 +193,7 @@ fn a_sweep_goes_on_when_there_is_room_again() {
 
 #[cfg(unix)]
 #[test]
-fn folders_that_cannot_be_written_are_told_by_name() {
+fn folders_that_cannot_be_written_are_reported_by_name() {
     use std::os::unix::fs::PermissionsExt;
     let folder = folder("unwritable");
     fs::write(folder.join("file"), "").expect("a file");

@@ -88,7 +88,7 @@ fn a_sweep_of_which_a_process_was_killed_goes_on_and_ends_alike() {
 
 /// Also those that every process finds for itself.
 #[test]
-fn mistakes_are_told_once() {
+fn mistakes_are_reported_once() {
     let folder = folder("mistaken");
     for (mistake, told) in [("--observe=nonsense", "no observation `nonsense`"), ("--threads=0", "--threads")]
     {

@@ -68,7 +68,7 @@ fn tables_of_any_length_have_their_rows() {
 }
 
 #[test]
-fn rows_that_do_not_fit_are_told_by_column() {
+fn rows_that_do_not_fit_are_reported_by_column() {
     for format in formats() {
         let told = |row: &[Value<'_>]| {
             let (heading, mut file) = (heading(), Vec::new());
@@ -107,7 +107,7 @@ impl Write for Disk {
 }
 
 #[test]
-fn a_full_disk_is_told_as_what_it_is() {
+fn a_full_disk_is_reported_as_what_it_is() {
     for format in formats() {
         let mut file = Vec::new();
         written(format, 70_000, &mut file).expect("memory");

@@ -2,7 +2,7 @@
 
 #[test]
 #[ignore = "starts compilers: `.ci/long ui`"]
-fn mistakes_are_told_at_their_place() {
+fn mistakes_are_reported_at_their_place() {
     let cases = trybuild::TestCases::new();
     cases.compile_fail("tests/ui/*.rs");
     // Of models that know the runtime by another name; names of another kind among them.

@@ -135,14 +135,14 @@ mod tests {
     }
 
     #[test]
-    fn a_new_circle_is_told_by_its_shortest_way_round() {
+    fn a_new_circle_is_reported_by_its_shortest_way_round() {
         let told = complaints(&arrows(&["ab", "bc", "ca", "cd", "da"]), &[]);
         let way = "  a imports b at f.rs:0\n  b imports c at f.rs:1\n  c imports a at f.rs:2";
         assert_eq!(told, [format!("imports in a new circle:\n{way}")]);
     }
 
     #[test]
-    fn a_circle_that_grows_is_told_by_what_is_new() {
+    fn a_circle_that_grows_is_reported_by_what_is_new() {
         let told = complaints(&arrows(&["ab", "ba", "bc", "ca"]), &[&["a", "b"]]);
         let way = "  b imports c at f.rs:2\n  c imports a at f.rs:3\n  a imports b at f.rs:0";
         assert_eq!(told, [format!("imports in a new circle:\n{way}")]);

@@ -48,7 +48,7 @@ fn where_nothing_is_eliminated_expressions_may_be_long() {
 
 /// p q + r = 0: a moving pivot may be small, a sum of parameters and a wave too, a product of parameters not.
 #[test]
-fn pivots_that_may_vanish_are_told() {
+fn pivots_that_may_vanish_are_reported() {
     let [x, q] = [0, 1].map(Symbol::coordinate);
     let cosine = Series::cos(&Angle::from_symbol(Symbol::parameter(2)));
     let pivot = |p: &Series| solved(&(p * &Series::symbol(q) + parameter(3)), q, &BTreeMap::new()).unwrap();

@@ -87,7 +87,7 @@ fn particles_and_fixed_points_belong_to_no_body() {
 }
 
 #[test]
-fn mistakes_in_bodies_are_told() {
+fn mistakes_in_bodies_are_reported() {
     let figure = "#[figure(A = (0, 0), B = (l, 0))]";
     let cases = [
         (
@@ -128,7 +128,7 @@ fn mistakes_in_bodies_are_told() {
 }
 
 #[test]
-fn mistakes_in_free_points_are_told() {
+fn mistakes_in_free_points_are_reported() {
     let bar = "#[gravity(g)] #[bar(AB, mass = m, length = l)] #[mass(A, a)] #[figure(A = (0, 0))]";
     let cases = [
         ("#[particle(B, mass = m)]", "`B` is a point of `AB` already; give it a mass by `#[mass(B, …)]`"),

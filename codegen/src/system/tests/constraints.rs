@@ -31,7 +31,7 @@ fn welds_keep_the_figures_angle_or_the_one_given() {
 }
 
 #[test]
-fn mistakes_in_welds_are_told() {
+fn mistakes_in_welds_are_reported() {
     let unclear = "the figure shows no multiple of a quarter turn between these bars for all parameters; give the \
                    angle from the first to the second: `angle = …`";
     let slanted = BARS.replace("C = (l, a)", "C = (2 * l, a)");
@@ -100,7 +100,7 @@ fn the_ends_of_a_bar_stop_what_slides_along_it() {
 }
 
 #[test]
-fn mistakes_in_sliders_are_told() {
+fn mistakes_in_sliders_are_reported() {
     let cases = [
         ("#[slider(B = circle((0, 0), 0))]", "the radius of `B` is 0; it must be positive"),
         (
@@ -209,7 +209,7 @@ fn circles_and_slots_keep_points_on_their_sides() {
 }
 
 #[test]
-fn mistakes_in_supports_are_told() {
+fn mistakes_in_supports_are_reported() {
     let far = BARS.replace("B = (l, 0)", "B = (3, 4)");
     let told_far = |attributes: &str| messages(&format!("{far} {attributes} {STRUCT}"));
     assert_eq!(
@@ -277,7 +277,7 @@ fn threads_follow_supports() {
 }
 
 #[test]
-fn mistakes_in_threads_are_told() {
+fn mistakes_in_threads_are_reported() {
     let cases = [
         ("#[thread(AC, length = 0)]", "the length of `AC` is 0; it must be positive"),
         (

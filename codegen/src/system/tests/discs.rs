@@ -44,7 +44,7 @@ fn threads_may_end_at_discs() {
 }
 
 #[test]
-fn mistakes_are_told() {
+fn mistakes_are_reported() {
     let cases = [
         (
             "#[support(lid = circle((0, -l), a), under = BC)]",
@@ -107,7 +107,7 @@ fn mistakes_are_told() {
 
 /// Two of one figure that parameters do not change overlap in it.
 #[test]
-fn discs_that_overlap_in_the_figure_are_told() {
+fn discs_that_overlap_in_the_figure_are_reported() {
     let told = messages(
         "#[particle(P, mass = m)] #[particle(Q, mass = m)] #[disc(P, radius = 1)] #[disc(Q, radius = 2)] #[support(P = disc(Q))] \
          #[figure(P = (0, 0), Q = (2, 0))] struct S { m: f64 }",

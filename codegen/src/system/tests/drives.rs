@@ -25,7 +25,7 @@ fn distances_angles_and_places_along_bars_are_driven() {
 }
 
 #[test]
-fn mistakes_are_told() {
+fn mistakes_are_reported() {
     let cases = [
         (
             "#[drive(distance(A, B) = a)]",

@@ -47,7 +47,7 @@ fn an_edge_lies_between_two_points_of_a_body() {
 }
 
 #[test]
-fn mistakes_are_told() {
+fn mistakes_are_reported() {
     let cases = [
         ("#[support(B = bar(AB))]", "`B` is a point of `AB`; a body does not meet itself"),
         (

@@ -170,7 +170,7 @@ fn what_depends_on_a_place_that_is_not_given_demands_it() {
 /// Bars that do not reach from pin to pin, and one longer than the others of its loop, by what the
 /// inequality of triangles has.
 #[test]
-fn a_loop_that_cannot_close_is_told_with_what_it_lacks() {
+fn a_loop_that_cannot_close_is_reported_with_what_it_lacks() {
     let told = |attributes: &str| messages(&format!("#[gravity(9.81)] {attributes} struct S {{ m: f64 }}"));
     let bars =
         "#[bar(OA, mass = m, length = 1)] #[bar(AB, mass = m, length = 1)] #[bar(CB, mass = m, length = 1)]";

@@ -58,7 +58,7 @@ fn springs_may_change_with_time() {
 }
 
 #[test]
-fn mistakes_in_springs_are_told() {
+fn mistakes_in_springs_are_reported() {
     let cases = [
         (
             "#[spring(AC, length = l)]",
@@ -157,7 +157,7 @@ fn a_magnitude_is_the_root_of_a_square() {
 }
 
 #[test]
-fn mistakes_in_loads_are_told() {
+fn mistakes_in_loads_are_reported() {
     let forms = "expected a number, a parameter, `t`, a coordinate, `rate(phi)`, `x(P)`, `y(P)`, `vx(P)`, `vy(P)`, \
                  + − * /, `sqrt(…)`, `sin(…)`, `cos(…)`, `tan(…)`, `abs(…)` or `.powi(n)`";
     let cases = [

@@ -65,7 +65,7 @@ fn bars_on_and_across_a_level_mirror_are_their_own_images() {
 }
 
 #[test]
-fn coincident_points_are_told_apart_by_their_bars() {
+fn coincident_points_are_distinguished_by_their_bars() {
     let system = system(
         "#[gravity(g)] #[bar(AC, mass = m, length = l)] #[bar(CB, mass = m, length = l)] #[bar(CE, mass = m, length = l)]
         #[bar(EF, mass = m, length = l)]
@@ -77,7 +77,7 @@ fn coincident_points_are_told_apart_by_their_bars() {
 }
 
 #[test]
-fn mismatches_are_told_once_naming_both() {
+fn mismatches_are_reported_once_naming_both() {
     let heavier = PAIR.replace("DB, mass = m", "DB, mass = 2 * m");
     assert_eq!(
         find_mistakes(&format!("{heavier} {FIGURE}")),
@@ -137,7 +137,7 @@ fn supports_reflect_with_their_free_sides() {
 }
 
 #[test]
-fn figures_without_a_unique_image_are_told() {
+fn figures_without_a_unique_image_are_reported() {
     assert_eq!(
         find_mistakes(&format!("{PAIR} #[figure(D = (0, 0), A = (-l, 0), B = (l, l))] #[mirror(x = 0)]")),
         ["point `A` has no mirror image: no point lies at (l, 0) in the figure"]
@@ -204,7 +204,7 @@ fn what_has_its_mirror_image_is_not_faulted() {
 }
 
 /// What is told of a symmetric frame with attributes added; nothing where the text is empty.
-fn all_told(cases: &[(&str, &str)]) {
+fn check_all(cases: &[(&str, &str)]) {
     for (attributes, expected) in cases {
         let expected: Vec<&str> = [*expected].into_iter().filter(|text| !text.is_empty()).collect();
         assert_eq!(find_mistakes(&format!("{FRAME} {attributes}")), expected, "{attributes}");
@@ -212,8 +212,8 @@ fn all_told(cases: &[(&str, &str)]) {
 }
 
 #[test]
-fn springs_torsions_and_welds_without_their_mirror_image_are_told() {
-    all_told(&[
+fn springs_torsions_and_welds_without_their_mirror_image_are_reported() {
+    check_all(&[
         ("#[spring(AC, stiffness = g)]", "spring `AC` has no mirror image; declare one for `E` and `C` too"),
         (
             "#[spring(AC, stiffness = g)] #[spring(CE, stiffness = m)]",
@@ -233,8 +233,8 @@ fn springs_torsions_and_welds_without_their_mirror_image_are_told() {
 }
 
 #[test]
-fn loads_drives_and_threads_without_their_mirror_image_are_told() {
-    all_told(&[
+fn loads_drives_and_threads_without_their_mirror_image_are_reported() {
+    check_all(&[
         (
             "#[force(A = (m, g))] #[force(E = (m, g))]",
             "loads `A` and `E` are not mirror images: their values differ",
@@ -280,8 +280,8 @@ fn loads_drives_and_threads_without_their_mirror_image_are_told() {
 }
 
 #[test]
-fn supports_without_their_mirror_image_are_told() {
-    all_told(&[
+fn supports_without_their_mirror_image_are_reported() {
+    check_all(&[
         (
             "#[support(A = circle((-l, -l), l))] #[support(E = circle((l, -l), g))]",
             "supports `A` and `E` are not mirror images: their circles differ",

@@ -46,7 +46,7 @@ fn unknown_names_suggest_what_was_meant() {
 }
 
 #[test]
-fn what_is_declared_twice_is_told() {
+fn what_is_declared_twice_is_reported() {
     assert_eq!(
         find_mistakes(&format!("{BAR} #[bar(AD, mass = m, length = l)]")),
         ["bar `AD` is declared twice; remove one, or name it: `other = A -> D`"]
@@ -78,7 +78,7 @@ fn what_is_declared_twice_is_told() {
 }
 
 #[test]
-fn literals_that_no_body_can_have_are_told() {
+fn literals_that_no_body_can_have_are_reported() {
     let values = "#[gravity(g)] #[bar(AD, mass = -1, length = 0, inertia = -m / m)] #[bar(DC, mass = m, length = -2.5 * l / l)] \
                   #[mass(C, -3)] #[pin(A = (0, 0))]";
     assert_eq!(
@@ -94,7 +94,7 @@ fn literals_that_no_body_can_have_are_told() {
 }
 
 #[test]
-fn a_bar_that_nothing_ties_is_told() {
+fn a_bar_that_nothing_ties_is_reported() {
     let loose = "#[bar(BC, mass = m, length = l)] #[figure(B = (l, 0))]";
     let text =
         "nothing ties bar `BC` to anything; let it share a point with another bar, or pin or support it";
@@ -105,7 +105,7 @@ fn a_bar_that_nothing_ties_is_told() {
 }
 
 #[test]
-fn figures_that_say_too_little_or_nothing_are_told() {
+fn figures_that_say_too_little_or_nothing_are_reported() {
     assert_eq!(
         find_mistakes("#[gravity(g)] #[bar(AD, mass = m, length = l)]"),
         ["point `A` is needed in `#[figure(…)]`: nothing else says where bar `AD` is"]
@@ -129,7 +129,7 @@ fn figures_that_say_too_little_or_nothing_are_told() {
 }
 
 #[test]
-fn unused_parameters_are_told_only_when_all_is_understood() {
+fn unused_parameters_are_reported_only_when_all_is_understood() {
     let item =
         |attributes: &str| messages(&format!("{attributes} struct S {{ m: f64, l: f64, g: f64, k: f64 }}"));
     assert_eq!(item(BAR), ["parameter `k` is used nowhere; use it or remove it"]);
@@ -157,7 +157,7 @@ fn expressions_tell_all_their_mistakes() {
 }
 
 #[test]
-fn mistakes_of_every_stage_are_told_together() {
+fn mistakes_of_every_stage_are_reported_together() {
     let attributes = "#[gravity(g)] #[bar(AD, mass = -1, length = l)] #[bar(BC, mass = m, length = l)] \
                       #[support(X = floor)] #[coordinate(phi = angle(DA))] #[pin(A = (0, 0))] #[figure(B = (l, 0))]";
     assert_eq!(
@@ -174,7 +174,7 @@ fn mistakes_of_every_stage_are_told_together() {
 
 /// Not at the struct, which has no number.
 #[test]
-fn what_overflows_is_told_where_the_longest_number_is() {
+fn what_overflows_is_reported_where_the_longest_number_is() {
     let item = "#[gravity(g)] #[bar(AB, mass = m, length = l)] #[pin(A = (0, 0))]
                 #[bar(long = B -> C, mass = 0.123456789012345678901 * m, length = 1.234567890123456789 * l)]
                 #[figure(A = (0, 0), B = (l, 0), C = (l + 1.234567890123456789 * l, 0))]

@@ -99,7 +99,7 @@ fn what_was_expected_is_said_with_an_example() {
 }
 
 #[test]
-fn names_of_malformed_attributes_are_not_told_again() {
+fn names_of_malformed_attributes_are_not_reported_again() {
     let rest =
         "#[bar(DB mass = m)] #[support(B = floor)] #[coordinate(phi = angle(DB))] #[figure(B = (l, 0))]";
     assert_eq!(find_mistakes(rest).len(), 1);
@@ -206,7 +206,7 @@ fn a_run_says_each_thing_once() {
 
 /// What the compiler would refuse where a file is read without it.
 #[test]
-fn attributes_that_the_compiler_would_refuse_are_told() {
+fn attributes_that_the_compiler_would_refuse_are_reported() {
     let told = |attributes: &str, field: &str| {
         let item = format!("{attributes} struct S {{ {field} m: f64 }}");
         let errors = crate::syntax::check_attributes(&syn::parse_str(&item).unwrap()).err();

@@ -67,7 +67,7 @@ impl Boundary {
         let names = self.vary.iter().map(|text| text.split_once('=').map_or("", |(name, _)| name.trim()));
         let names: Vec<&str> = names.collect();
         Ok(print(&match self.json {
-            true => told_as_json(&names, &curves)?,
+            true => format_json(&names, &curves)?,
             false => describe_curves(&names, &curves),
         })?)
     }
@@ -101,7 +101,7 @@ fn end(end: &BoundaryEnd) -> String {
     }
 }
 
-fn told_as_json(names: &[&str], curves: &[Curve]) -> Result<String, CommandError> {
+fn format_json(names: &[&str], curves: &[Curve]) -> Result<String, CommandError> {
     let each = curves.iter().map(|curve| {
         json!({
             "left": curve.left,

@@ -98,7 +98,7 @@ mod tests {
 
     /// One of them sticks, in the other impacts come one after the other: what was chosen is told, though the run needs no more.
     #[test]
-    fn what_was_chosen_is_told() {
+    fn what_was_chosen_is_reported() {
         let struck = Simulation::new(&Struck { m: 1.0, l: 1.0, e: 0.5, g: 9.81 }).unwrap();
         let struck = struck.start(Pose::new("phi", 0.1).with("x", 0.0).with("y", 0.0)).unwrap();
         let told = decisions(&struck.limit(1.0).run().unwrap());
@@ -113,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn reactions_that_are_not_unique_are_told_once() {
+    fn reactions_that_are_not_unique_are_reported_once() {
         let rod = Simulation::new(&Rod { m: 1.0, l: 1.0, g: 1.0 }).unwrap().release("C", 0.5).unwrap();
         let told = decisions(&rod.limit(1.0).run().unwrap());
         assert_eq!(told.len(), 1, "{told:?}");

@@ -134,7 +134,7 @@ fn errors_are_kept_in_their_places() {
 }
 
 #[test]
-fn an_ensemble_stops_when_told() {
+fn an_ensemble_stops_when_cancelled() {
     let failing = |i: usize| member(i)?.start(Pose::new("psi", 1.0)).map_err(MemberError::from);
     let run = AtomicUsize::new(0);
     let count = |i: usize| {

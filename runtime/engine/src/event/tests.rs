@@ -1,6 +1,6 @@
 //! Reactions and supports by their names.
 
-mod told;
+mod reported;
 
 use super::{Reaction, reactions, supports};
 use crate::model::{Contact, ContactKind, ContactSet, Friction, Joint, Law, Layout};
@@ -68,7 +68,7 @@ fn reactions_are_shared_where_the_shares_are_known() {
 }
 
 #[test]
-fn supports_are_told_by_name() {
+fn supports_are_reported_by_name() {
     let of = |bits: u64| supports(&layout(), ContactSet::from_bits(bits));
     assert_eq!(of(0b011), ["A", "B", "C", "E"]);
     assert_eq!(of(0b101), ["A", "B", "D"]);

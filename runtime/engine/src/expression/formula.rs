@@ -59,7 +59,7 @@ mod tests {
     }
 
     #[test]
-    fn other_names_are_told_with_the_nearest() {
+    fn other_names_are_reported_with_the_nearest() {
         let error = |text: &str| Formula::parse(text, &["lambda"]).expect_err("no variable").to_string();
         assert_eq!(error("1 - lamda"), "no name `lamda`; did you mean `lambda`?");
         assert_eq!(error("lambda'"), "no name `lambda'`; did you mean `lambda`?");

@@ -132,7 +132,7 @@ fn names_are_those_of_the_model() {
 }
 
 #[test]
-fn mistakes_are_told_at_their_place() {
+fn mistakes_are_reported_at_their_place() {
     for (text, message) in [
         ("", "expected a number, a name or `(`, found the end at column 1"),
         ("1 +* 2", "expected a number, a name or `(`, found `*` at column 4"),

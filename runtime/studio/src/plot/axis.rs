@@ -202,7 +202,7 @@ mod tests {
     }
 
     #[test]
-    fn a_label_at_the_end_is_told() {
+    fn a_label_at_the_end_is_reported() {
         let label = |axis: Axis| axis.label_at_end();
         assert_eq!(label(Axis::decades("run time, µs", [3.0, 800.0])).as_deref(), Some("1000"));
         assert_eq!(label(Axis::decades("run time, µs", [3.0, 40_000.0])).as_deref(), Some("10⁵"));

@@ -86,7 +86,7 @@ mod tests {
     }
 
     #[test]
-    fn a_foot_behind_the_wall_that_only_the_head_meets_is_told() {
+    fn a_foot_behind_the_wall_that_only_the_head_meets_is_reported() {
         let models = crate::models![Ladder];
         assert_eq!(violation(&models, 1.3), None);
         let Some(LineViolation { point: "A", support: "B", depth }) = violation(&models, 3.0) else {

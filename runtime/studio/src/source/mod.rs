@@ -150,7 +150,7 @@ mod tests {
                        struct Rod { m: f64, l: f64 }";
 
     #[test]
-    fn misspelt_attributes_are_told() {
+    fn misspelt_attributes_are_reported() {
         let told_of = |attribute: &str| {
             find_mistakes(&format!("{attribute} {ROD}")).into_iter().map(|(text, _)| text).collect::<Vec<_>>()
         };
@@ -168,7 +168,7 @@ mod tests {
     }
 
     #[test]
-    fn unknown_attributes_are_told_at_their_place() {
+    fn unknown_attributes_are_reported_at_their_place() {
         let source = ROD.replace("#[pin(", "#[revolute(").replace("l: f64", "#[valeu(2)] l: f64");
         let all = find_mistakes(&source);
         assert!(all.contains(&(
@@ -188,7 +188,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_missing_is_told_where_it_would_stand() {
+    fn what_is_missing_is_reported_where_it_would_stand() {
         for (whole, broken) in
             [("length = l)", "length = )"), ("= (0, 0))", "= )"), ("length = l)", "length = l +)")]
         {
@@ -207,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn brackets_quotes_and_comments_that_stay_open_are_told() {
+    fn brackets_quotes_and_comments_that_stay_open_are_reported() {
         for open in ["(", "/* ", "\"", "]"] {
             let source = format!("{ROD} {open}");
             let all = find_mistakes(&source);

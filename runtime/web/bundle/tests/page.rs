@@ -82,7 +82,7 @@ fn every_model_of_the_gallery_moves() {
 
 #[test]
 #[ignore = "needs chromium, chromedriver and the page"]
-fn mistakes_are_told_under_their_words_and_the_motion_stays() {
+fn mistakes_are_reported_under_their_words_and_the_motion_stays() {
     let browser = opened(Screen::Desk);
     browser.script("editor.replace(editor.text().replace('from = horizontal', 'from = nowhere'))").unwrap();
     browser.wait("document.querySelector('#wrong').textContent.includes('nowhere')").unwrap();

@@ -78,7 +78,7 @@ fn a_period_is_least_where_the_centre_is_as_far_as_the_radius_of_gyration() {
 }
 
 #[test]
-fn a_value_at_a_bound_is_told_to_be() {
+fn a_value_at_a_bound_is_reported_to_be() {
     let found = quarter(parameter("d", 1, 0.5), Some([0.3, 1.0])).unwrap();
     assert_eq!((found.ending, found.at_bounds), (Ending::Converged, vec![true]));
     // Outwards it would become less.
@@ -159,7 +159,7 @@ fn a_steep_start_does_not_end_the_search_too_soon() {
 }
 
 #[test]
-fn what_has_no_least_value_is_told_to_have_none() {
+fn what_has_no_least_value_is_reported_to_have_none() {
     let found = stone([1.0, 2.0], 0.5, (Place::End, Some("x + y"), false)).unwrap();
     let Ending::Stopped(why) = &found.ending else { panic!("{found:?}") };
     assert!(why.contains("without end") && why.contains("LOW:HIGH"), "{why}");

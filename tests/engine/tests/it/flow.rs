@@ -34,7 +34,7 @@ fn the_energy_stays() {
 }
 
 #[test]
-fn a_tolerance_that_is_none_is_told() {
+fn a_tolerance_that_is_none_is_reported() {
     let model = QuickReturn { a: 1.0, b: 1.0, r: 1.0, l: 4.0, h: 2.0, omega: 1.0 };
     let told = flow(&model, &[0.0, 1.0, 1.0, 0.0, 0.0], 1.0, -1.0);
     assert!(matches!(told, Err(FlowError::Tolerance(_))), "{told:?}");

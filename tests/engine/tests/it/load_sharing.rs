@@ -174,7 +174,7 @@ struct Uneven {
 
 /// What its middle foot bears decides how fast it is slowed down, and statics leaves that open: it is told.
 #[test]
-fn a_motion_that_depends_on_how_the_load_is_shared_is_told() {
+fn a_motion_that_depends_on_how_the_load_is_shared_is_reported() {
     let decided = |nu: f64| {
         let plank = Uneven { m: 1.0, l: 1.0, g: 10.0, mu: 0.2, nu };
         let pose = Pose::new("x", 0.0).with("y", 0.0).with("theta", 0.0).with("x'", 1.0);

@@ -101,7 +101,7 @@ fn falls_from_low_heights_end_on_the_floor() {
 struct TwoTents {}
 
 #[test]
-fn low_landings_are_found_or_told() {
+fn low_landings_are_found_or_reported() {
     for delta in [1e-3, 1e-4, 1e-5, 1e-6, 1e-7] {
         let factors = [0.7187810373376886, 0.7187810373376886, 1.337577975662573, 1.337577975662573];
         let angle = |(k, factor): (usize, f64)| (format!("phi_{k}"), FRAC_PI_2 - factor * delta);

@@ -112,7 +112,7 @@ struct Bars {
 
 /// What bars lack that are too short is the distance of the pins less their lengths.
 #[test]
-fn bars_that_are_too_short_are_told_with_what_they_lack() {
+fn bars_that_are_too_short_are_reported_with_what_they_lack() {
     let from = |theta: f64, a: f64| (4.0 - a * theta.cos()).hypot(a * theta.sin());
     let nominal = |a: f64| (Pose::nominal(), a, 4.0 - 3.0 * a);
     let given = |theta: f64, a: f64| (Pose::new("theta_OA", theta), a, from(theta, a) - 2.0 * a);

@@ -105,7 +105,7 @@ struct Misspelt {
 }
 
 #[test]
-fn a_condition_that_is_none_is_told() {
+fn a_condition_that_is_none_is_reported() {
     let error = Simulation::new(&Misspelt { m: 1.0, g: 1.0 }).map(|_| ()).unwrap_err();
     assert!(matches!(&error, ModelError::Switch { of, .. } if of == "P"), "{error}");
     assert!(error.to_string().contains('z'), "{error}");

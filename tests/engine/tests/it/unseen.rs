@@ -161,7 +161,7 @@ struct Parallelogram {
 }
 
 #[test]
-fn a_blow_within_the_step_across_a_singular_position_is_told() {
+fn a_blow_within_the_step_across_a_singular_position_is_reported() {
     let told = |b: f64| {
         let start = Pose::new("phi", -PI / 2.0).with("phi'", 2.2);
         let run = Simulation::new(&Parallelogram { g: 1.0, a: 2000.0, b }).unwrap();

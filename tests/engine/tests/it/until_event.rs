@@ -29,7 +29,7 @@ fn of_several_events_each_must_have_happened() {
 }
 
 #[test]
-fn a_support_that_is_none_is_told() {
+fn a_support_that_is_none_is_reported() {
     let Err(error) = ball().until_event(EventKind::Impact, "Q") else { panic!("there is no Q") };
     assert_eq!(error.to_string(), "no support `Q`; known: P");
 }

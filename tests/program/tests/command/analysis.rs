@@ -48,7 +48,7 @@ struct Falling {
 }";
 
 #[test]
-fn equilibria_are_told_with_their_loads() {
+fn equilibria_are_reported_with_their_loads() {
     let file = temporary_path("plank.rs");
     std::fs::write(&file, PLANK).expect("a file");
     let name = file.to_str().expect("a name");
@@ -90,7 +90,7 @@ struct Bar {
 }";
 
 #[test]
-fn derivatives_are_told_through_events() {
+fn derivatives_are_reported_through_events() {
     let file = temporary_path("bar.rs");
     std::fs::write(&file, BAR).expect("a file");
     let name = file.to_str().expect("a name");
@@ -117,7 +117,7 @@ fn derivatives_are_told_through_events() {
 }
 
 #[test]
-fn a_load_is_told_that_opens_a_foot() {
+fn a_load_is_reported_that_opens_a_foot() {
     let file = temporary_path("loaded.rs");
     std::fs::write(&file, LOADED).expect("a file");
     let name = file.to_str().expect("a name");
@@ -184,7 +184,7 @@ struct Juggled {
 }";
 
 #[test]
-fn orbits_are_told_and_followed() {
+fn orbits_are_reported_and_followed() {
     let file = temporary_path("juggled.rs");
     std::fs::write(&file, JUGGLED).expect("a file");
     let name = file.to_str().expect("a name");
@@ -212,7 +212,7 @@ fn orbits_are_told_and_followed() {
 }
 
 #[test]
-fn optima_are_told() {
+fn optima_are_reported() {
     let file = temporary_path("juggled_optimum.rs");
     std::fs::write(&file, JUGGLED).expect("a file");
     let name = file.to_str().expect("a name");
@@ -237,7 +237,7 @@ fn optima_are_told() {
 }
 
 #[test]
-fn boundaries_are_told() {
+fn boundaries_are_reported() {
     let file = temporary_path("juggled_boundary.rs");
     std::fs::write(&file, JUGGLED).expect("a file");
     let name = file.to_str().expect("a name");
@@ -259,7 +259,7 @@ fn boundaries_are_told() {
 }
 
 #[test]
-fn modes_of_vibration_are_told() {
+fn modes_of_vibration_are_reported() {
     let linear = json(&["linearise", "trestle", "--closed", "free", "--json"]);
     let rows = linear["A"].as_array().expect("rows");
     // α, β, x, y without contact.
@@ -336,7 +336,7 @@ fn a_mirrored_model_is_unfolded() {
 }
 
 #[test]
-fn wrong_requests_are_told() {
+fn wrong_requests_are_reported() {
     let fixed = ["linearise", "trestle", "--svg", "-", "--json"];
     assert!(errors(&run(&fixed)).contains("cannot be used with"));
     assert!(errors(&run(&["equilibrium", "nothing"])).contains("nothing"));

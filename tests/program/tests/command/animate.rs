@@ -17,7 +17,7 @@ fn a_motion_becomes_a_page_of_its_own() {
 }
 
 #[test]
-fn what_cannot_be_drawn_or_written_is_told_in_a_line() {
+fn what_cannot_be_drawn_or_written_is_reported_in_a_line() {
     let output = run(&["animate", "trestle", "--output", "betta"]);
     assert_eq!(output.status.code(), Some(2));
     assert!(errors(&output).contains("beta") && errors(&output).lines().count() == 1, "{}", errors(&output));

@@ -3,7 +3,7 @@
 use crate::program::{errors, run};
 
 #[test]
-fn a_slip_is_told_in_a_line_with_what_was_meant() {
+fn a_slip_is_reported_in_a_line_with_what_was_meant() {
     let model = "trestle";
     let slips: &[(&[&str], &str)] = &[
         (&["run", "tresle"], "no model `tresle`; did you mean `trestle`?"),

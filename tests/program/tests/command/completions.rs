@@ -5,7 +5,7 @@ use std::io::Write;
 use std::process::{Command, Stdio};
 
 #[test]
-fn every_shell_is_told_commands_options_models_and_methods() {
+fn every_shell_is_reported_commands_options_models_and_methods() {
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
         let script = run_program(&["completions", shell]);
         // The scripts of the last two complete no values.

@@ -5,7 +5,7 @@ use std::path::Path;
 
 /// Word for word, for every mistake that the compiler's messages are tested on.
 #[test]
-fn mistakes_in_a_file_are_told_as_the_compiler_tells_them() {
+fn mistakes_in_a_file_are_reported_as_the_compiler_tells_them() {
     let derive = Path::new(env!("CARGO_MANIFEST_DIR")).join("../derive");
     let files = std::fs::read_dir(derive.join("tests/ui"))
         .expect("a folder")

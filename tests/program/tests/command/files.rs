@@ -123,7 +123,7 @@ fn a_report_that_cannot_be_written_leaves_its_folder_as_it_was() {
 /// The code of the error is all that is left to tell.
 #[cfg(target_os = "linux")]
 #[test]
-fn an_error_that_cannot_be_told_keeps_its_code() {
+fn an_error_that_cannot_be_reported_keeps_its_code() {
     let full = || Stdio::from(fs::File::options().write(true).open("/dev/full").expect("a device"));
     let code = |arguments: &[&str]| {
         command(arguments).stdout(Stdio::null()).stderr(full()).status().expect("the program starts").code()
@@ -173,7 +173,7 @@ fn a_second_sweep_on_a_journal_is_refused() {
 }
 
 #[test]
-fn folders_are_made_and_what_was_written_is_told() {
+fn folders_are_made_and_what_was_written_is_reported() {
     let folder = folder("made");
     for (arguments, name) in writers().into_iter().filter(|(_, name)| *name != "stability.html") {
         let path = format!("deep/deeper/{name}");

@@ -21,14 +21,14 @@ fn the_models_are_listed() {
 }
 
 #[test]
-fn equations_and_modes_are_told() {
+fn equations_and_modes_are_reported() {
     assert!(run_program(&["explain", "trestle"]).contains("T = "));
     assert!(run_program(&["modes", "trestle"]).contains("on A, B"));
 }
 
 /// Half the weight bears on each foot of a ladder that is as it stands.
 #[test]
-fn outputs_are_told_at_events_and_times() {
+fn outputs_are_reported_at_events_and_times() {
     let run = ["run", "trestle", "--until", "t = 0.5", "--output", "N(A)", "--output", "y(C)/l"];
     let table = run_program(&[&run[..], &["--at", "0.3", "--every", "0.25s"]].concat());
     let lines: Vec<Vec<&str>> = table.lines().map(|line| line.split_whitespace().collect()).collect();
@@ -183,7 +183,7 @@ fn units_and_methods_are_heeded() {
 
 /// What a run takes where nothing is said can be looked up before it is made.
 #[test]
-fn defaults_are_told_by_list_and_help() {
+fn defaults_are_reported_by_list_and_help() {
     let listed = run_program(&["list", "trestle"]);
     let helped = run_program(&["run", "trestle", "--help"]);
     for text in [&listed, &helped] {

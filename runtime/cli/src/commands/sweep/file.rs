@@ -124,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn mistakes_are_told_with_the_nearest_key() {
+    fn mistakes_are_reported_with_the_nearest_key() {
         let error = |text| said(text).expect_err("a mistake");
         assert_eq!(error("model='a'\nvari='x=0:1:3'"), "no key `vari`; did you mean `vary`?");
         assert_eq!(error("vary='x=0:1:3'"), "no model: say model = \"name\"");

@@ -42,8 +42,7 @@ impl Polynomial {
         let content = self.content(variable);
         content.split(variable + 1, factors);
         let parts = self.over(&content).squarefree(variable).into_iter();
-        factors
-            .extend(parts.flat_map(|(part, k)| part.told_apart(variable).into_iter().map(move |f| (f, k))));
+        factors.extend(parts.flat_map(|(part, k)| part.split_contents(variable).into_iter().map(move |f| (f, k))));
     }
 
     /// Yun's algorithm: `self = Π pᵢⁱ` with squarefree pᵢ, all of them with the variable.
@@ -68,7 +67,7 @@ impl Polynomial {
     }
 
     /// Splits off what is free of each other variable.
-    fn told_apart(self, from: usize) -> Vec<Self> {
+    fn split_contents(self, from: usize) -> Vec<Self> {
         let other = (from + 1..self.variables).find_map(|x| {
             let content = self.content(x);
             (self.depends_on(x) && content.as_constant().is_none()).then_some(content)
@@ -77,7 +76,7 @@ impl Polynomial {
             None => vec![self],
             Some(content) => {
                 let rest = self.over(&content);
-                [content, rest].into_iter().flat_map(|part| part.told_apart(from)).collect()
+                [content, rest].into_iter().flat_map(|part| part.split_contents(from)).collect()
             }
         }
     }

@@ -77,7 +77,7 @@ fn a_discriminant_tells_double_roots() {
 }
 
 #[test]
-fn factors_of_one_exponent_are_told_apart_by_their_variables() {
+fn factors_of_one_exponent_are_distinguished_by_their_variables() {
     let (x, y, z) = (variable(0), variable(1), variable(2));
     let whole = product([&(&x - &number(1)), &(&y + &number(2)), &z, &z, &number(-6)]);
     let factors = whole.factors();
@@ -88,7 +88,7 @@ fn factors_of_one_exponent_are_told_apart_by_their_variables() {
 }
 
 #[test]
-fn what_does_not_divide_is_told() {
+fn what_does_not_divide_is_reported() {
     let (x, y) = (variable(0), variable(1));
     assert_eq!((&x * &x).divide_exact(&y), None);
     assert_eq!(x.divide_exact(&number(2)), None);

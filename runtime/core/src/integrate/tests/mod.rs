@@ -159,7 +159,7 @@ fn a_jump_is_a_new_start() {
 
 /// From s = ½ on v is driven across zero wherever it is: a stage has no fixed point, however short the step.
 #[test]
-fn an_iteration_that_never_converges_is_told_with_what_to_use() {
+fn an_iteration_that_never_converges_is_reported_with_what_to_use() {
     let f = |&[s, v]: &[f64; 2]| {
         let across = if v < 0.0 { 1e12 } else { -1e12 };
         [1.0, if s < 0.5 { 0.0 } else { across }]
@@ -172,7 +172,7 @@ fn an_iteration_that_never_converges_is_told_with_what_to_use() {
 /// A fall past a centre at a distance of 1e-4, y″ = −y/(y² + 1e-8)^(3/2): the step there would
 /// serve for all the rest.
 #[test]
-fn a_step_that_becomes_far_too_short_for_a_run_is_told() {
+fn a_step_that_becomes_far_too_short_for_a_run_is_reported() {
     let f = |&[y, v]: &[f64; 2]| [v, -y * (y * y + 1e-8).powf(-1.5)];
     let failure = failure(&mut Gauss::new(f, from(1e-9, [1.0, 0.0]).with_end(10.0)));
     assert!(

@@ -1,7 +1,7 @@
 use super::{Geometry, Look, Mark};
 
 #[test]
-fn points_of_the_ground_are_told_once_with_feet_first() {
+fn points_of_the_ground_are_reported_once_with_feet_first() {
     let mark = |point, look| Mark { point, look };
     let marks = Box::leak(Box::new([
         mark(0, Look::Peg),

@@ -116,7 +116,7 @@ impl OrderLadder {
             let each = labels.iter().zip(modes).enumerate();
             let each: Vec<String> = each
                 .map(|(k, (label, mode))| {
-                    format!("{label} {}", if k < rubbing { mode.describe() } else { mode.told_smooth() })
+                    format!("{label} {}", if k < rubbing { mode.describe() } else { mode.describe_smooth() })
                 })
                 .collect();
             each.join(", ")

@@ -129,7 +129,7 @@ impl ContactMode {
     }
 
     /// The same of a contact without friction.
-    pub(crate) fn told_smooth(self) -> &'static str {
+    pub(crate) fn describe_smooth(self) -> &'static str {
         if self.is_closed() { "closed" } else { "open" }
     }
 

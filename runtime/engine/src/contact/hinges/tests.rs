@@ -113,7 +113,7 @@ fn a_hinge_that_moves_keeps_its_sense() {
 }
 
 #[test]
-fn all_senses_are_told_apart() {
+fn all_senses_are_distinguished() {
     let mut senses: Vec<Vec<f64>> = policy::all(4).collect();
     senses.sort_by(|a, b| a.partial_cmp(b).unwrap());
     senses.dedup();
@@ -163,7 +163,7 @@ fn found(set: ContactSet, acceleration: f64, unique: bool) -> HingeCandidate {
 
 /// Fewest closed contacts, then most that stick, then unique reactions; one motion is told once.
 #[test]
-fn of_several_motions_one_is_taken_and_all_are_told() {
+fn of_several_motions_one_is_taken_and_all_are_reported() {
     use crate::model::Slip::{Backward, Forward, Stick};
     let (context, state) = evaluate_chain([0.1; 10]);
     let place = HingeProblem::new(&context, state);

@@ -164,7 +164,7 @@ fn not_acting() -> Vec<Case> {
 }
 
 #[test]
-fn the_largest_violation_is_told_in_units_of_the_largest_rate() {
+fn the_largest_violation_is_reported_in_units_of_the_largest_rate() {
     for (k, case) in falling().iter().chain(&slipping()).chain(&not_acting()).enumerate() {
         for units in [(1.0, 1.0, [1.0; 2]), (3e-5, 1e7, [1e4, 0.2]), (7e8, 1e-6, [1e-3, 50.0])] {
             let found = case.residual(units);

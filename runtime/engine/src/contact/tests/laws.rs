@@ -114,7 +114,7 @@ fn rough_contacts_have_stronge_s_law_alone() {
 
 /// A plank on three feet shares what it bears in many ways, be it only while it is compressed.
 #[test]
-fn shared_impulses_are_told_by_either_law() {
+fn shared_impulses_are_reported_by_either_law() {
     for law in [Newton, Poisson] {
         for (feet, unique) in [(vec![0, 2], true), (vec![0, 1, 2], false)] {
             let row =

@@ -159,7 +159,7 @@ fn without_inertia_forces_decide() {
 
 /// What is pushed is what does not depend on others, at the very limit too.
 #[test]
-fn a_vector_at_the_limit_is_told_alike() {
+fn a_vector_at_the_limit_is_reported_alike() {
     for (part, depends) in [(0.99e-10, true), (1e-10, true), (1.01e-10, false)] {
         let mut active = ActiveRows::default();
         assert!(active.push(0, &DVector::from_row_slice(&[1.0, 0.0])));

@@ -419,7 +419,7 @@ fn what_is_armed_where_it_is_touched_meets_what_moves() {
 /// A ball that comes to rest while it slides gives back the friction of its last flight,
 /// μ m v for each m v of the rebound, and what that gains is told.
 #[test]
-fn friction_that_is_taken_ahead_is_told() {
+fn friction_that_is_taken_ahead_is_reported() {
     let [v, w] = [3.0, 1e-8];
     with_begun(&start(&BALL, [0.0, 0.0, v, w]), |mut ball, _| {
         ball.settle_unseen().unwrap();

@@ -46,7 +46,7 @@ impl Observer for Times {
 
 /// A reaction that touches zero is an event that observers are told of as of any other.
 #[test]
-fn observers_are_told_when_a_guard_touches_zero() {
+fn observers_are_reported_when_a_guard_touches_zero() {
     let s = 80f64.to_radians();
     let pose = Pose::new("phi", s).with("phi'", -(3.0 * (1.0 - s.sin())).sqrt());
     let frame = Simulation::new(&AFrame { m: 1.0, l: 1.0, g: 1.0 }).unwrap().start(pose).unwrap();

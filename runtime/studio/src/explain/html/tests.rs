@@ -55,7 +55,7 @@ struct Bare {
 }
 
 #[test]
-fn what_is_not_there_is_told_and_texts_are_escaped() {
+fn what_is_not_there_is_reported_and_texts_are_escaped() {
     let equations = equations(Bare::LAYOUT);
     assert!(equations.left_out.iter().any(|text| text.starts_with("No gravity")));
     assert!(equations.left_out.iter().any(|text| text.starts_with("No one-sided contacts")));

@@ -108,7 +108,7 @@ fn what_is_nowhere_finite_is_an_empty_panel_and_a_pole_does_not_flatten_the_rest
 }
 
 #[test]
-fn an_unknown_output_is_told_with_the_nearest() {
+fn an_unknown_output_is_reported_with_the_nearest() {
     let record = ladder();
     let error = Charts::new(&record).outputs(["ph"]).svg().unwrap_err();
     assert_eq!(error.to_string(), "no name `ph`; did you mean `phi`?");
@@ -118,7 +118,7 @@ fn an_unknown_output_is_told_with_the_nearest() {
 
 /// Many events of one kind are one word; against an angle they are numbers with a list.
 #[test]
-fn events_are_told_once() {
+fn events_are_reported_once() {
     let record = ball();
     let axis = Axis::linear("t", record.interval());
     let impacts = record.events().iter().filter(|event| event.kind == liftoff::EventKind::Impact).count();

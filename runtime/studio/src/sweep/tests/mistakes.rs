@@ -39,7 +39,7 @@ fn a_summary_shows_zero_for_what_is_rounding_beside_the_other_members() {
 }
 
 #[test]
-fn mistakes_are_told_before_anything_runs() {
+fn mistakes_are_reported_before_anything_runs() {
     let observe = "observe end";
     let cases: [(&[&str], &str); 21] = [
         (&["vary q=0:1:3", observe], "nothing depends on what is varied: no parameter or coordinate `q`"),

@@ -138,7 +138,7 @@ fn refused(work: impl Fn(&Channels) + Sync) -> SweepError {
 }
 
 #[test]
-fn a_process_that_takes_no_part_is_told() {
+fn a_process_that_takes_no_part_is_reported() {
     let models = models();
     let fine = |processes: &Channels| balls(&models).work(processes).expect("a worker");
     let told = |error: SweepError| error.to_string();

@@ -104,7 +104,7 @@ fn dense_output_is_smooth() {
 /// Slopes that are even about the middle of a step have no odd modes: the even ones foretell the error, that of the quadrature
 /// h ∫ cos(a x) dx/2 = h sin(a)/a over x from −1 to 1.
 #[test]
-fn errors_are_foretold_by_either_parity() {
+fn errors_are_predicted_by_either_parity() {
     let tableau = Tableau::<STAGES>::new();
     let tolerance = Tolerance::new(1e-9, [1e-9]).unwrap();
     let gauss = Gauss::new(|_: &[f64; 1]| [1.0], StepState::new(tolerance, 0.0, [0.0]));

@@ -20,7 +20,7 @@ fn both(c: &[f64], look: impl Fn(GuardSource<'_>)) {
 }
 
 #[test]
-fn roots_behind_a_place_are_told_as_places_of_the_step() {
+fn roots_behind_a_place_are_reported_as_places_of_the_step() {
     both(&CUBIC, |guard| {
         for (from, root) in [(0.0, 0.3), (0.4, 0.6), (0.7, 0.9), (0.95, f64::NAN)] {
             let found = guard.first_root(from, RootStart::Free, (0.0, BOUND)).unwrap();
@@ -38,7 +38,7 @@ fn roots_behind_a_place_are_told_as_places_of_the_step() {
 }
 
 #[test]
-fn falls_and_touches_are_told_as_places_of_the_step() {
+fn falls_and_touches_are_reported_as_places_of_the_step() {
     both(&CUBIC, |guard| {
         for (from, fall) in [(0.0, 0.3), (0.1, 0.3), (0.65, 0.9)] {
             let Crossing::At { theta } = guard.watch(from, RootStart::Free, BOUND).unwrap() else {
@@ -62,7 +62,7 @@ fn falls_and_touches_are_told_as_places_of_the_step() {
 }
 
 #[test]
-fn what_is_not_finite_is_told_as_a_place_of_the_step() {
+fn what_is_not_finite_is_reported_as_a_place_of_the_step() {
     let value = |theta: f64| if theta > 0.8 { f64::NAN } else { 1.0 };
     let guard = GuardSource::Values { value: &value, size: 1.0, is_noisy: false };
     for error in [

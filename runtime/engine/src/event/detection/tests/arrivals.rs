@@ -71,7 +71,7 @@ fn a_condition_does_not_arrive() {
 
 /// Three reactions fall at once, two of them to zero.
 #[test]
-fn guards_that_are_zero_together_are_told_together() {
+fn guards_that_are_zero_together_are_reported_together() {
     for (late, together) in [(0.4, true), (0.9, true), (1.2, false), (-0.9, true), (5.0, false)] {
         let closed = set(&[PLAIN, CORNER, THREAD]);
         let scene = Scene::closed(closed, move |t| {
@@ -92,7 +92,7 @@ fn guards_that_are_zero_together_are_told_together() {
 
 /// A touch comes before the first event; one behind it is none.
 #[test]
-fn touches_before_the_first_event_are_told_in_order() {
+fn touches_before_the_first_event_are_reported_in_order() {
     let closed = set(&[PLAIN, THREAD]);
     let scene = Scene::closed(closed, |t| {
         let mut shown = Shown::default();
@@ -162,7 +162,7 @@ fn a_touch_is_undecided_where_it_is_not_at_zero() {
 /// What turns too often is said not to be resolved, and by which guard; it is followed once it is taken for noise, and where a step
 /// cannot be made shorter.
 #[test]
-fn a_guard_that_is_not_resolved_is_told() {
+fn a_guard_that_is_not_resolved_is_reported() {
     let closed = set(&[PLAIN]).slipping(RUBBING, Slip::Forward);
     let scene = Scene::closed(closed, |t| {
         let mut shown = Shown::default();

@@ -83,7 +83,7 @@ fn a_corner_within_its_bound_is_not_below_its_bar() {
 
 /// Which corners are below their bars at the end of a step, having come there from beyond the ends.
 #[test]
-fn corners_below_their_bars_are_told() {
+fn corners_below_their_bars_are_reported() {
     for (foot, ends) in [
         ((|t| t - 0.5) as fn(f64) -> f64, [(0.2, false), (0.4, true), (0.6, true), (0.8, false)]),
         (|t| t - 0.25, [(0.2, false), (0.25, false), (0.28, false), (0.29, false)]),

@@ -141,7 +141,7 @@ fn what_only_one_guard_follows_from_is_not_kept() {
 
 /// R (v − v°) at the nodes, where friction is all that works and all that it takes is evaluated; v° is the slip at the start.
 #[test]
-fn the_power_of_friction_is_told_where_nothing_else_works() {
+fn the_power_of_friction_is_reported_where_nothing_else_works() {
     let slides = ContactSet::EMPTY.slipping(RUBBING, Slip::Forward);
     let powers = |closed: ContactSet, damped: bool, with: ContactSet| {
         let mut scene = Scene::closed(closed, |t| {

@@ -47,7 +47,7 @@ fn work((closed, scene): &(ContactSet, Scene), [force, slip]: [[f64; ORDERS]; 2]
 
 /// ∫ R (v − v°) dt where both are known to a tenth of what counts as zero of them, nothing where one is not.
 #[test]
-fn the_work_is_told_where_series_are_exact() {
+fn the_work_is_reported_where_series_are_exact() {
     let scene = rubbing(Slip::Forward);
     let most = [FORCES[RUBBING], SLIPS[0]].map(|unit| EXACT * BOUNDS.relative * unit / REST);
     for (parts, is_told) in [([0.99, 0.99], true), ([1.01, 0.99], false), ([0.99, 1.01], false)] {

@@ -102,7 +102,7 @@ impl Guard {
     }
 
     /// Whether it starts above zero, and its root is neither at an end nor one that rounding moves far.
-    fn is_told_apart(&self) -> bool {
+    fn is_distinguishable(&self) -> bool {
         let far = self.root().is_none_or(|[at, rate]| {
             let near = self.slack(rate);
             near < 1e-3 * self.end && at > 1e-3 * self.end && (at - self.end).abs() > 1e-3 * self.end
@@ -153,7 +153,7 @@ fn count(is_series: bool, seed: u64) {
     let (mut guards, mut roots) = (0, 0);
     while guards < wanted {
         let guard = Guard::random(&mut random);
-        if !guard.is_told_apart() {
+        if !guard.is_distinguishable() {
             continue;
         }
         guards += 1;

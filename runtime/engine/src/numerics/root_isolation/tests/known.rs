@@ -49,7 +49,7 @@ impl Known {
                 1 => Self::grazing_sine(random),
                 _ => Self::polynomial(random),
             };
-            if known.is_told_apart() {
+            if known.is_distinguishable() {
                 return known;
             }
         }
@@ -61,7 +61,7 @@ impl Known {
     }
 
     /// Between two roots, and at ends that are none, the guard is more than 10 δ from zero; the slack is small.
-    fn is_told_apart(&self) -> bool {
+    fn is_distinguishable(&self) -> bool {
         let mut marks: Vec<f64> =
             [0.0].into_iter().chain(self.roots.iter().map(|r| r.at)).chain([1.0]).collect();
         marks.dedup();

@@ -31,7 +31,7 @@ fn event(kind: EventKind, supports: &[&'static str]) -> Event {
 }
 
 #[test]
-fn coordinates_rates_and_time_are_told_by_name() {
+fn coordinates_rates_and_time_are_reported_by_name() {
     let event = event(EventKind::Stop, &[]);
     for (name, value) in [
         ("phi", FRAC_PI_2),
@@ -51,19 +51,19 @@ fn coordinates_rates_and_time_are_told_by_name() {
 
 #[test]
 #[should_panic(expected = "no coordinate `y` in an event; known: phi, x")]
-fn a_name_that_is_none_is_told() {
+fn a_name_that_is_none_is_reported() {
     let _ = event(EventKind::Stop, &[])["y"];
 }
 
 #[test]
-fn reactions_are_told_by_support() {
+fn reactions_are_reported_by_support() {
     let event = event(EventKind::Open, &["D"]);
     let told = ["A", "B", "C", "D", "B, C"].map(|support| event.reaction(support));
     assert_eq!(told, [Some(1.5), Some(-2.5), Some(-2.5), None, None]);
 }
 
 #[test]
-fn what_is_undecided_is_told_by_the_note() {
+fn what_is_undecided_is_reported_by_the_note() {
     let friction = |undecided: [bool; 2]| {
         let of = |undecided| FrictionState {
             contact: "A",
