@@ -18,7 +18,7 @@ fn default_runs_are_clean() {
 /// Without loads, drives and moving surfaces E + D is constant, whatever friction, dampers and impacts take; of an applied impulse
 /// it has the work.
 #[test]
-fn what_is_lost_is_accounted_for() {
+fn lost_energy_is_accounted_for() {
     let mut lossy = 0;
     for model in models().iter().filter(|model| !["belt"].contains(&model.name())) {
         let layout = model.layout();

@@ -121,7 +121,7 @@ fn a_change_of_method_is_noted() {
 }
 
 #[test]
-fn what_is_asked_for_twice_is_measured_once() {
+fn repeated_requests_are_measured_once() {
     let arguments =
         "precision ladder ladder --methods tsit5,taylor,tsit5 --tolerances 1e-3,0.001 --measuring 0 --json";
     let told = json(&arguments.split(' ').collect::<Vec<_>>());
@@ -181,7 +181,7 @@ fn conditions_are_written_as_text_as_latex_and_as_a_page() {
 }
 
 #[test]
-fn what_makes_no_sense_is_said_in_a_line_with_code_2() {
+fn invalid_requests_exit_with_code_2() {
     let asked: [(&[&str], &str); 12] = [
         (&["precision", "seesaw"], "no model `seesaw`"),
         (&["run", "laddr"], "did you mean `ladder`?"),
@@ -239,7 +239,7 @@ fn gauss_passes_loose_tolerances_in_few_steps() {
 /// Formats that are a feature of the program are told where it is built without them, before anything is run.
 #[cfg(not(any(feature = "parquet", feature = "npz")))]
 #[test]
-fn what_a_program_is_built_without_is_reported() {
+fn missing_features_are_reported() {
     let sweep = ["sweep", "zigzag", "--vary=m1=0.1:0.9:3", "--observe=end"];
     let commands: [(&[&str], &str, &str, &str); 5] = [
         (&["run", "ladder"], "--parquet", "Parquet", "parquet"),

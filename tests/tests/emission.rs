@@ -112,7 +112,7 @@ fn a_pair_on_its_corners_costs_no_more_than_by_hand() {
 
 /// By hand φ̈ = −(3 g / 2 l) sin φ: the mass cancels, and nothing is divided in a call.
 #[test]
-fn what_cancels_is_no_operation() {
+fn cancelled_terms_cost_no_operation() {
     let by_hand = Cost { multiplications: 1, angles: 1, ..Cost::default() };
     let costs = costs(Pendulum::LAYOUT.declaration);
     assert_eq!(costs[0].1, by_hand, "{}", costs[0].1);

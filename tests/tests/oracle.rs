@@ -211,7 +211,7 @@ fn struck_chain_shares_the_blow() {
 }
 
 #[test]
-fn what_has_no_solution_is_said() {
+fn insolvable_problems_are_reported() {
     let (mut assembly, state) = at_rest_from(1, &[0.3]);
     assembly.bodies[0].inertia = 0.0;
     assembly.bodies[0].mass = 0.0;

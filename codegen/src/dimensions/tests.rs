@@ -84,7 +84,7 @@ fn a_number_with_a_dimension_is_noticed() {
 }
 
 #[test]
-fn what_depends_on_a_number_with_a_dimension_stays_open() {
+fn numbers_with_a_dimension_leave_dimensions_open() {
     let attributes = "#[bar(OA, mass = m, length = 2 * l)] #[figure(A = (2, 0))]";
     let found = found(attributes, "m l");
     assert_eq!((found.covariant, found.parameters), (false, vec![powers(0, 0, 1), None]));

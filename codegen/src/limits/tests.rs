@@ -19,7 +19,7 @@ fn find_mistakes(length: String) -> Vec<String> {
 }
 
 #[test]
-fn what_is_deep_is_read_or_refused() {
+fn deep_nesting_is_parsed_or_refused() {
     for (open, close) in [("(", ")"), ("sqrt(2+", ")"), ("-(", ")"), ("sin(l+", ")"), ("(1/(1+", "))")] {
         for levels in [LEVELS / 2 - 3, LEVELS, 200, 10_000] {
             let told = find_mistakes(format!("{}l{}", open.repeat(levels), close.repeat(levels)));
@@ -30,7 +30,7 @@ fn what_is_deep_is_read_or_refused() {
 }
 
 #[test]
-fn what_is_long_is_read_or_refused() {
+fn long_expressions_are_parsed_or_refused() {
     let sum = |terms: usize| (1..terms).map(|k| format!("m*{k} + ")).collect::<String>() + "l";
     let root = |count: usize| "l".to_owned() + &".sqrt()".repeat(count);
     let minus = |count: usize| "- ".repeat(count) + "l";
@@ -72,7 +72,7 @@ fn files_are_long() {
 
 /// Expressions of thousands of terms, of which products are told before they are millions.
 #[test]
-fn what_is_costly_is_refused() {
+fn costly_declarations_are_refused() {
     let roots = (1..12).map(|i| format!("(sqrt(l+{i})+1)")).collect::<Vec<_>>().join("*");
     for length in ["(l+m+1).powi(64)".to_owned(), roots] {
         let item = format!(
@@ -103,7 +103,7 @@ fn beyond_fifty_mistakes_only_their_number_is_reported() {
 
 /// As many contacts, attributes, points and links as anyone may think of.
 #[test]
-fn what_is_many_is_derived_or_refused() {
+fn large_systems_are_derived_or_refused() {
     let bar = "#[bar(AB, mass = m, length = l)] #[figure(A = (0, 0), B = (l, 0))]";
     let walls: String =
         (0..70).map(|k| format!("#[support(w{k} = wall(-{k} - 1), under = A, facing = right)]")).collect();

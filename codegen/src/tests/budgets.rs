@@ -7,7 +7,7 @@ fn find_mistakes_in(budget: &str) -> Vec<String> {
 }
 
 #[test]
-fn what_costs_more_is_reported_with_its_place() {
+fn exceeded_budgets_are_reported_with_their_set() {
     assert_eq!(
         find_mistakes_in(
             "#[budget(flops = 1000)] #[budget(flops = 1000, on(P))] #[budget(flops = 1000, on())]"
@@ -27,7 +27,7 @@ fn what_costs_more_is_reported_with_its_place() {
 }
 
 #[test]
-fn what_is_no_budget_is_reported() {
+fn invalid_budgets_are_reported() {
     let cases = [
         ("#[budget(flops = 9, on(R))]", "there is no support `R`"),
         ("#[budget(time = 9)]", "a budget is a number of operations: `flops = 120`"),

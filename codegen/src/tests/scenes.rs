@@ -61,7 +61,7 @@ pub(crate) const OTHERS: [&str; 7] = [
 ];
 
 #[test]
-fn what_is_emitted_is_rust() {
+fn emitted_code_parses_as_rust() {
     for declaration in SCENES.iter().chain(&OTHERS) {
         let code = crate::expand(declaration.parse().unwrap());
         let text = code.to_string();
@@ -72,7 +72,7 @@ fn what_is_emitted_is_rust() {
 
 /// What `rustc` would refuse before it comes to the derive is told, and not repeated.
 #[test]
-fn what_has_no_name_is_reported() {
+fn malformed_structs_give_compile_errors() {
     for declaration in ["struct pub { l: f64 }", "struct struct Sample { l: f64 }"] {
         let code = crate::expand(declaration.parse().unwrap());
         assert!(code.to_string().contains("compile_error"), "{code}");

@@ -44,7 +44,7 @@ mod tests {
 
     /// Either the reference rounds to the printed digits, or the table says why it does not.
     #[test]
-    fn what_the_paper_prints_is_its_reference_rounded_or_has_a_reason() {
+    fn printed_numbers_match_references_or_have_a_reason() {
         let tables = References::load().expect("both tables are JSON");
         let mut reproduced = 0;
         for (id, printed) in &tables.published {

@@ -216,7 +216,7 @@ fn figures_are_drawn_with_the_values_of_parameters() {
 }
 
 #[test]
-fn what_is_wrong_is_reported_at_its_place() {
+fn mistakes_in_files_are_reported_at_their_place() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
     let wrong = |name: &str, from: &str, to: &str| {
         let text = std::fs::read_to_string(file("swing.rs")).expect("read").replace(from, to);

@@ -125,7 +125,7 @@ fn on_a_full_disk_nothing_that_was_done_is_lost() {
 }
 
 #[test]
-fn what_is_missing_or_damaged_is_reported_and_run_again() {
+fn missing_or_damaged_shards_are_reported_and_run_again() {
     let folder = folder("gaps");
     computed(&folder, 4);
     let shard = |index: usize| folder.join(format!("parts/{index}-of-4.shard"));

@@ -43,11 +43,11 @@ pub struct Record {
 /// Something that happened.
 #[derive(Clone, Debug)]
 pub struct RecordedEvent {
-    /// When.
+    /// Time, s.
     pub t: f64,
-    /// What.
+    /// What happened.
     pub change: Change,
-    /// To which supports.
+    /// Labels of the supports concerned.
     pub contacts: Vec<String>,
     /// The state after it.
     pub state: Vec<f64>,
@@ -96,9 +96,9 @@ pub enum Verdict {
     },
     /// Something else.
     Disagrees {
-        /// When.
+        /// Time, s.
         t: f64,
-        /// What.
+        /// What happened.
         what: String,
     },
     /// Nothing is found.

@@ -142,7 +142,7 @@ fn a_lateness_that_errors_at_the_start_make_is_none() {
 }
 
 #[test]
-fn what_is_not_understood_is_not_judged() {
+fn unsupported_declarations_are_not_judged() {
     assert!(Judge::new("struct Nothing", &[], &[]).is_err());
     let verdict = ball().verdict(&Record::default(), MOST_WORK);
     assert!(matches!(verdict, Verdict::NotJudged { .. }), "{verdict}");

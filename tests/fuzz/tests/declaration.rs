@@ -25,7 +25,7 @@ fn a_seed_is_one_case() {
 
 /// A struct that a keyword names was repeated in what stands for it.
 #[test]
-fn what_was_found_is_mended() {
+fn known_findings_are_fixed() {
     let subject = Declarations::default();
     for seed in [777_010_005, 777_011_433] {
         let case = subject.generate(seed);

@@ -103,13 +103,13 @@ const FOUND_SLOWLY: [(u64, &str); 2] = [
 ];
 
 #[test]
-fn what_was_found_is_mended() {
+fn known_findings_are_fixed() {
     all_sound(&FOUND);
 }
 
 #[test]
 #[ignore = "takes minutes; `.ci/long promises hostile-runs` runs it"]
-fn what_was_found_slowly_is_mended() {
+fn known_slow_findings_are_fixed() {
     all_sound(&FOUND_SLOWLY);
 }
 

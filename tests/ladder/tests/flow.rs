@@ -27,7 +27,7 @@ fn a_pendulum_keeps_its_energy() {
 
 /// The same with ½ k (r − s)², r² = 2 − 2 sin φ.
 #[test]
-fn so_does_one_with_a_spring() {
+fn flow_with_a_spring_agrees() {
     let energy = |[phi, w]: [f64; 2]| {
         let stretch = (2.0 - 2.0 * phi.sin()).sqrt() - 0.5;
         w * w / 6.0 - 0.5 * GRAVITY * phi.cos() + 10.0 * stretch * stretch

@@ -18,7 +18,7 @@ fn layouts_are_those_of_the_compiler() {
 }
 
 #[test]
-fn what_parameters_determine_is_the_same() {
+fn parameter_functions_agree() {
     each(|entry, interpreted| {
         let values = entry.default_run().parameters;
         let (compiled, own) =

@@ -50,7 +50,7 @@ fn doubled() -> Series {
 }
 
 #[test]
-fn what_saves_nothing_stays() {
+fn sums_stay_where_products_are_not_shorter() {
     let unchanged = |series: &Series| assert_eq!(Shorthand::new(&Pair).shortened(series), *series);
     // 1 + 2 cos² φ has no smaller numbers, and a sine of twice an angle is no square.
     unchanged(&(Series::integer(2) + doubled()));

@@ -51,7 +51,7 @@ fn pi_is_the_nearest_double() {
 }
 
 #[test]
-fn what_is_equal_has_one_form() {
+fn equal_expressions_have_one_form() {
     let pairs = [
         ("sqrt(l * l - a * a) * sqrt(l * l - a * a)", "(l - a) * (l + a)"),
         ("sqrt(12)", "2 * sqrt(3)"),

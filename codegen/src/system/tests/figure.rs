@@ -96,7 +96,7 @@ fn signs_and_sides_hold_wherever_the_figure_can_be_drawn() {
 }
 
 #[test]
-fn what_depends_on_the_parameters_is_to_be_declared() {
+fn ambiguous_figures_must_be_declared() {
     let bar =
         "#[gravity(g)] #[mass(A, a)] #[bar(AB, mass = m, length = l)] #[figure(A = (l, 0), B = (a, m))]";
     let told = |rest: &str| messages(&format!("{bar} {rest} struct S {{ m: f64, l: f64, g: f64, a: f64 }}"));

@@ -161,7 +161,7 @@ const FRAME: &str = "#[gravity(g)] #[bar(AB, mass = m, length = l / sqrt(2))] #[
                      #[figure(C = (0, 0), B = (-l / 2, l / 2), A = (-l, 0), D = (l / 2, l / 2), E = (l, 0))] #[mirror(x = 0)]";
 
 #[test]
-fn what_has_its_mirror_image_is_not_faulted() {
+fn mirrored_parts_are_accepted() {
     let pairs = [
         "#[spring(AB2 = A -> C, stiffness = g)] #[spring(CE, stiffness = g)]",
         "#[spring(AE, stiffness = g, length = l, damping = m)]",

@@ -46,7 +46,7 @@ fn unknown_names_suggest_what_was_meant() {
 }
 
 #[test]
-fn what_is_declared_twice_is_reported() {
+fn duplicate_declarations_are_reported() {
     assert_eq!(
         find_mistakes(&format!("{BAR} #[bar(AD, mass = m, length = l)]")),
         ["bar `AD` is declared twice; remove one, or name it: `other = A -> D`"]
@@ -174,7 +174,7 @@ fn mistakes_of_every_stage_are_reported_together() {
 
 /// Not at the struct, which has no number.
 #[test]
-fn what_overflows_is_reported_where_the_longest_number_is() {
+fn overflow_is_reported_at_the_longest_number() {
     let item = "#[gravity(g)] #[bar(AB, mass = m, length = l)] #[pin(A = (0, 0))]
                 #[bar(long = B -> C, mass = 0.123456789012345678901 * m, length = 1.234567890123456789 * l)]
                 #[figure(A = (0, 0), B = (l, 0), C = (l + 1.234567890123456789 * l, 0))]

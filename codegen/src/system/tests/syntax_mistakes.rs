@@ -8,7 +8,7 @@ fn find_mistakes(attribute: &str) -> Vec<String> {
 }
 
 #[test]
-fn what_was_expected_is_said_with_an_example() {
+fn errors_show_an_example() {
     let cases = [
         ("#[bar(DC mass = m)]", "expected `,` (for example `#[bar(AD, mass = m, length = l)]`)"),
         (
@@ -175,7 +175,7 @@ fn no_word_left_out_or_doubled_panics() {
 
 /// `500mm` would be read as 500, in whatever unit the rest is.
 #[test]
-fn what_stands_behind_a_number_is_refused() {
+fn suffixes_of_numbers_are_refused() {
     let text = "`mm` behind a number has no meaning; write the number alone";
     let rod = |mass: &str, value: &str| {
         messages(&format!(

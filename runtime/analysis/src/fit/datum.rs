@@ -12,7 +12,7 @@ use super::trial::TrialError;
 /// A measured value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Datum {
-    /// When.
+    /// Time, s.
     pub place: Place,
     /// Of what; none for the time of an event.
     pub output: Option<Output>,

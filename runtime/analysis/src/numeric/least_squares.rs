@@ -419,7 +419,7 @@ mod tests {
 
     /// Only x + y is determined, z not at all.
     #[test]
-    fn what_is_not_determined_stays_finite() {
+    fn undetermined_variables_stay_finite() {
         let dependent: Function = |x| {
             let sum = x[0] + x[1];
             let slopes = vec![1.0, 1.0, 0.0];
@@ -448,7 +448,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_finite_ends_the_search() {
+    fn nonfinite_residuals_end_the_search() {
         let infinite: Function = |x| Some(vec![(x[0], vec![f64::NAN])]);
         assert_eq!(solved(infinite, &[1.0]).2, Termination::NoDerivatives);
     }

@@ -255,7 +255,7 @@ mod tests {
     }
 
     #[test]
-    fn what_falls_without_end_comes_to_an_end() {
+    fn unbounded_descent_terminates() {
         let start = Sample { step: 0.0, value: 0.0, slope: -1.0 };
         let mut far = 0.0;
         let end = search(start, 1.0, |step| {

@@ -92,7 +92,7 @@ mod tests {
     use super::{Tolerance, norm};
 
     #[test]
-    fn what_fills_up_does_not_count() {
+    fn padding_is_not_weighted() {
         let (whole, first) = (Tolerance::new(1e-3, [0.1, 0.2]), Tolerance::<8>::of_first(1e-3, &[0.1, 0.2]));
         let (x, mut wide) = ([0.3, -0.4], [0.0; 8]);
         wide[..2].copy_from_slice(&x);

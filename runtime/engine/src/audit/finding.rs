@@ -39,7 +39,7 @@ pub enum Quantity {
 /// The value of a quantity at a time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Finding {
-    /// When.
+    /// Time, s.
     pub t: f64,
     /// Of what.
     pub quantity: Quantity,

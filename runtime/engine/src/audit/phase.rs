@@ -146,7 +146,7 @@ impl Trajectory {
         }
     }
 
-    /// What rounding makes of uᵀ (M a − f) over a step, from its terms: near singular positions these are larger by far than what
+    /// Roundoff of uᵀ (M a − f) over a step, from its terms: near singular positions these are larger by far than what
     /// they add up to. Then what the rounding of the position makes of the energy, Σ |fᵢ| δqᵢ: a stiff spring may be hardly longer
     /// than without load.
     fn rounding(&self, point: &PhasePoint, step: f64) -> [f64; 2] {

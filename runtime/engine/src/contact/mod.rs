@@ -85,7 +85,7 @@ pub enum ContactError {
     },
     /// Friction in hinges leaves no motion: the couples of journals that are large against their bodies turn back on the forces
     /// that press them.
-    #[error("friction of the hinges {} leaves no motion, or several: their journals are too large", hinges.join(", "))]
+    #[error("hinge friction at {} has no unique solution: μ · radius of their journals is too large", hinges.join(", "))]
     Hinges {
         /// Labels of the hinges.
         hinges: Vec<String>,

@@ -22,9 +22,9 @@ const DIGITS: usize = 4;
 #[derive(Debug, Clone)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Event {
-    /// When.
+    /// Time, s.
     pub t: f64,
-    /// What.
+    /// What happens.
     pub kind: EventKind,
     /// The supports it happened to, in alphabetical order.
     pub supports: Vec<&'static str>,

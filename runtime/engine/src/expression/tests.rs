@@ -362,7 +362,7 @@ fn units_follow_from_what_is_multiplied() {
 
 /// Sides that are to become zero change their sign there.
 #[test]
-fn what_only_touches_zero_is_taken_with_its_sign() {
+fn touching_arguments_keep_their_sign() {
     for (text, same) in [
         ("abs(phi - 0.5)", "phi - 0.5"),
         ("-2 * abs(phi)^3", "phi"),

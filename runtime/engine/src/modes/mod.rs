@@ -17,8 +17,8 @@ use crate::model::{Contact, ContactKind, ContactSet, Layout, Slip};
 use crate::numerics::decomposition::singular_values;
 use crate::system::Model;
 
-/// Of more sets than this only those are listed that have own code.
-const ALL: usize = 4096;
+/// Above this, list only sets with emitted equations.
+const MAX_ENUMERATED_SETS: usize = 4096;
 /// Distance of the generic position from the nominal figure, in natural units.
 const NEAR: f64 = 1e-2;
 /// Gaps below this natural length are closed, singular values below this fraction of the largest are zero: redundant
@@ -92,7 +92,7 @@ pub fn modes(model: impl Into<Model>) -> Result<Modes, ModelError> {
     Switches::from_layout(model.layout())?;
     let context = RunContext { scales: scales_of(&model)?, model };
     let layout = context.layout();
-    let complete = number_of_sets(layout).is_some_and(|sets| sets <= ALL);
+    let complete = number_of_sets(layout).is_some_and(|sets| sets <= MAX_ENUMERATED_SETS);
     let sets = sets(layout, complete);
     let modes: Vec<Mode> = sets
         .iter()

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::{ALL, Change, Mode, ModeTransition, Modes};
+use super::{MAX_ENUMERATED_SETS, Change, Mode, ModeTransition, Modes};
 
 impl Modes {
     /// `free`, or `on A, E`.
@@ -50,7 +50,7 @@ impl ModeTransition {
 impl fmt::Display for Modes {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if !self.complete {
-            writeln!(f, "more than {ALL} sets: only those with code of their own")?;
+            writeln!(f, "more than {MAX_ENUMERATED_SETS} sets: only those with code of their own")?;
         }
         let titles: Vec<String> = self.modes.iter().map(|mode| self.title(mode)).collect();
         let width = titles.iter().map(|title| title.chars().count()).max().unwrap_or(0);

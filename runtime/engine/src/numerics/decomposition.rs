@@ -246,7 +246,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_finite_is_zero() {
+    fn nonfinite_singular_values_are_zero() {
         for entry in [f64::NAN, f64::INFINITY, f64::MAX] {
             let matrix = DMatrix::from_row_slice(2, 2, &[1.0, entry, entry, -entry]);
             let values = svd(matrix.clone()).singular_values;

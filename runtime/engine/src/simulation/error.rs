@@ -91,10 +91,10 @@ pub enum RunCause {
         /// How far it has come.
         t: f64,
     },
-    /// What is there while a condition holds makes it false, and makes it true when it is gone.
+    /// Chattering: what a condition switches on makes it false, and true once it is off.
     #[error(
-        "{of} would come and go without end at t = {t}: `{condition}` becomes false with it and true without it; let it come and go at \
-         different values, or let it follow the motion smoothly"
+        "chattering at t = {t}: `{condition}` switches {of}, which switches `{condition}` back; add hysteresis (other values for \
+         on and off), or let it follow the motion smoothly"
     )]
     Chatter {
         /// Time.
@@ -130,7 +130,7 @@ pub enum RunCause {
     },
     /// Events follow one another without any time between them.
     #[error(
-        "events{} pile up at t = {t}: rounding decides what follows; another tolerance, or a start beside this one, may pass",
+        "no progress at t = {t}: repeated events{}. The outcome depends on roundoff; try another tolerance or a slightly different start",
         of_contacts(contacts)
     )]
     Stalled {

@@ -9,9 +9,9 @@ use crate::integration::method::Choice;
 /// A decision of the simulation that is no event of the motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LogEntry {
-    /// When.
+    /// Time, s.
     pub t: f64,
-    /// What.
+    /// What was decided.
     pub decision: LoggedDecision,
 }
 

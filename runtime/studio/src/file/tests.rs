@@ -61,7 +61,7 @@ fn a_file_is_there_whole_or_as_it_was() {
 }
 
 #[test]
-fn what_cannot_be_written_is_refused_without_a_trace() {
+fn unwritable_files_leave_no_trace() {
     let folder = Folder::new("refused");
     let path = folder.file("a.csv");
     probe(&path).unwrap();
@@ -132,7 +132,7 @@ fn permissions_are_kept() {
 /// What may not be written is neither replaced nor made; nothing stops a superuser.
 #[cfg(unix)]
 #[test]
-fn what_is_protected_stays() {
+fn protected_files_stay() {
     use std::os::unix::fs::PermissionsExt;
     let folder = Folder::new("protected");
     let path = folder.file("a.csv");
@@ -179,7 +179,7 @@ fn devices_and_pipes_are_written_to() {
 }
 
 #[test]
-fn what_is_read_has_a_bound() {
+fn file_sizes_are_bounded() {
     let folder = Folder::new("read");
     let path = folder.file("a.txt");
     write(&path, "12345").unwrap();
@@ -209,7 +209,7 @@ fn the_owner_stays() {
 
 /// What a killed program has left goes, and nothing that only looks like it.
 #[test]
-fn what_is_left_beside_a_file_is_removed() {
+fn leftover_files_are_removed() {
     let folder = Folder::new("left");
     let others = [".a.csv.mine.tmp", ".b.csv.77-0.tmp", "a.csv", "a.csv.77-0.tmp"];
     for name in others.into_iter().chain([".a.csv.77-0.tmp", ".a.csv.12345-999.tmp"]) {

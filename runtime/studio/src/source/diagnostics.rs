@@ -19,7 +19,7 @@ mod tests {
     use crate::source;
 
     #[test]
-    fn what_is_no_rust_is_reported_at_its_place() {
+    fn syntax_errors_are_reported_at_their_place() {
         let source = "struct Bar {\n    m: f64,\n";
         let mistakes = source::equations(source).unwrap_err();
         let report = rendered("bar.rs", source, &mistakes, false);

@@ -216,7 +216,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_deep_is_refused() {
+    fn deep_nesting_is_refused() {
         for part in [
             "(".repeat(10_000) + &")".repeat(10_000),
             "- ".repeat(1_000_000),

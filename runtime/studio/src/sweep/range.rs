@@ -180,7 +180,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_range_is_reported() {
+    fn invalid_ranges_are_reported() {
         let error = |text| Varied::parse(text).expect_err("no range").to_string();
         assert_eq!(error("x=1:1:5"), "`x=1:1:5`: the range from 1 to 1 is empty");
         assert_eq!(error("x=1:0:5"), "`x=1:0:5`: the range from 1 to 0 is reversed");

@@ -123,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_measurement_is_reported_with_its_row() {
+    fn invalid_measurements_are_reported_with_their_row() {
         let head = "scene,tolerance,error,end_error,microseconds\nladder,1e-6,0,,10\n";
         for (line, told) in [
             ("ladder,1e-6,1e-320,,10", "row 2: error 1e-320 is no error"),
@@ -146,7 +146,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_table_is_reported_with_its_file() {
+    fn invalid_tables_are_reported_with_their_file() {
         let path = file("none", "scene,tolerance\nfig1a,fine\n");
         let error = peers(&path).expect_err("no table").to_string();
         std::fs::remove_file(&path).expect("removed");

@@ -69,7 +69,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_cannot_be_measured_is_refused() {
+    fn unmeasurable_requests_are_refused() {
         let with = |tolerances: &[f64]| {
             PrecisionSpec { tolerances: tolerances.to_vec(), ..PrecisionSpec::default() }.check()
         };

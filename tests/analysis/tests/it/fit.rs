@@ -303,7 +303,7 @@ fn values_out_of_all_proportion_are_refused() {
 }
 
 #[test]
-fn what_the_data_do_not_say_is_refused_by_name() {
+fn unidentifiable_parameters_are_refused_by_name() {
     let times = || vec![time(impact(1), 0.4), time(impact(2), 0.8), time(impact(3), 1.0)];
     let refused = |vary: &'static [&'static str], data: Vec<Datum>| {
         Case::<Ball>::new(&BALL, vary, ball).fit(data).unwrap_err().to_string()

@@ -159,7 +159,7 @@ fn a_steep_start_does_not_end_the_search_too_soon() {
 }
 
 #[test]
-fn what_has_no_least_value_is_reported_to_have_none() {
+fn unbounded_objectives_are_reported() {
     let found = stone([1.0, 2.0], 0.5, (Place::End, Some("x + y"), false)).unwrap();
     let Ending::Stopped(why) = &found.ending else { panic!("{found:?}") };
     assert!(why.contains("without end") && why.contains("LOW:HIGH"), "{why}");
@@ -174,13 +174,13 @@ fn a_search_does_not_stay_on_top() {
 }
 
 #[test]
-fn what_depends_on_nothing_is_found_at_once() {
+fn constant_objectives_are_found_at_once() {
     let found = stone([1.0, 2.0], 0.5, (Place::End, Some("3"), false)).unwrap();
     assert_eq!((found.ending, found.runs, found.values), (Ending::Converged, 5, vec![1.0, 2.0]));
 }
 
 #[test]
-fn what_cannot_begin_is_refused() {
+fn invalid_starts_are_refused() {
     let outside = quarter(parameter("d", 1, 0.5), Some([0.6, 1.0]));
     assert_eq!(outside.unwrap_err().to_string(), "d = 0.5 is not between its bounds, 0.6 and 1");
     let never = stone([1.0, 0.0], 0.6, (impact(9), None, false));

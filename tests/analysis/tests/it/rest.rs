@@ -111,7 +111,7 @@ struct Falling {
 }
 
 #[test]
-fn what_falls_has_no_equilibrium() {
+fn falling_bodies_have_no_equilibrium() {
     let error = resting(&Falling { m: 1.0, l: 1.0, g: 9.81 }, Pose::nominal()).map(|found| found.len());
     assert_eq!(error, Err(AnalysisError::NotFound { tried: 1 }));
 }
@@ -130,7 +130,7 @@ struct Shaken {
 }
 
 #[test]
-fn what_depends_on_time_is_refused() {
+fn equilibria_with_time_are_refused() {
     let error = resting(&Shaken { m: 1.0, l: 1.0, k: 1.0 }, Pose::new("phi", 0.1)).map(|found| found.len());
     assert_eq!(error, Err(AnalysisError::Timed));
 }

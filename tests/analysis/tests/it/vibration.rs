@@ -131,7 +131,7 @@ fn the_symmetric_motion_of_the_frame_is_unstable() {
 }
 
 #[test]
-fn what_is_not_symmetric_has_no_symmetric_motions() {
+fn asymmetric_systems_have_no_symmetric_modes() {
     let lean = frame(0.5, [1.4, 1.4, 1.5, 1.5]);
     let fallen = frame(0.5, [1.4; 4]);
     let parts = |subject: &Subject, closed: &[&str], reflection: &DMatrix<f64>| {

@@ -60,7 +60,7 @@ fn models() {
 
 /// Balls and bars that are lost beside others touch nothing that can be told; alone they may be of any size.
 #[test]
-fn what_is_lost_beside_the_largest() {
+fn entries_lost_beside_the_largest() {
     let cradle =
         |r: f64, l: f64| message(Simulation::new(&Cradle { m: 0.1, j: 1e-3 * l * l, r, l, g: 9.81 }));
     assert_eq!(

@@ -95,7 +95,7 @@ struct Leaning {
 }
 
 #[test]
-fn what_was_settled_for_other_parameters_is_refused() {
+fn figures_of_other_parameters_are_refused() {
     let leaning = Leaning { m: 1.0, l: 1.0, g: 9.81, c: 0.5, w: 1.0 };
     assert!(Simulation::new(&leaning).is_ok());
     let sign = Simulation::new(&Leaning { c: -0.5, ..leaning.clone() }).err();

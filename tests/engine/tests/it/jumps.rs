@@ -35,7 +35,7 @@ fn list_events(run: &Trajectory) -> Vec<(EventKind, &'static str)> {
 
 /// It rises with y' = 1 under g − f = 1 for 1 to ½, falls with g for √½.
 #[test]
-fn what_an_impact_makes_true_comes_at_once() {
+fn conditions_made_true_by_an_impact_trigger_at_once() {
     use EventKind::{Arm, Disarm, End, Impact, Start};
     let run = dropped(&[]);
     let up = [(Impact, "P"), (Arm, "side"), (Arm, "force lift")];
@@ -78,7 +78,7 @@ fn a_reaction_that_falls_at_once_ends_a_run() {
 
 /// Plastic impacts leave nothing but rounding, which is no rise.
 #[test]
-fn what_rounding_leaves_is_not_met() {
+fn roundoff_meets_no_condition() {
     let ball = Ball { e: 0.0, ..BALL };
     let start = Pose::new("x", 0.0).with("y", 1.0).with("x'", 0.3);
     let run = Simulation::new(&ball).unwrap().start(start).unwrap().limit(3.0).run().unwrap();

@@ -97,7 +97,7 @@ struct Smooth {
 }
 
 #[test]
-fn what_has_no_friction_says_how_to_declare_it() {
+fn errors_say_how_to_declare_friction() {
     for output in ["R(P)", "v(P)", "mu(P)", "ratio(P)"] {
         let error = Output::parse(Smooth::LAYOUT, output).unwrap_err();
         assert_eq!(error, OutputError::Smooth { contact: "P".into() });

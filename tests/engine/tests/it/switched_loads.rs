@@ -73,7 +73,7 @@ struct Pulled {
 
 /// With ω = 1: x = f (1 − cos t) from rest at x = 0, y = cos t; from t = 2 on it moves straight.
 #[test]
-fn what_acts_for_a_time_is_gone_after_it() {
+fn timed_loads_end() {
     let pulled = Pulled { m: 1.0, f: 3.0, k: 1.0 };
     let simulation = Simulation::new(&pulled).unwrap().start(Pose::new("x", 0.0).with("y", 1.0)).unwrap();
     let run = simulation.tolerance(1e-12).limit(4.0).run().unwrap();
@@ -142,7 +142,7 @@ struct Hovering {
 }
 
 #[test]
-fn what_turns_its_own_condition_round_is_refused() {
+fn chattering_loads_are_refused() {
     let model = Hovering { m: 1.0, g: 10.0, f: 15.0 };
     let start = Pose::new("x", 0.0).with("y", 1.0).with("y'", -1.0);
     let outcome = Simulation::new(&model).unwrap().start(start).unwrap().limit(1.0).run();

@@ -33,7 +33,7 @@ fn a_slip_is_reported_in_a_line_with_what_was_meant() {
 }
 
 #[test]
-fn what_cannot_be_is_refused() {
+fn impossible_input_is_refused() {
     let model = "trestle";
     let nonsense: &[(&[&str], &str)] = &[
         (&["run"], "<MODEL|FILE.rs>"),
@@ -80,7 +80,7 @@ fn what_cannot_be_is_refused() {
 const HUGE: [&str; 4] = ["1000000000", "99999999999", "18446744073709551615", "18446744073709551616"];
 
 #[test]
-fn what_is_too_much_is_refused_with_its_limit() {
+fn excessive_input_is_refused_with_its_limit() {
     let observe = "--observe=end";
     for huge in HUGE {
         let range = format!("p=1:2:{huge}");
@@ -99,7 +99,7 @@ fn what_is_too_much_is_refused_with_its_limit() {
 }
 
 #[test]
-fn what_is_too_long_or_too_deep_is_refused() {
+fn long_or_deep_input_is_refused() {
     let sum = |terms: usize| vec!["alpha"; terms].join("+");
     for (text, told) in [
         (sum(1500) + "=9", "more than 1000 operators, at column "),

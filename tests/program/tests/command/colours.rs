@@ -9,7 +9,7 @@ fn coloured(text: &[u8]) -> bool {
 }
 
 #[test]
-fn what_is_piped_has_no_colours() {
+fn piped_output_has_no_colours() {
     for arguments in
         [&["list"][..], &["run", "trestle"], &["run", "nothing"], &["run", "--help"], &["--help"]]
     {

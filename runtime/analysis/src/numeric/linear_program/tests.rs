@@ -19,7 +19,7 @@ fn a_corner_is_found() {
 }
 
 #[test]
-fn what_has_no_bound_or_no_point_is_known() {
+fn unbounded_and_infeasible_programs_are_detected() {
     assert_eq!(solve(&[1.0], &[&[1.0], &[-1.0]], &[1.0, 0.0]), None);
     assert_eq!(solve(&[1.0], &[&[-1.0]], &[1.0]), Some(f64::NEG_INFINITY));
     // Along a line that no bound crosses.

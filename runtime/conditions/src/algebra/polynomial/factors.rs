@@ -42,7 +42,9 @@ impl Polynomial {
         let content = self.content(variable);
         content.split(variable + 1, factors);
         let parts = self.over(&content).squarefree(variable).into_iter();
-        factors.extend(parts.flat_map(|(part, k)| part.split_contents(variable).into_iter().map(move |f| (f, k))));
+        factors.extend(
+            parts.flat_map(|(part, k)| part.split_contents(variable).into_iter().map(move |f| (f, k))),
+        );
     }
 
     /// Yun's algorithm: `self = Π pᵢⁱ` with squarefree pᵢ, all of them with the variable.

@@ -88,7 +88,7 @@ fn factors_of_one_exponent_are_distinguished_by_their_variables() {
 }
 
 #[test]
-fn what_does_not_divide_is_reported() {
+fn inexact_division_is_detected() {
     let (x, y) = (variable(0), variable(1));
     assert_eq!((&x * &x).divide_exact(&y), None);
     assert_eq!(x.divide_exact(&number(2)), None);

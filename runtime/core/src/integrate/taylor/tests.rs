@@ -128,7 +128,7 @@ impl Field<3> for Still {
 }
 
 #[test]
-fn what_all_but_rests_takes_a_step_to_the_end() {
+fn near_rest_takes_one_step_to_the_end() {
     for speed in [1e-300, 1e-80, 1e-60, 1e-40] {
         let mut solver = Taylor::new(Jets::new(&Still), from(1e-9, [0.0, speed, 1.0]).with_end(3.0));
         while solver.step_state().time() < 3.0 {

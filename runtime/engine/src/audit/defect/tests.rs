@@ -23,7 +23,7 @@ fn steps(
 }
 
 #[test]
-fn it_is_that_of_the_load() {
+fn work_equals_load_work() {
     for method in [MethodId::Taylor, MethodId::Dop853, MethodId::Tsit5, MethodId::Radau, MethodId::Gauss] {
         steps(method, |work, _, step| {
             for end in [1.0, 0.3] {
@@ -40,7 +40,7 @@ fn it_is_that_of_the_load() {
 
 /// Rates with 1e-4 θ² rad/s too much, and the angles that follow from them.
 #[test]
-fn what_the_equations_do_not_do_is_no_work() {
+fn defect_is_not_counted_as_work() {
     steps(MethodId::Taylor, |work, phase, step| {
         let mut terms = [[0.0; 64]; 2];
         for (entry, terms) in terms.iter_mut().enumerate() {

@@ -54,7 +54,7 @@ fn a_contact_is_pressed_beyond_the_rounding_of_its_terms() {
 
 /// A reaction that was located at zero but for N makes twice W N of g̈ no pressing, W = (1 + 3 cos²θ)/m; one below zero opens by itself.
 #[test]
-fn what_a_located_reaction_accelerates_is_no_pressing() {
+fn located_reactions_do_not_press() {
     for (m, l) in [(1.0, 2.0), (3e5, 7e-4)] {
         let model = Model::new(&RodOnSupports { m, l, g: 1.0 });
         let turn = 0.3_f64;

@@ -1,7 +1,7 @@
-//! What holds a moment later: of motions with the same accelerations some may break at once, as where a guide presses to neither side
-//! and the sides differ in what follows, or where loads begin at zero. The laws that hold with zero at a state must then hold
-//! along the motion, which orders 1 and 2 decide at once: a moment is so short that each is nothing beside the one before, and long
-//! enough for order 2 to be seen beside rounding.
+//! Tie-break by the next orders: keep the candidates whose active constraints stay satisfied after
+//! Δt. Candidates with the same accelerations may differ there, as where a guide presses to neither
+//! side or loads begin at zero. Orders 1 and 2 decide together: Δt is so short that each order is
+//! small against the one before, and long enough for order 2 to exceed roundoff.
 
 use super::place::{HingeCandidate, HingeProblem, SignCondition, ZERO};
 use crate::context::Numbers;

@@ -42,7 +42,7 @@ struct Chain {
 }
 
 #[test]
-fn what_is_improved_is_what_all_modes_have() {
+fn improvement_agrees_with_enumeration() {
     let mut seed = 5_u64;
     let mut between = |low: f64, high: f64| {
         seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);

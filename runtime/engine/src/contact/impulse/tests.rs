@@ -27,7 +27,7 @@ fn error(change: impl FnOnce(&mut Collision)) -> Option<CollisionError> {
 }
 
 #[test]
-fn what_does_not_fit_is_refused() {
+fn mismatched_dimensions_are_refused() {
     assert_eq!(error(|_| ()), None);
     let wrong: [fn(&mut Collision); 9] = [
         |it| it.mass = DMatrix::identity(2, 2),
@@ -49,7 +49,7 @@ fn what_does_not_fit_is_refused() {
 }
 
 #[test]
-fn what_is_not_finite_is_refused_but_in_open_rows() {
+fn nonfinite_entries_are_refused_in_closed_rows() {
     let wrong: [fn(&mut Collision); 5] = [
         |it| it.mass[(2, 2)] = f64::INFINITY,
         |it| it.rates[0] = f64::NAN,

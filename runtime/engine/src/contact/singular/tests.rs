@@ -43,7 +43,7 @@ fn accelerations_are_determined_by_a_determinant() {
 /// A turn about the heavy end moves next to no mass: the rod's angle and its light end are undetermined, the latter only across the rod.
 /// The floor does not hold it where it is upright.
 #[test]
-fn what_moves_without_a_mass_is_named() {
+fn massless_coordinates_are_named() {
     let (level, upright) = (0.0, core::f64::consts::FRAC_PI_2);
     let model = model(1e-16, 2.0, 0.5);
     let touching = ContactSet::EMPTY.with(0);

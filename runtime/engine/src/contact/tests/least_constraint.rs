@@ -27,7 +27,7 @@ fn closed(
 
 /// More contacts than any other way could decide, of which many depend on each other: fixed rows hold, candidates bear or open.
 #[test]
-fn what_bears_holds_all_others() {
+fn active_basis_holds_all_others() {
     let mut random = Random(0x1F83_D9AB_5BE0_CD19);
     let mut bearing = 0;
     for k in 0..cases(400) {

@@ -8,7 +8,7 @@ use crate::contact::trials::LcpError;
 
 /// A coordinate without mass is held by a contact that it presses; from one that it is drawn away from it has no acceleration.
 #[test]
-fn what_is_drawn_away_without_mass_has_no_motion() {
+fn pulled_massless_points_have_no_motion() {
     let mass = DMatrix::from_diagonal(&DVector::from_row_slice(&[2.0, 0.0]));
     let jacobian = DMatrix::from_row_slice(1, 2, &[0.0, 1.0]);
     let found = |force: f64| solve(&mass, &jacobian, &[-1.0, force], &[0.0]);

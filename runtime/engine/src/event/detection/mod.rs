@@ -41,7 +41,7 @@ pub enum Guard {
     Side(usize, Side),
     /// The gap of an open contact.
     Gap(usize),
-    /// −g of a closed contact that depends on those that bear: below zero it depended on them only where the phase began.
+    /// Negated gap of a redundant closed contact; negative once it is no longer redundant.
     RedundantGap(usize),
     /// A foot of a contact: how far it is from the end of its bar.
     Foot {

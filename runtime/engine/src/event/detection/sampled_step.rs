@@ -22,7 +22,7 @@ pub(crate) struct Scales<'a> {
     pub(super) forces: &'a [f64],
     /// The natural slip velocity of each contact with friction.
     pub(super) slips: &'a [f64],
-    /// What rounding makes of each gap in the step, in its own unit; none where that is less than
+    /// Roundoff of each gap in the step, in its own unit; none where that is less than
     /// any of their bounds.
     pub(super) roundings: Numbers,
 }

@@ -109,7 +109,7 @@ impl<'a> StepView<'a> {
         }
     }
 
-    /// What rounding makes of each gap at the end, if a coordinate of the phase has become so large
+    /// Roundoff of each gap at the end, if a coordinate of the phase has become so large
     /// that it may be more than `bound`.
     pub(super) fn roundings(&self, bound: f64, scratch: &mut Scratch) -> Option<Numbers> {
         let coordinates =

@@ -31,7 +31,7 @@ pub use sign_history::Crossing;
 pub use smooth::Smooth;
 
 impl GuardError {
-    /// The same elsewhere: `at` tells where its θ is.
+    /// Maps θ to the enclosing step.
     pub fn map_theta(self, at: impl Fn(f64) -> f64) -> Self {
         match self {
             Self::NotFinite { theta } => Self::NotFinite { theta: at(theta) },

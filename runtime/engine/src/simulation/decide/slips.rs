@@ -70,9 +70,8 @@ impl Snapshot<'_> {
         located
     }
 
-    /// Contacts at their limits whose friction is not zero: they slip, however small N = |R|/μ may
-    /// be.
-    pub(in crate::simulation) fn still_rubbing(&self, located: &LocatedSlips) -> ContactSet {
+    /// At the friction limit with nonzero friction; they slip rather than open.
+    pub(in crate::simulation) fn at_limit_with_load(&self, located: &LocatedSlips) -> ContactSet {
         if located.leaving.is_empty() {
             return ContactSet::EMPTY;
         }

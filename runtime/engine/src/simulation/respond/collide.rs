@@ -131,7 +131,7 @@ impl Snapshot<'_> {
         collision(equations, (&rates, DVector::zeros(rates.len())), self.rows(present))
     }
 
-    /// Rates without what rounding makes of zero.
+    /// Rates without the roundoff of zero.
     fn known_rates(&self) -> Numbers {
         let (context, n) = (&self.setup.context, self.layout().coordinates.len());
         let unit = |i: usize| context.scales.entry(self.layout(), n + i);

@@ -72,7 +72,7 @@ impl Snapshot<'_> {
     ) -> Result<Next, RunCause> {
         let Located { unloaded, closing, sliding, slips, shares, stops, planned, switched } =
             self.locate(guards);
-        let unloaded = unloaded.difference(self.still_rubbing(&slips));
+        let unloaded = unloaded.difference(self.at_limit_with_load(&slips));
         self.record_settled(unloaded.union(sliding));
         if !sliding.is_empty() {
             self.slide_off(sliding, unloaded)?;

@@ -103,7 +103,7 @@ fn a_reaction_that_is_zero_and_stays_is_a_touch_that_is_kept() {
 }
 
 #[test]
-fn what_is_due_happens_once() {
+fn scheduled_actions_happen_once() {
     let plan = |it: Simulation| it.impulse("P", [4.0, 0.0], 1.0).unwrap().release("P", 1.0).unwrap();
     with_snapshot(plan, [0.0, 0.0, 3.0, 0.0], |mut ball| {
         ball.begin().unwrap();
@@ -171,7 +171,7 @@ fn a_flight_too_low_to_be_seen_settles_at_its_end() {
 
 /// Where its reaction was located at zero its g̈ < 0 is the error of that place.
 #[test]
-fn what_has_just_lifted_off_does_not_settle() {
+fn opened_contacts_do_not_settle() {
     with_snapshot(
         |it| it,
         [0.0, 0.0, 0.0, 1e-8],
@@ -217,7 +217,7 @@ fn what_a_condition_may_move_begins_at_rest() {
 }
 
 #[test]
-fn what_has_stopped_does_not_leave() {
+fn stopped_contacts_stay() {
     let mut located = LocatedSlips::default();
     located.leave(FLOOR, SlipDirection::Forward);
     assert!(located.is_leaving());
@@ -331,7 +331,7 @@ fn slips_that_end_without_time_are_given_up() {
 
 /// Of starts at rest on their contacts but for rounding none is struck.
 #[test]
-fn what_rounding_leaves_of_a_rate_strikes_nothing() {
+fn roundoff_of_a_rate_strikes_nothing() {
     let bar = Simulation::new(&Overhang { m: 1.0, l: 1.0, g: 10.0 }).unwrap();
     for k in 0..20 {
         let (slide, turn) = (0.1, 0.3);
@@ -357,7 +357,7 @@ fn a_drive_tells_the_natural_time() {
 
 /// A wall that is not there is not struck at a start.
 #[test]
-fn what_is_absent_is_not_struck_at_a_start() {
+fn absent_contacts_are_not_struck_at_the_start() {
     with_start(&start(&BALL, [3.0, 1.0, 1.0, 0.0]), |mut ball| {
         assert!(ball.contacts.absent().contains(WALL));
         ball.begin().unwrap();
@@ -377,7 +377,7 @@ fn no_slip_ends_where_nothing_rubs() {
 
 /// What has come to rest is in no flight, and no end of its impacts but the new one is awaited.
 #[test]
-fn what_has_settled_has_done_with_its_flights() {
+fn settled_contacts_have_no_flights() {
     with_begun(&start(&BALL, [0.0, 0.0, 0.0, 1e-8]), |mut ball, _| {
         for k in 0..9 {
             ball.bounces.begin(FLOOR, (f64::from(k), 0.5_f64.powi(k), 1.0));

@@ -158,7 +158,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_absent_is_neither_closed_nor_held_nor_waiting() {
+    fn absent_contacts_are_neither_closed_nor_held_nor_waiting() {
         use ContactState::{Absent, Closed, Held, Open, Waiting};
         let mut contacts = contacts();
         assert_eq!(states(&contacts), [Closed, Waiting, Open]);

@@ -1,5 +1,5 @@
-//! What is too small to be told from zero: max(10 tol, 64 ε, 2 ε t · fastest rate) of a natural
-//! unit, and of a gap at least 64 ε Σ |Jᵢ qᵢ|, the rounding of the terms that it is a sum of.
+//! What counts as zero: max(10 tol, 64 ε, 2 ε t · fastest rate) of a natural unit, and of a gap at
+//! least 64 ε Σ |Jᵢ qᵢ|, the roundoff of its terms.
 
 use std::cell::Ref;
 
@@ -9,7 +9,7 @@ use crate::model::ContactSet;
 use crate::numerics::zero::{compute_place_error, roundoff};
 use crate::simulation::Simulation;
 
-/// What is too small to be told from zero at a time and a state.
+/// What counts as zero at a time and a state.
 #[derive(Default)]
 pub(super) struct ZeroBounds {
     t: f64,
@@ -17,7 +17,7 @@ pub(super) struct ZeroBounds {
     /// Local errors of ten steps, or some roundings, or what the motion goes in the rounding of a
     /// time that is long.
     usual: f64,
-    /// What rounding makes of each gap, where that may be more.
+    /// Roundoff of each gap, where that may be more.
     roundings: Numbers,
 }
 

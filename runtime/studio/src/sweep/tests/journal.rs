@@ -73,7 +73,7 @@ fn a_journal_may_be_cut_anywhere() {
 
 /// Any byte of a row that is not as it was written: the row is computed once more, the others are kept.
 #[test]
-fn what_is_damaged_of_a_journal_is_computed_once_more() {
+fn damaged_rows_of_a_journal_are_recomputed() {
     let (models, path) = (models(), journal("damaged"));
     let words = ["vary e=0.1:1.2:5", "observe first impact y'", "observe end"];
     let again = || sweep(&models, "ball", &words).unwrap().journal(&path).run();

@@ -75,7 +75,7 @@ fn observations_count_look_back_and_find_extremes() {
 }
 
 #[test]
-fn what_does_not_happen_is_missing() {
+fn absent_events_are_missing_values() {
     let table = run("pendulum", &["vary phi=0.1:1:3", "observe first open", "observe first open phi"]);
     let cells: Vec<_> = table.rows.iter().map(|row| row.outcome.clone().unwrap()).collect();
     assert!(cells.iter().all(|cells| *cells == [Cell::Name("none".into()), Cell::Missing]));

@@ -96,7 +96,7 @@ struct Pole {
 
 /// 1/x < 1 holds for x < 0 and x > 1: it begins at −1 with the rate 1, v² = 1 + 2 (x + 1) up to 0, even from there to 1, and on.
 #[test]
-fn what_comes_and_goes_does_so_at_poles_too() {
+fn switches_act_at_poles_too() {
     for method in METHODS {
         let start = Pose::new("x", -1.0).with("x'", 1.0).with("y", 1.0);
         let run = Simulation::new(&Pole { m: 1.0, a: 1.0 }).unwrap().start(start).unwrap();

@@ -97,7 +97,7 @@ struct Pair {
 /// Momentum and angular momentum stay, and T + D; N is across the bar and R along it on the particle, |R| = μ |N| against the
 /// slip.
 #[test]
-fn what_slides_on_a_free_bar_keeps_its_momentum() {
+fn sliders_on_a_free_bar_conserve_momentum() {
     let mut seed = 0x1234_5678_9ABC_DEF1_u64;
     let mut between = |low: f64, high: f64| {
         seed ^= seed << 13;

@@ -121,7 +121,7 @@ fn errors_are_predicted_by_either_parity() {
 
 /// y₁′ = 2, as the time of a system that rests: no step leaves anything out.
 #[test]
-fn what_moves_uniformly_takes_long_steps() {
+fn uniform_motion_takes_long_steps() {
     for tolerance in [1e-3, 1e-9] {
         let tolerance = Tolerance::new(tolerance, [1e-12; 2]).unwrap();
         let step_state = StepState::new(tolerance, 0.0, [0.0, 1.0]).with_end(50.0);

@@ -12,7 +12,7 @@ use crate::contact::complementarity::LcpRows;
 
 /// The same in any units.
 #[test]
-fn what_vanishes_is_left_to_the_next_order() {
+fn vanishing_margins_are_left_to_the_next_order() {
     let mut random = Random(0x61C8_8646_80B5_83EB);
     let (mut drawn, mut open) = (0, 0);
     for k in 0..cases(1_500) {
@@ -81,7 +81,7 @@ pub(super) fn beside(one: &Linkage, other: &Linkage) -> Linkage {
 }
 
 #[test]
-fn what_stands_beside_does_not_matter() {
+fn independent_bodies_do_not_matter() {
     let mut random = Random(0x0A5B_35C9_E0F1_9D27);
     let mut drawn = 0;
     for k in 0..cases(400) {

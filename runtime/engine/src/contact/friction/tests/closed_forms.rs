@@ -51,7 +51,7 @@ fn a_block_sticks_up_to_its_limit() {
 
 /// Between kinetic friction and the limit of sticking both satisfy the law; what rests stays.
 #[test]
-fn what_rests_below_its_limit_sticks() {
+fn contacts_below_their_limit_stick() {
     let found = block(0.6, (0.5, 0.7), SlipVelocity::Rest);
     assert_eq!((found.modes[0], found.reason), (ContactMode::Stick, Reason::Sticks));
     assert_eq!(found.solutions, [[ContactMode::Stick], [FORWARD]]);

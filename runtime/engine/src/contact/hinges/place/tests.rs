@@ -32,7 +32,7 @@ fn laws_hold_up_to_rounding() {
 /// N = m g/2 of the end that lies and of the pin, whose friction has μ N r to spare where nothing turns it; or ¾ · 2 g of the end that
 /// falls: 1e-9 of the natural force, of the acceleration at the natural length, whatever the units are.
 #[test]
-fn what_is_zero_has_no_units() {
+fn zero_does_not_depend_on_units() {
     for units in [(2.0, 0.5, 9.81), (3e-7, 4e5, 2e-9), (5e8, 1e-6, 7e6)] {
         let context = context(units);
         let (m, _, g) = units;

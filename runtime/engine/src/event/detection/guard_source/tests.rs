@@ -62,7 +62,7 @@ fn falls_and_touches_are_reported_as_places_of_the_step() {
 }
 
 #[test]
-fn what_is_not_finite_is_reported_as_a_place_of_the_step() {
+fn nonfinite_values_are_reported_in_step_coordinates() {
     let value = |theta: f64| if theta > 0.8 { f64::NAN } else { 1.0 };
     let guard = GuardSource::Values { value: &value, size: 1.0, is_noisy: false };
     for error in [
@@ -74,7 +74,7 @@ fn what_is_not_finite_is_reported_as_a_place_of_the_step() {
 }
 
 #[test]
-fn what_counts_as_rounding_and_as_exact() {
+fn roundoff_and_exact_zero_are_distinguished() {
     let value = |_: f64| 0.0;
     let values = GuardSource::Values { value: &value, size: 3.0, is_noisy: false };
     assert_eq!(GuardSource::Series(&[1.0, -3.0, 2.0]).rounding(), values.rounding());

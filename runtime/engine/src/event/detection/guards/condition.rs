@@ -128,7 +128,7 @@ impl Kind for ConditionGuard<'_> {
         step.difference(theta, self.condition).0
     }
 
-    /// The larger side, as most of the given times have it: beside a pole it is of any size.
+    /// The median of the larger side over the sample times, so that a pole does not dominate.
     fn size(&self, step: &SampledStep<'_>, at: &[f64]) -> f64 {
         let least = find_rounding(self.condition, step, at) / step.scales.bounds.relative;
         let sizes = at.iter().map(|&theta| step.difference(theta, self.condition).1);

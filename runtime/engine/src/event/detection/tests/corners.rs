@@ -131,7 +131,7 @@ fn a_drive_takes_hold_from_either_side() {
 
 /// A corner that has gone below beyond the end of its bar and has come back closes as any other; so does one that begins below.
 #[test]
-fn what_came_back_has_not_passed() {
+fn returning_corners_have_not_passed() {
     for k in 0..40 {
         let falls = 0.72 + 0.005 * f64::from(k);
         let scene = Scene::closed(ContactSet::EMPTY, move |t| {

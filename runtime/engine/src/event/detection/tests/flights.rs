@@ -108,7 +108,7 @@ fn a_flight_that_begins_deep_has_its_ground_there() {
 
 /// A part of the natural length, which is two here.
 #[test]
-fn what_is_low() {
+fn heights_within_the_gap_bound_are_low() {
     let scene = Scene::closed(ContactSet::EMPTY, |_| Shown::default());
     let detector = scene.begun(alone(PLAIN), (&[], false));
     let (most, is_low) = (BOUNDS.relative * BOUNDS.length, |gap| detector.scales.is_low(gap));

@@ -101,7 +101,7 @@ fn a_slip_vanishes_in_its_sense() {
 
 /// Of which contacts and guards it is said.
 #[test]
-fn what_is_kept() {
+fn suppressed_guards_stay_suppressed() {
     let closed = set(&[PLAIN, CORNER, THREAD]).slipping(RUBBING, Slip::Stick).slipping(GUIDE, Slip::Forward);
     let scene = Scene::new((closed, Form::Reduced), |_| Shown::default());
     let conditions = [scene.condition("z > 1")];

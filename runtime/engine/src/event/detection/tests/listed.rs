@@ -127,7 +127,7 @@ fn each_guard_is_evaluated_from_what_it_follows_from() {
 
 /// Each in its unit; in a low flight a part of its height.
 #[test]
-fn what_counts_as_zero() {
+fn zero_bounds_of_guards() {
     let closed = set(&[PLAIN, CORNER]).slipping(RUBBING, Slip::Stick).slipping(GUIDE, Slip::Backward);
     let grip = SharedFriction { sticking: set(&[RUBBING]), normals: ContactSet::EMPTY };
     let scene = Scene::new((closed, Form::Reduced), |_| Shown::default());
@@ -159,7 +159,7 @@ fn what_counts_as_zero() {
 
 /// The bound itself is zero yet, on either side, at the start and later; and a guard at zero is known to be so until it has left.
 #[test]
-fn what_is_as_large_as_its_bound_is_zero() {
+fn values_at_their_bound_are_zero() {
     let bound = BOUNDS.relative * FORCES[THREAD];
     for (value, is_zero) in
         [(bound, true), (-bound, true), (bound.next_up(), false), (-bound.next_up(), false)]

@@ -5,7 +5,7 @@ use super::given::*;
 /// What arms or disarms holds from the start where its sides differ by a millionth of what they differ by at the end, and have
 /// their order soon after, too.
 #[test]
-fn what_holds_from_the_start_but_for_rounding_arms_there() {
+fn conditions_true_up_to_roundoff_arm_at_the_start() {
     let line = |first: f64| move |t: f64| if t == 1.0 { 1.0 } else { first + t * (1.0 - first) };
     for (sign, holds, other) in [(1.0, "z > 0", "z < 0"), (-1.0, "z < 0", "z > 0")] {
         for (first, arms) in [(1e-9, true), (1e-6, true), (1e-6_f64.next_up(), false), (0.5, false)] {
@@ -47,7 +47,7 @@ fn a_pole_is_well_passed() {
 
 /// A quantity compared with itself is rounding from end to end.
 #[test]
-fn what_is_equal_throughout_is_undecided() {
+fn identically_zero_conditions_are_undecided() {
     for text in ["abs(z) = z", "abs(t) = t", "abs(z) - z > 0"] {
         let scene = from_function(|t| 0.3 + t);
         let conditions = [scene.condition(text)];
@@ -60,7 +60,7 @@ fn what_is_equal_throughout_is_undecided() {
 
 /// The difference of one and one is zero to the rounding of both: 32 ε as one is read, and that of the operations.
 #[test]
-fn what_rounding_makes_of_a_difference_is_zero() {
+fn roundoff_of_a_difference_is_zero() {
     for (apart, is_zero) in [(0.0, true), (4e-15, true), (-4e-15, true), (1.5e-14, false), (-1.5e-14, false)]
     {
         let scene = from_function(move |t| 1.0 + apart + t);

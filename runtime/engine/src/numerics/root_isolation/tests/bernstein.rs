@@ -128,7 +128,7 @@ fn a_root_beside_a_negligible_end_is_found() {
 
 /// (x − p)² + w² keeps its sign, which is told down to pieces of 2⁻²¹ at least: of narrower ones their middles.
 #[test]
-fn what_is_not_distinguished_is_a_point_among_it() {
+fn near_double_roots_are_one_point() {
     let narrowest = f64::powi(2.0, -20);
     for part in [0.1, 0.35, 0.6, 0.9] {
         let p = narrowest * (314_159.0 + part);

@@ -141,7 +141,7 @@ fn evaluations() {
 }
 
 #[test]
-fn what_is_not_finite_is_said() {
+fn nonfinite_values_are_reported() {
     let pole = |t: f64| 1.0 / (t - 0.5);
     assert_eq!(watch(pole, RootStart::Free, 0.0), Err(GuardError::NotFinite { theta: 0.5 }));
     assert!(first_root(|_| f64::NAN, RootStart::Free, 0.0).is_err());

@@ -210,7 +210,7 @@ fn sine_of(omega: f64) -> [f64; 40] {
 }
 
 #[test]
-fn what_is_not_finite_is_said() {
+fn nonfinite_series_are_reported() {
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         for place in 0..8 {
             let mut c = [5.0, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1];
@@ -229,7 +229,7 @@ fn what_is_not_finite_is_said() {
 
 /// The same from a function and from its series.
 #[test]
-fn both_ways() {
+fn roots_are_found_both_ways() {
     for i in 0..2000 {
         let (omega, phase) = (0.5 + f64::from(i % 37) / 12.0, f64::from(i) * 0.003);
         let g = |theta: f64| (omega * theta + phase).sin();

@@ -28,7 +28,7 @@ fn rod(degrees: f64, (slip, normal): (f64, f64), mu: f64, (e, law): (f64, Law)) 
 /// With little inertia the rates after an impact are known to few digits; that the tip stays closed
 /// and sticks is known from its law.
 #[test]
-fn what_ends_at_rest_is_at_rest_however_ill_conditioned_the_mass() {
+fn rest_after_impact_is_exact_with_ill_conditioned_mass() {
     for inertia in [1e-3, 1e-7, 1e-11] {
         for law in [Law::Newton, Law::Poisson, Law::Stronge] {
             let mut rod = rod(52.7, (0.3, -1.0), 0.999, (0.0, law));

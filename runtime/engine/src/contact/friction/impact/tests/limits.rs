@@ -123,7 +123,7 @@ fn impulses_are_not_unique_where_those_of_a_stage_are_not() {
 
 /// Where nothing moves no impulse changes the motion.
 #[test]
-fn what_is_at_rest_has_no_impact_without_collision() {
+fn bodies_at_rest_have_no_impact() {
     let mut random = Random(0xA54F_F53A_5F1D_36F1);
     for law in [Law::Newton, Law::Poisson] {
         for contacts in [1, 2] {
@@ -136,7 +136,7 @@ fn what_is_at_rest_has_no_impact_without_collision() {
 
 /// What is applied acts first, on the joint alone, and the contact strikes after it: all impulses together balance what is applied.
 #[test]
-fn what_is_applied_acts_before_a_contact_strikes() {
+fn applied_impulses_act_before_contacts() {
     let mut random = Random(0x3C6E_F372_FE94_F82B);
     let mut struck = 0;
     for k in 0..400 {

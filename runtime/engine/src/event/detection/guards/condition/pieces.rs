@@ -168,7 +168,7 @@ mod tests {
 
     /// Values beyond their bound on one side of zero everywhere.
     #[test]
-    fn what_keeps_its_sign_is_passed_over() {
+    fn pieces_of_one_sign_are_skipped() {
         for (low, high, looked) in
             [(2.0, 3.0, 0), (-3.0, -2.0, 0), (1.0, 3.0, 1), (-3.0, -1.0, 1), (-2.0, 2.0, 1), (0.5, 3.0, 1)]
         {

@@ -184,7 +184,7 @@ fn the_first_place_where_it_becomes_true() {
 /// Where there is no patience left it is said that it is not decided, and half of it is left for
 /// the next step, but some for each.
 #[test]
-fn what_takes_too_long_is_undecided() {
+fn long_searches_are_undecided() {
     let scene = from_function(|t| t);
     // Bounds of the two waves add up: nothing is proved of pieces that hold a turn.
     let endless = scene.condition("sin(1e7*z) - sin(1e7*z)/2 = 0.6");
