@@ -1,6 +1,7 @@
 //! Names and parameters.
 
 use proc_macro2::{Literal, TokenStream};
+use quote::{ToTokens, format_ident};
 
 use super::defaults::defaults;
 use super::numbers::{measures, restitution};
@@ -97,33 +98,42 @@ fn layout(analysis: &Analysis, drawn: &Geometry) -> TokenStream {
         let [contact, row] = [contact, row].map(count);
         quote!(Friction { contact: #contact, row: #row, follows_slip: #follows_slip })
     });
+    // What a scene does not have is not named.
+    let lists = [
+        ("parameters", parameters.collect()),
+        ("dimensions", dimensions.collect()),
+        ("coordinates", coordinates.collect()),
+        ("dependent", dependent.collect()),
+        ("contacts", contacts),
+        ("joints", joints.collect()),
+        ("tangents", tangents.iter().map(ToTokens::to_token_stream).collect()),
+        ("frictions", frictions.collect()),
+        ("switches", switches.collect()),
+        ("signals", signals.collect()),
+        ("kinks", kinks.collect()),
+        ("quantities", quantities.collect()),
+        ("points", points.map(ToTokens::to_token_stream).collect()),
+        ("bars", bars.collect()),
+        ("closed_forms", closed.collect()),
+    ];
+    let lists = lists.into_iter().filter(|(_, entries): &(_, Vec<TokenStream>)| !entries.is_empty());
+    let lists = lists.map(|(field, entries)| {
+        let field = format_ident!("{field}");
+        quote!(.#field(&[#(#entries),*]))
+    });
+    let flags = [("covariant", covariant), ("timed", timed), ("compliant", compliant), ("loaded", loaded)];
+    let flags = flags.into_iter().filter(|(_, holds)| *holds).map(|(field, _)| {
+        let field = format_ident!("{field}");
+        quote!(.#field(true))
+    });
     quote! {
-        Layout {
-            name: #name,
-            declaration: #declaration,
-            summary: #summary,
-            parameters: &[#(#parameters),*],
-            dimensions: &[#(#dimensions),*],
-            defaults: #defaults,
-            covariant: #covariant,
-            coordinates: &[#(#coordinates),*],
-            dependent: &[#(#dependent),*],
-            contacts: &[#(#contacts),*],
-            joints: &[#(#joints),*],
-            tangents: &[#(#tangents),*],
-            frictions: &[#(#frictions),*],
-            timed: #timed,
-            switches: &[#(#switches),*],
-            signals: &[#(#signals),*],
-            compliant: #compliant,
-            kinks: &[#(#kinks),*],
-            loaded: #loaded,
-            quantities: &[#(#quantities),*],
-            points: &[#(#points),*],
-            bars: &[#(#bars),*],
-            closed_forms: &[#(#closed),*],
-            geometry: #geometry,
-        }
+        Layout::new(#name)
+            .declaration(#declaration)
+            .summary(#summary)
+            .defaults(#defaults)
+            .geometry(#geometry)
+            #(#lists)*
+            #(#flags)*
     }
 }
 

@@ -22,32 +22,7 @@ fn implemented(runtime: &Path, ident: &Ident, names: &TokenStream) -> TokenStrea
             #names
 
             impl BarSystem for #model {
-                const LAYOUT: &'static Layout = &Layout {
-                    name: "",
-                    declaration: "",
-                    summary: "",
-                    parameters: &[],
-                    dimensions: &[],
-                    defaults: &Defaults::NONE,
-                    covariant: false,
-                    coordinates: &[],
-                    dependent: &[],
-                    contacts: &[],
-                    joints: &[],
-                    tangents: &[],
-                    frictions: &[],
-                    timed: false,
-                    switches: &[],
-                    compliant: false,
-                    signals: &[],
-                    kinks: &[],
-                    loaded: false,
-                    quantities: &[],
-                    points: &[],
-                    bars: &[],
-                    closed_forms: &[],
-                    geometry: &Geometry::EMPTY,
-                };
+                const LAYOUT: &'static Layout = &Layout::new("");
                 type Constants<S: Real> = ();
                 type State<S: Real> = [S; 0];
                 type Reactions<S: Real> = [S; 0];

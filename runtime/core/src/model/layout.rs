@@ -233,6 +233,7 @@ impl Dimension {
 
 /// A model's names.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct Layout {
     /// The struct's name.
     pub name: &'static str,
@@ -285,6 +286,54 @@ pub struct Layout {
     pub closed_forms: &'static [ContactSet],
     /// How it is drawn.
     pub geometry: &'static Geometry,
+}
+
+/// A model without anything but a name, and for each field a function that gives it: a description names what its scene has
+/// and nothing else, and fields that come later do not break it.
+macro_rules! builder {
+    ($($field:ident: $type:ty = $none:expr;)*) => {
+        impl Layout {
+            /// A model without anything.
+            pub const fn new(name: &'static str) -> Self {
+                Self { name, $($field: $none),* }
+            }
+
+            $(
+                #[doc = concat!("The same with these [`", stringify!($field), "`](field@Self::", stringify!($field), ").")]
+                #[must_use]
+                pub const fn $field(mut self, $field: $type) -> Self {
+                    self.$field = $field;
+                    self
+                }
+            )*
+        }
+    };
+}
+
+builder! {
+    declaration: &'static str = "";
+    summary: &'static str = "";
+    parameters: &'static [&'static str] = &[];
+    dimensions: &'static [Option<Dimension>] = &[];
+    defaults: &'static Defaults = &Defaults::NONE;
+    covariant: bool = false;
+    coordinates: &'static [Coordinate] = &[];
+    dependent: &'static [DependentAngle] = &[];
+    contacts: &'static [Contact] = &[];
+    joints: &'static [Joint] = &[];
+    tangents: &'static [usize] = &[];
+    frictions: &'static [Friction] = &[];
+    timed: bool = false;
+    switches: &'static [Switch] = &[];
+    compliant: bool = false;
+    kinks: &'static [Kink] = &[];
+    signals: &'static [Signal] = &[];
+    loaded: bool = false;
+    quantities: &'static [Quantity] = &[];
+    points: &'static [&'static str] = &[];
+    bars: &'static [Bar] = &[];
+    closed_forms: &'static [ContactSet] = &[];
+    geometry: &'static Geometry = &Geometry::EMPTY;
 }
 
 impl Layout {

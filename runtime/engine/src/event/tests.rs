@@ -39,16 +39,14 @@ const CONTACTS: [Contact; 3] = [
 ];
 
 fn layout() -> Layout {
-    Layout {
-        contacts: &CONTACTS,
-        joints: &[Joint { name: "hinge J", is_angle: false }],
-        tangents: &[0, 2],
-        frictions: &[
+    (*Model::new(&Particle { m: 1.0, g: 1.0, e: 0.0 }).layout())
+        .contacts(&CONTACTS)
+        .joints(&[Joint { name: "hinge J", is_angle: false }])
+        .tangents(&[0, 2])
+        .frictions(&[
             Friction { contact: 0, row: 4, follows_slip: false },
             Friction { contact: 2, row: 5, follows_slip: false },
-        ],
-        ..*Model::new(&Particle { m: 1.0, g: 1.0, e: 0.0 }).layout()
-    }
+        ])
 }
 
 #[test]

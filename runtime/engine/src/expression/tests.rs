@@ -7,17 +7,11 @@ use super::{Condition, Environment, Formula, Variable};
 use crate::error::OutputError;
 use crate::model::{Contact, ContactKind, Coordinate, Friction, Law, Layout, Quantity, QuantityKind};
 
-static LAYOUT: Layout = Layout {
-    name: "Sample",
-    declaration: "",
-    summary: "",
-    parameters: &["m", "l"],
-    dimensions: &[None, None],
-    defaults: &liftoff_core::model::Defaults::NONE,
-    covariant: false,
-    coordinates: &[Coordinate { name: "phi", is_angle: true }],
-    dependent: &[],
-    contacts: &[
+static LAYOUT: Layout = Layout::new("Sample")
+    .parameters(&["m", "l"])
+    .dimensions(&[None, None])
+    .coordinates(&[Coordinate { name: "phi", is_angle: true }])
+    .contacts(&[
         Contact {
             label: "A, E",
             supports: &["A", "E"],
@@ -57,17 +51,10 @@ static LAYOUT: Layout = Layout {
             stop: false,
             armed: None,
         },
-    ],
-    joints: &[],
-    tangents: &[0, 2],
-    frictions: &[Friction { contact: 2, row: 4, follows_slip: false }],
-    timed: false,
-    switches: &[],
-    compliant: false,
-    signals: &[],
-    kinks: &[],
-    loaded: false,
-    quantities: &[
+    ])
+    .tangents(&[0, 2])
+    .frictions(&[Friction { contact: 2, row: 4, follows_slip: false }])
+    .quantities(&[
         Quantity { name: "fx(D, AD)", kind: QuantityKind::JointForce },
         Quantity { name: "fx(D, DB)", kind: QuantityKind::JointForce },
         Quantity { name: "drive(x(D))", kind: QuantityKind::DriveForce },
@@ -77,12 +64,8 @@ static LAYOUT: Layout = Layout {
         // The unit is that of the kind, whatever the name.
         Quantity { name: "drive(phi)", kind: QuantityKind::DriveTorque },
         Quantity { name: "bend(O)", kind: QuantityKind::BendingMoment },
-    ],
-    points: &["D"],
-    bars: &[],
-    closed_forms: &[],
-    geometry: &crate::model::Geometry::EMPTY,
-};
+    ])
+    .points(&["D"]);
 
 fn parse(text: &str) -> Result<Expression, OutputError> {
     let mut parser = Parser::new(text, Vocabulary::new(&LAYOUT))?;

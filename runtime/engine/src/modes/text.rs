@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::{MAX_ENUMERATED_SETS, Change, Mode, ModeTransition, Modes};
+use super::{Change, MAX_ENUMERATED_SETS, Mode, ModeTransition, Modes};
 
 impl Modes {
     /// `free`, or `on A, E`.

@@ -47,62 +47,60 @@ fn layout(analysis: &Analysis) -> Layout {
     let bars = system.bodies.iter();
     let quantities = functions.quantities.iter();
     let drawn = Geometry::from_system(system, &kinematics.coordinates);
-    Layout {
-        name: text(&plain(&system.ident)),
-        declaration: text(&system.declaration),
-        summary: text(&system.summary),
-        parameters: list(system.parameters.iter().map(|name| text(&plain(name)))),
-        dimensions: list(dimensions.parameters.iter().map(|powers| {
+    Layout::new(text(&plain(&system.ident)))
+        .declaration(text(&system.declaration))
+        .summary(text(&system.summary))
+        .parameters(list(system.parameters.iter().map(|name| text(&plain(name)))))
+        .dimensions(list(dimensions.parameters.iter().map(|powers| {
             let (numerators, denominator) = in_bytes((*powers)?)?;
             Some(Dimension::new(numerators, denominator))
-        })),
-        defaults: Box::leak(Box::new(defaults(system))),
-        covariant: dimensions.covariant,
-        coordinates: list(coordinates.map(|c| Coordinate { name: text(&c.name), is_angle: c.is_angle() })),
-        dependent: list(kinematics.dependent.iter().map(|angle| DependentAngle {
+        })))
+        .defaults(Box::leak(Box::new(defaults(system))))
+        .covariant(dimensions.covariant)
+        .coordinates(list(coordinates.map(|c| Coordinate { name: text(&c.name), is_angle: c.is_angle() })))
+        .dependent(list(kinematics.dependent.iter().map(|angle| DependentAngle {
             name: text(&angle.declared.name),
             quarters: angle.quarters,
             parameters: terms(&angle.parameters),
             coordinates: terms(&angle.coordinates),
-        })),
-        contacts: contacts::contacts(analysis),
-        joints: list(
+        })))
+        .contacts(contacts::contacts(analysis))
+        .joints(list(
             kinematics
                 .joints
                 .iter()
                 .map(|joint| Joint { name: text(&joint.name), is_angle: joint.is_angle(system) }),
-        ),
-        tangents: list(motion.tangents.iter().copied()),
-        frictions: list(motion.frictions().map(|(contact, row)| Friction {
+        ))
+        .tangents(list(motion.tangents.iter().copied()))
+        .frictions(list(motion.frictions().map(|(contact, row)| Friction {
             contact,
             row,
             follows_slip: motion.follows_slip(system, contact),
-        })),
-        timed: motion.is_timed(),
-        switches: list(
+        })))
+        .timed(motion.is_timed())
+        .switches(list(
             system.switches.iter().map(|switch| model::Switch {
                 label: text(&switch.label),
                 condition: text(&switch.condition),
             }),
-        ),
-        signals: list(
+        ))
+        .signals(list(
             system
                 .signals
                 .iter()
                 .map(|signal| model::Signal { expression: text(&signal.expression), drives: signal.drives }),
-        ),
-        compliant: system.is_compliant(),
-        kinks: list(functions.kinks.iter().map(|kink| match kink {
+        ))
+        .compliant(system.is_compliant())
+        .kinks(list(functions.kinks.iter().map(|kink| match kink {
             Kink::Sign(_) => model::Kink::Sign,
             Kink::Radicand(_) => model::Kink::Radicand,
-        })),
-        loaded: system.is_loaded(),
-        quantities: list(quantities.map(|q| Quantity { name: text(&q.name), kind: kind(q.kind) })),
-        points: list(system.points.iter().map(|point| text(&point.name))),
-        bars: list(bars.map(|bar| Bar { name: text(&bar.name), from: bar.from, to: bar.to })),
-        closed_forms: list(functions.phases.iter().map(|phase| set(phase.set))),
-        geometry: Box::leak(Box::new(geometry::geometry(&drawn))),
-    }
+        })))
+        .loaded(system.is_loaded())
+        .quantities(list(quantities.map(|q| Quantity { name: text(&q.name), kind: kind(q.kind) })))
+        .points(list(system.points.iter().map(|point| text(&point.name))))
+        .bars(list(bars.map(|bar| Bar { name: text(&bar.name), from: bar.from, to: bar.to })))
+        .closed_forms(list(functions.phases.iter().map(|phase| set(phase.set))))
+        .geometry(Box::leak(Box::new(geometry::geometry(&drawn))))
 }
 
 fn defaults(system: &System) -> Defaults {

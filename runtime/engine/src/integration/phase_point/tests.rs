@@ -17,35 +17,18 @@ const G: f64 = 9.81;
 const OMEGA: f64 = 3.0;
 const M: f64 = 2.0;
 
-static LAYOUT: Layout = Layout {
-    name: "Driven",
-    declaration: "",
-    summary: "",
-    parameters: &["a"],
-    dimensions: &[None],
-    defaults: &liftoff_core::model::Defaults::NONE,
-    covariant: false,
-    coordinates: &[Coordinate { name: "x", is_angle: false }, Coordinate { name: "phi", is_angle: true }],
-    dependent: &[],
-    contacts: &[],
-    joints: &[Joint { name: "drive x", is_angle: false }],
-    tangents: &[],
-    frictions: &[],
-    timed: true,
-    switches: &[],
-    compliant: false,
-    signals: &[],
-    kinks: &[],
-    loaded: false,
-    quantities: &[
+static LAYOUT: Layout = Layout::new("Driven")
+    .parameters(&["a"])
+    .dimensions(&[None])
+    .coordinates(&[Coordinate { name: "x", is_angle: false }, Coordinate { name: "phi", is_angle: true }])
+    .joints(&[Joint { name: "drive x", is_angle: false }])
+    .timed(true)
+    .quantities(&[
         Quantity { name: "drive(x)", kind: QuantityKind::DriveForce },
         Quantity { name: "px", kind: QuantityKind::Momentum },
-    ],
-    points: &["P"],
-    bars: &[],
-    closed_forms: &[ContactSet::EMPTY],
-    geometry: &Geometry::EMPTY,
-};
+    ])
+    .points(&["P"])
+    .closed_forms(&[ContactSet::EMPTY]);
 
 fn n<S: Real>(x: f64) -> S {
     S::from_f64(x)

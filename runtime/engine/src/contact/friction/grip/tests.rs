@@ -17,12 +17,10 @@ fn edges_of_cones_bear_the_reactions() {
     let mut contacts = plain.contacts.to_vec();
     (contacts[0].friction, contacts[2].friction) = (Some(0), Some(1));
     let friction = |contact: usize, row: usize| Friction { contact, row, follows_slip: false };
-    let layout = Layout {
-        contacts: contacts.leak(),
-        tangents: &[0, 2],
-        frictions: vec![friction(0, 3), friction(2, 4)].leak(),
-        ..*plain
-    };
+    let layout = (*plain)
+        .contacts(contacts.leak())
+        .tangents(&[0, 2])
+        .frictions(vec![friction(0, 3), friction(2, 4)].leak());
     let jacobian = DMatrix::from_row_slice(4, 2, &[1.0, 0.5, 2.0, -1.0, 0.3, 4.0, 0.0, 3.0]);
     let rows = ClosedRows { rows: vec![0, 1, 2, 3], jacobian, levers: vec![1.0; 4] };
     let slip = |limit: f64| SlipState { velocity: 0.0, kinetic: limit, limit };

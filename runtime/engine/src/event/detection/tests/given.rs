@@ -52,17 +52,9 @@ const fn friction(contact: usize, row: usize) -> Friction {
     Friction { contact, row, follows_slip: false }
 }
 
-pub(crate) static LAYOUT: Layout = Layout {
-    name: "Given",
-    declaration: "",
-    summary: "",
-    parameters: &[],
-    dimensions: &[],
-    defaults: &liftoff_core::model::Defaults::NONE,
-    covariant: false,
-    coordinates: &[Coordinate { name: "s", is_angle: false }, Coordinate { name: "z", is_angle: false }],
-    dependent: &[],
-    contacts: &[
+pub(crate) static LAYOUT: Layout = Layout::new("Given")
+    .coordinates(&[Coordinate { name: "s", is_angle: false }, Coordinate { name: "z", is_angle: false }])
+    .contacts(&[
         contact("plain", ContactKind::Support, None),
         contact("rubbing", ContactKind::Support, Some(0)),
         contact("guide", ContactKind::Guide, Some(1)),
@@ -71,22 +63,10 @@ pub(crate) static LAYOUT: Layout = Layout {
         contact("drive", ContactKind::Drive, None),
         contact("turn", ContactKind::Turn, None),
         contact("hinge", ContactKind::Hinge { force: [0, 0] }, Some(2)),
-    ],
-    joints: &[],
-    tangents: &[RUBBING, GUIDE, HINGE],
-    frictions: &[friction(RUBBING, CONTACTS), friction(GUIDE, CONTACTS + 1), friction(HINGE, CONTACTS + 2)],
-    timed: false,
-    switches: &[],
-    compliant: false,
-    signals: &[],
-    kinks: &[],
-    loaded: false,
-    quantities: &[],
-    points: &[],
-    bars: &[],
-    closed_forms: &[ContactSet::EMPTY],
-    geometry: &Geometry::EMPTY,
-};
+    ])
+    .tangents(&[RUBBING, GUIDE, HINGE])
+    .frictions(&[friction(RUBBING, CONTACTS), friction(GUIDE, CONTACTS + 1), friction(HINGE, CONTACTS + 2)])
+    .closed_forms(&[ContactSet::EMPTY]);
 
 /// What there is at one time.
 #[derive(Clone, Default)]
