@@ -1,4 +1,5 @@
-//! Equations in a struct's own documentation, as HTML with MathML, which browsers set without scripts.
+//! Equations in a struct's own documentation, as HTML with MathML, which browsers set without
+//! scripts.
 
 use core::fmt::Write;
 
@@ -13,13 +14,15 @@ use crate::text::{Equations, PhaseEquations};
 const UNFOLDED: usize = 2;
 const PARAGRAPH: &str = "<p style=\"padding-left: 2em; text-indent: -2em; line-height: 2\">";
 
-/// Puts [`documented`] over an item where it is documented; nothing else is done where it is compiled.
+/// Puts [`documented`] over an item where it is documented; nothing else is done where it is
+/// compiled.
 pub fn document(runtime: TokenStream, item: TokenStream) -> TokenStream {
     let runtime = if runtime.is_empty() { quote!(::liftoff) } else { runtime };
     quote!(#[cfg_attr(doc, #runtime::documented)] #item)
 }
 
-/// The item with its equations at the end of its documentation; mistakes are left to the derive macro.
+/// The item with its equations at the end of its documentation; mistakes are left to the derive
+/// macro.
 pub fn documented(item: TokenStream) -> TokenStream {
     let Ok(mut input) = syn::parse2::<DeriveInput>(item.clone()) else { return item };
     let mut declaration = input.clone();

@@ -7,19 +7,20 @@
 //! ```
 //!
 //! - [`algebra`]: exact Poisson series and their quotients; knows no mechanics.
-//! - `syntax`: attributes with their spans; `system`: names resolved, mistakes reported, all at once.
+//! - `syntax`: attributes with their spans; `system`: names resolved, mistakes reported, all at
+//!   once.
 //! - `dimensions`: those of the parameters, and contradictions between them.
 //! - [`kinematics`]: generalised coordinates, directions and positions.
 //! - [`motion`]: M, h, Q, and the rows of contacts and joints.
 //! - [`phases`]: the contact sets that have a closed form, and their reduced equations.
-//! - [`program`]: the same as arithmetic, with an interpreter and operation counts; [`functions`]: what of it
-//!   a model needs.
+//! - [`program`]: the same as arithmetic, with an interpreter and operation counts; [`functions`]:
+//!   what of it a model needs.
 //! - [`geometry`]: how the model is drawn; [`numbers`]: what parameters alone determine.
 //! - [`limits`]: how long and how deep a declaration may be.
 //! - `budget`: operations against what the declaration allows.
 //! - `emit`: that arithmetic as Rust.
-//! - [`math`]: formulas as they are written, as text, LaTeX and MathML; [`text`]: the equations in them;
-//!   `document`: those in a struct's documentation.
+//! - [`math`]: formulas as they are written, as text, LaTeX and MathML; [`text`]: the equations in
+//!   them; `document`: those in a struct's documentation.
 //! - [`export`]: the equations as sources of other programs.
 //! - [`units`]: values with units, in those of the SI.
 //! - `unfold`: the model that has both halves of a mirrored one.
@@ -82,9 +83,10 @@ pub struct Analysis {
 }
 
 impl Analysis {
-    /// Values of some outputs of [`Analysis::functions`] by the interpreter; `state` holds the coordinates, the rates, the
-    /// accelerations, the multipliers of all rows, the time, the senses of sliding of all contacts and the switches, as far as they are used; what is
-    /// missing is not a number.
+    /// Values of some outputs of [`Analysis::functions`] by the interpreter; `state` holds the
+    /// coordinates, the rates, the accelerations, the multipliers of all rows, the time, the senses
+    /// of sliding of all contacts and the switches, as far as they are used; what is missing is not
+    /// a number.
     pub fn evaluate(&self, outputs: &[program::Id], parameters: &[f64], state: &[f64]) -> Vec<f64> {
         let n = self.motion.n;
         let at = |i: usize| state.get(i).copied().unwrap_or(f64::NAN);
@@ -187,8 +189,8 @@ fn derived(description: &Description) -> syn::Result<Analysis> {
     Ok(Analysis { system, dimensions, kinematics, motion, dense: Some(dense), phases, functions })
 }
 
-/// The implementation of `BarSystem` for a declaration, or its mistakes as compile errors beside one that does nothing, so
-/// that uses of the model are no mistakes too.
+/// The implementation of `BarSystem` for a declaration, or its mistakes as compile errors beside
+/// one that does nothing, so that uses of the model are no mistakes too.
 pub fn expand(input: TokenStream) -> TokenStream {
     let named = syntax::name_and_runtime(&input);
     let description = match parse(input) {

@@ -1,7 +1,7 @@
 //! Limits of what is read: beyond them an expression would exhaust the stack of whoever reads it.
 //!
-//! How deep the tree of an expression can be is bounded by the tokens on the way to its deepest part: for each level of
-//! brackets those between two commas or semicolons.
+//! How deep the tree of an expression can be is bounded by the tokens on the way to its deepest
+//! part: for each level of brackets those between two commas or semicolons.
 
 use crate::algebra::work;
 use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};

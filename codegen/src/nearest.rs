@@ -1,5 +1,5 @@
-//! Names that are not there, and what was probably meant: the least optimal-string-alignment distance
-//! (insert, delete, replace a letter, exchange two neighbours).
+//! Names that are not there, and what was probably meant: the least optimal-string-alignment
+//! distance (insert, delete, replace a letter, exchange two neighbours).
 
 use std::fmt::Display;
 

@@ -1,5 +1,6 @@
-//! Units behind numbers, `75deg`, `2.5 mm`, `10 kN/m`, and what they are in the SI: one table for declarations and commands.
-//! An angle is a number; its power tells rad, and a torque (energy for an angle) from an energy.
+//! Units behind numbers, `75deg`, `2.5 mm`, `10 kN/m`, and what they are in the SI: one table for
+//! declarations and commands. An angle is a number; its power tells rad, and a torque (energy for
+//! an angle) from an energy.
 
 use core::f64::consts::PI;
 
@@ -34,7 +35,8 @@ const BASES: [(&str, [i8; 4]); 8] = [
     ("Pa", [-1, -2, 1, 0]),
 ];
 
-/// A unit with a name of its own: its factor, times a power of ten, and the coherent units with their powers.
+/// A unit with a name of its own: its factor, times a power of ten, and the coherent units with
+/// their powers.
 type Named = (&'static str, f64, i32, &'static [(&'static str, i8)]);
 
 /// Units that take prefixes.

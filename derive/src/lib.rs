@@ -1,4 +1,5 @@
-//! `#[derive(BarSystem)]` of the crate `liftoff`, which documents it; everything it does is in [`liftoff_codegen`].
+//! `#[derive(BarSystem)]` of the crate `liftoff`, which documents it; everything it does is in
+//! [`liftoff_codegen`].
 
 use proc_macro::TokenStream;
 

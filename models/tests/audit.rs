@@ -15,8 +15,8 @@ fn default_runs_are_clean() {
     }
 }
 
-/// Without loads, drives and moving surfaces E + D is constant, whatever friction, dampers and impacts take; of an applied impulse
-/// it has the work.
+/// Without loads, drives and moving surfaces E + D is constant, whatever friction, dampers and
+/// impacts take; of an applied impulse it has the work.
 #[test]
 fn lost_energy_is_accounted_for() {
     let mut lossy = 0;
@@ -81,8 +81,8 @@ fn given_rates_are_kept_or_refused() {
     }
 }
 
-/// On straight legs the gaps of both feet have one gradient, so that either bears. The foot whose knee bends faster is off the floor
-/// at once, whatever the tolerance at which that is seen.
+/// On straight legs the gaps of both feet have one gradient, so that either bears. The foot whose
+/// knee bends faster is off the floor at once, whatever the tolerance at which that is seen.
 #[test]
 fn a_foot_that_depends_on_the_other_only_at_the_start_opens_there() {
     let model = models().find("walker").unwrap();

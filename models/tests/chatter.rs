@@ -1,11 +1,11 @@
-//! Impacts without restitution that chase each other: feet and a thread strike in turn, each time with two thirds of the speed,
-//! until all are at rest.
+//! Impacts without restitution that chase each other: feet and a thread strike in turn, each time
+//! with two thirds of the speed, until all are at rest.
 
 use liftoff::prelude::*;
 use liftoff_models::models;
 
-/// Lost flights within the bounds of their gaps used to be struck late, each with more energy than was left: thousands of events,
-/// more at some tolerances than at others.
+/// Lost flights within the bounds of their gaps used to be struck late, each with more energy than
+/// was left: thousands of events, more at some tolerances than at others.
 #[test]
 fn chatter_dies_at_every_tolerance() {
     let angle = 1.266_103_672_779_499_2;

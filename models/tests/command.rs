@@ -157,7 +157,8 @@ fn modes_are_reported_as_text_and_as_a_graph() {
     assert!(text(&["modes", "ladder", "--dot"]).starts_with("digraph Ladder {"));
 }
 
-/// From upright C opens first where the strict equations have it (`strict.phi_first[0.50]` of the references).
+/// From upright C opens first where the strict equations have it (`strict.phi_first[0.50]` of the
+/// references).
 #[test]
 fn conditions_are_written_as_text_as_latex_and_as_a_page() {
     let told = |format: &str| {
@@ -218,7 +219,8 @@ fn a_run_that_stops_short_shows_what_it_has_with_code_1() {
     assert!(written.lines().count() > 1000);
 }
 
-/// Where components are zero by symmetry the iteration of Gauss's method once took millions of steps, 20 s and more.
+/// Where components are zero by symmetry the iteration of Gauss's method once took millions of
+/// steps, 20 s and more.
 #[test]
 fn gauss_passes_loose_tolerances_in_few_steps() {
     for tolerance in ["1e-3", "1e-4", "1e-6", "1e-8"] {
@@ -236,7 +238,8 @@ fn gauss_passes_loose_tolerances_in_few_steps() {
     }
 }
 
-/// Formats that are a feature of the program are told where it is built without them, before anything is run.
+/// Formats that are a feature of the program are told where it is built without them, before
+/// anything is run.
 #[cfg(not(any(feature = "parquet", feature = "npz")))]
 #[test]
 fn missing_features_are_reported() {

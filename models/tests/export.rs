@@ -1,4 +1,5 @@
-//! Equations that `export` has written, read by the programs that they are written for, beside the program's own numbers.
+//! Equations that `export` has written, read by the programs that they are written for, beside the
+//! program's own numbers.
 
 #[path = "export/cases.rs"]
 mod cases;
@@ -19,7 +20,8 @@ fn liftoff(folder: &Path, arguments: &[&str]) -> Output {
     command.current_dir(folder).args(arguments).output().expect("the command starts")
 }
 
-/// What the program computes at a random state of a contact set; none where its multipliers are not unique.
+/// What the program computes at a random state of a contact set; none where its multipliers are not
+/// unique.
 fn case(model: &Model, set: ContactSet, seed: &mut u64) -> Option<Value> {
     let (layout, state) = (model.layout(), state(model, seed));
     let n = layout.coordinates.len();
@@ -120,7 +122,8 @@ fn cases(model: &Model) -> Vec<Value> {
     sets.iter().flat_map(|set| [*set; 2]).filter_map(|set| case(model, set, &mut seed)).collect()
 }
 
-/// What a script says of the equations of these models and of the program's numbers, where there is a Python with the packages.
+/// What a script says of the equations of these models and of the program's numbers, where there is
+/// a Python with the packages.
 fn run_script(name: &str, models: &[&str], packages: &[&str]) -> Option<String> {
     let python = python_with(packages)?;
     let folder = folder(name);
@@ -143,15 +146,16 @@ fn run_script(name: &str, models: &[&str], packages: &[&str]) -> Option<String> 
     Some(text(&output.stdout))
 }
 
-/// 1e-12 of the largest entry: numbers of the program are rounded, those of SymPy have 40 digits; more where the condition of the
-/// equations, which takes digits of the program's, is beyond 1e4.
+/// 1e-12 of the largest entry: numbers of the program are rounded, those of SymPy have 40 digits;
+/// more where the condition of the equations, which takes digits of the program's, is beyond 1e4.
 #[test]
 fn sympy_computes_the_same_accelerations_and_derives_the_same_equations() {
     let Some(told) = run_script("sympy", &MODELS, &["sympy"]) else { return };
     assert_eq!(told.matches("by Lagrange's equations too").count(), 3, "{told}");
 }
 
-/// The same to 1e-11 by CasADi's functions of the module for SymPy, which round as the program does, in another order.
+/// The same to 1e-11 by CasADi's functions of the module for SymPy, which round as the program
+/// does, in another order.
 #[test]
 fn casadi_computes_the_same_accelerations_and_differentiates_them() {
     let Some(told) = run_script("casadi", &MODELS, &["sympy", "casadi"]) else { return };

@@ -21,7 +21,8 @@ fn numbers(text: &str, between: char) -> Vec<f64> {
     text.split(between).map(|number| number.parse().expect("a number")).collect()
 }
 
-/// Every element ends, in the order of nesting; no attribute stands twice, and no bare `<` or `&` anywhere.
+/// Every element ends, in the order of nesting; no attribute stands twice, and no bare `<` or `&`
+/// anywhere.
 fn assert_well_formed(svg: &str) {
     let mut open: Vec<&str> = Vec::new();
     for piece in svg.split('<').skip(1) {
@@ -62,8 +63,8 @@ fn track(svg: &str, point: &str) -> Vec<(f64, [f64; 2])> {
     numbers(attribute(moves, "keyTimes"), ';').into_iter().zip(places).collect()
 }
 
-/// Places are rounded to a tenth of a pixel, and their times to 1e-4 of the period, so that a place is between those that
-/// the run has a little before and after.
+/// Places are rounded to a tenth of a pixel, and their times to 1e-4 of the period, so that a place
+/// is between those that the run has a little before and after.
 fn assert_shows(svg: &str, record: &Trajectory) {
     let root = &svg[..svg.find(">\n").expect("the root")];
     let [scale, x0, y0, pace] = ["data-scale", "data-x", "data-y", "data-pace"]
@@ -103,7 +104,8 @@ fn every_model_moves_as_its_run() {
     }
 }
 
-/// A bar from O swings by φ = a cos θ, and in quadrature by φ = −a sin θ, its end by 0.12 of its length at most.
+/// A bar from O swings by φ = a cos θ, and in quadrature by φ = −a sin θ, its end by 0.12 of its
+/// length at most.
 #[test]
 fn mode_shapes_swing_about_the_position_at_rest() {
     let model = models().find("pendulum").expect("a model");
@@ -168,7 +170,8 @@ fn modes_of_every_model_are_drawn() {
     assert!(drawn > 60, "{drawn}");
 }
 
-/// A closed contact with friction has a cone as wide as its coefficient says, about its normal; an open one has none.
+/// A closed contact with friction has a cone as wide as its coefficient says, about its normal; an
+/// open one has none.
 #[test]
 fn cones_are_as_wide_as_friction_is() {
     let model = models().find("painleve").expect("a model");

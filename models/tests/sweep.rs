@@ -1,4 +1,5 @@
-//! The command `sweep` as its users meet it: killed, interrupted and gone on with, from a file, with mistakes.
+//! The command `sweep` as its users meet it: killed, interrupted and gone on with, from a file,
+//! with mistakes.
 
 mod processes;
 

@@ -1,4 +1,5 @@
-//! Mirrored models with both of their halves: against those of which both halves are declared, and against themselves.
+//! Mirrored models with both of their halves: against those of which both halves are declared, and
+//! against themselves.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -43,7 +44,8 @@ fn touching(subject: &Subject) -> Vec<&'static str> {
     subject.touching().iter().flat_map(|i| contacts[i].supports).copied().collect()
 }
 
-/// σₐ/σₛ = √[(1/3 + 2λ)/(1/12 + λ − λ²)] of Fig. 1b upright, all supports closed, from the mirrored declaration alone.
+/// σₐ/σₛ = √[(1/3 + 2λ)/(1/12 + λ − λ²)] of Fig. 1b upright, all supports closed, from the mirrored
+/// declaration alone.
 #[test]
 fn the_antisymmetric_motion_of_the_zigzag_grows_by_its_closed_form() {
     let zigzag = models().find("zigzag").unwrap();
@@ -61,15 +63,16 @@ fn the_antisymmetric_motion_of_the_zigzag_grows_by_its_closed_form() {
     }
 }
 
-/// Z Zᵀ, Z K Zᵀ and Z C Zᵀ do not depend on the choice of ξ: for the coordinates of a mirrored model those of the symmetric motions
-/// of both halves are its own.
+/// Z Zᵀ, Z K Zᵀ and Z C Zᵀ do not depend on the choice of ξ: for the coordinates of a mirrored
+/// model those of the symmetric motions of both halves are its own.
 #[test]
 fn symmetric_motions_are_those_of_the_mirrored_model() {
     let all = mirrored();
     assert!(all.len() >= 6, "{}", all.len());
     for (model, unfolded) in &all {
         let spec = model.default_run();
-        // Flat on both corners the pair has more freedom: near that, at its default φ = 0.01, roundings grow by 1/φ².
+        // Flat on both corners the pair has more freedom: near that, at its default φ = 0.01,
+        // roundings grow by 1/φ².
         let start = if model.name() == "falling-pair" { vec![("phi".to_owned(), 0.5)] } else { spec.start };
         let open = |_: &Subject| Vec::new();
         for closed in [&touching as &dyn Fn(&Subject) -> Vec<&'static str>, &open] {
@@ -104,8 +107,8 @@ fn symmetric_motions_are_those_of_the_mirrored_model() {
 
 type Pair = (&'static str, &'static str);
 
-/// Models of which both halves are declared, with the names of their coordinates that those of the mirrored model and their images
-/// have there.
+/// Models of which both halves are declared, with the names of their coordinates that those of the
+/// mirrored model and their images have there.
 const DECLARED: [(&str, &str, &[Pair]); 2] = [
     (
         "zigzag",
@@ -172,7 +175,8 @@ fn unfolded_models_are_those_of_which_both_halves_are_declared() {
     }
 }
 
-/// A start from a mirrored run is one of both halves, which move alike as long as nothing disturbs them.
+/// A start from a mirrored run is one of both halves, which move alike as long as nothing disturbs
+/// them.
 #[test]
 fn a_symmetric_start_has_the_motion_of_the_mirrored_model() {
     let zigzag = models().find("zigzag").unwrap();

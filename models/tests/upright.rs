@@ -48,8 +48,8 @@ fn events(run: &Trajectory) -> Vec<(EventKind, Vec<&'static str>)> {
     events.map(|event| (event.kind, event.supports.clone())).collect()
 }
 
-/// N of A and of C as φ → π/2: the bars fall with φ″ = −(3/2) (g/l) cos φ/(1 + 6λ), and A and E take
-/// λ g (1 − (5/3) l φ″/(g cos φ)) together.
+/// N of A and of C as φ → π/2: the bars fall with φ″ = −(3/2) (g/l) cos φ/(1 + 6λ), and A and E
+/// take λ g (1 − (5/3) l φ″/(g cos φ)) together.
 fn limits(lambda: f64) -> [f64; 2] {
     let foot = 0.5 * lambda * GRAVITY * (1.0 + 2.5 / (1.0 + 6.0 * lambda));
     [foot, 2.0 * GRAVITY - 2.0 * foot]

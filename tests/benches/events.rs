@@ -1,4 +1,5 @@
-//! Long runs of impacts, observed and not recorded: time per impact, and memory that the run has added.
+//! Long runs of impacts, observed and not recorded: time per impact, and memory that the run has
+//! added.
 //!
 //! `cargo bench -p liftoff-tests --bench events -- 100000`; beside it tests/peers/python/events.py.
 

@@ -1,6 +1,7 @@
 //! Time of the derive macro's work for every model and for a chain of 16 bars.
 //!
-//! Users' macros are built unoptimised: `cargo bench --profile dev -p liftoff-tests --bench expand`.
+//! Users' macros are built unoptimised:
+//! `cargo bench --profile dev -p liftoff-tests --bench expand`.
 
 use divan::Bencher;
 use liftoff_compiled::*;

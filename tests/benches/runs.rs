@@ -5,9 +5,10 @@
 //! valgrind --tool=callgrind --toggle-collect='*measured*' target/release/deps/runs-… stick-slip dop853 1e-9 10
 //! ```
 //!
-//! A model's name with its default run, `NAME+sensitivity` with its derivatives by the first four parameters besides,
-//! `NAME+compiled` with these by equations compiled for them ([`compiled`] has the names), or `stick-slip`, the run of the friction
-//! benchmark, or `by-hand`, the same in event code by hand; a method; a tolerance; how many runs.
+//! A model's name with its default run, `NAME+sensitivity` with its derivatives by the first four
+//! parameters besides, `NAME+compiled` with these by equations compiled for them ([`compiled`] has
+//! the names), or `stick-slip`, the run of the friction benchmark, or `by-hand`, the same in event
+//! code by hand; a method; a tolerance; how many runs.
 
 #[path = "speed/stick_slip.rs"]
 mod stick_slip;

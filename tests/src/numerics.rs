@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 const NODES: usize = 24;
 const PANELS: usize = 8;
 
-/// ∫ f over [from, to] by Gauss–Legendre, 8 panels of 24 nodes: exact to rounding where f is analytic with no
-/// singularity nearer than a panel's half width.
+/// ∫ f over [from, to] by Gauss–Legendre, 8 panels of 24 nodes: exact to rounding where f is
+/// analytic with no singularity nearer than a panel's half width.
 pub fn integral(f: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
     let half = (to - from) / (2 * PANELS) as f64;
     let rule = gauss_legendre();
@@ -17,7 +17,8 @@ pub fn integral(f: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
     half * (0..PANELS).map(panel).sum::<f64>()
 }
 
-/// Nodes and weights on [−1, 1]: zeros of the Legendre polynomial by Newton from cos(π(i − ¼)/(n + ½)).
+/// Nodes and weights on [−1, 1]: zeros of the Legendre polynomial by Newton from cos(π(i − ¼)/(n +
+/// ½)).
 fn gauss_legendre() -> Vec<(f64, f64)> {
     let node = |index: usize| {
         let mut x = (PI * (index as f64 + 0.75) / (NODES as f64 + 0.5)).cos();
@@ -41,7 +42,8 @@ fn legendre(x: f64) -> (f64, f64) {
     (value, NODES as f64 * (x * value - last) / (x * x - 1.0))
 }
 
-/// Root of f between two points of opposite sign, by bisection to the last bit. `None` without a change of sign.
+/// Root of f between two points of opposite sign, by bisection to the last bit. `None` without a
+/// change of sign.
 pub fn root(f: impl Fn(f64) -> f64, from: f64, to: f64) -> Option<f64> {
     let (mut low, mut high) = (from, to);
     let sign = f(low).signum();
@@ -76,8 +78,9 @@ pub fn runge_kutta<const N: usize>(f: impl Fn(&[f64; N]) -> [f64; N], y: &[f64; 
     std::array::from_fn(|i| y[i] + step / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]))
 }
 
-/// One step of the Gragg–Bulirsch–Stoer method for y′ = f(y): the modified midpoint rule with 2, 4, … 12 parts,
-/// extrapolated in the square of a part (Hairer, Nørsett & Wanner, Solving Ordinary Differential Equations I, II.9).
+/// One step of the Gragg–Bulirsch–Stoer method for y′ = f(y): the modified midpoint rule with 2, 4,
+/// … 12 parts, extrapolated in the square of a part (Hairer, Nørsett & Wanner, Solving Ordinary
+/// Differential Equations I, II.9).
 pub fn extrapolated<const N: usize>(f: impl Fn(&[f64; N]) -> [f64; N], y: &[f64; N], step: f64) -> [f64; N] {
     let mut last: Vec<[f64; N]> = Vec::new();
     for j in 1..=6 {

@@ -40,8 +40,8 @@ impl Bar {
     }
 }
 
-/// Both solve systems whose condition grows as the number of bars squared; the oracle's KKT system, balanced and refined,
-/// loses two or three digits more.
+/// Both solve systems whose condition grows as the number of bars squared; the oracle's KKT system,
+/// balanced and refined, loses two or three digits more.
 fn tolerance(bars: usize) -> f64 {
     1000.0 * f64::EPSILON * (bars * bars) as f64
 }
@@ -66,7 +66,8 @@ fn compare<const N: usize>(bar: &Bar, angles: [f64; N], rates: [f64; N]) {
     sums(&chain, &assembly, &state, (angles, rates));
 }
 
-/// Energies and positions, and M ω̇ = f with the oracle's energy: T = ½ uᵀ M u, and f at rest is −∂V/∂θ.
+/// Energies and positions, and M ω̇ = f with the oracle's energy: T = ½ uᵀ M u, and f at rest is
+/// −∂V/∂θ.
 fn sums<const N: usize>(
     chain: &Chain<f64>,
     assembly: &Assembly,

@@ -1,4 +1,5 @@
-//! First integrals along motions: what the formulas say stays constant does, in runs of the compiled models.
+//! First integrals along motions: what the formulas say stays constant does, in runs of the
+//! compiled models.
 
 use liftoff::Trajectory;
 use liftoff_compiled::models;
@@ -19,8 +20,8 @@ const TOLERANCE: f64 = 1e-12;
 /// Roundings of each entry of a state.
 const ROUNDINGS: u32 = 16;
 
-/// How far an integral strays within the segments of its contact set, over its natural unit or its own size; none where the run has
-/// no such segment.
+/// How far an integral strays within the segments of its contact set, over its natural unit or its
+/// own size; none where the run has no such segment.
 fn drift(
     run: &Trajectory,
     analysis: &liftoff_codegen::Analysis,
@@ -93,6 +94,7 @@ fn first_integrals_stay_constant_along_the_default_runs() {
             models_with.insert(entry.name().to_owned());
         }
     }
-    // Nearly every model without damping or drives has some: a list that lost its segments would be shorter.
+    // Nearly every model without damping or drives has some: a list that lost its segments would be
+    // shorter.
     assert!(kept > 20 && momenta > 0 && models_with.len() > 10, "{kept} {momenta} {models_with:?}");
 }

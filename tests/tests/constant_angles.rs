@@ -80,8 +80,8 @@ fn energy(run: &Trajectory, t: f64) -> f64 {
     run.value(&Output::parse(run.layout(), "E").unwrap(), t)
 }
 
-/// φ and φ̇ after two seconds against an equation by hand, at rest from φ = 1. Both err by less than 1e-12 a step, some
-/// hundred steps of which grow no faster than t.
+/// φ and φ̇ after two seconds against an equation by hand, at rest from φ = 1. Both err by less
+/// than 1e-12 a step, some hundred steps of which grow no faster than t.
 fn swings<M: BarSystem>(model: &M, acceleration: impl Fn(f64) -> f64) {
     let run = ran(model, Taylor, Pose::new("phi", 1.0), "t = 2");
     let expected = swung(acceleration);
@@ -140,7 +140,8 @@ fn a_foot_slides_down_a_slope_without_events() {
     assert!(taylor.iter().zip(&dop853).all(|(x, y)| (x - y).abs() < 1e-9), "{taylor:?} for {dop853:?}");
 }
 
-/// The other spoke strikes where both feet are on the slope, their bisector across it: φ + b/2 = −a.
+/// The other spoke strikes where both feet are on the slope, their bisector across it: φ + b/2 =
+/// −a.
 #[test]
 fn a_rimless_wheel_strikes_the_slope_where_it_is() {
     let (a, b) = (0.1, 0.8);

@@ -1,5 +1,5 @@
-//! A closed contact costs no more than the same constraint declared as a joint: operation counts of accelerations, and
-//! where the joint's force is a quantity, of the reactions too.
+//! A closed contact costs no more than the same constraint declared as a joint: operation counts of
+//! accelerations, and where the joint's force is a quantity, of the reactions too.
 
 use liftoff_codegen::program::Id;
 use liftoff_codegen::{Analysis, analyse};

@@ -1,6 +1,7 @@
 //! The paper's equations (3.1)–(3.22) against what was derived, through the compiled phases.
 //!
-//! Both sides are a few dozen operations in `f64` on well-conditioned expressions (0.1 ≤ φ ≤ 1.2), hence 1e-12.
+//! Both sides are a few dozen operations in `f64` on well-conditioned expressions (0.1 ≤ φ ≤ 1.2),
+//! hence 1e-12.
 
 use approx::assert_relative_eq;
 use liftoff::prelude::*;

@@ -1,7 +1,8 @@
-//! Fig. 1a at small angles: force and energy keep their digits where the plain formulas lose all of them.
+//! Fig. 1a at small angles: force and energy keep their digits where the plain formulas lose all of
+//! them.
 //!
-//! The reference is the closed form in double-double arithmetic (31 digits), written by hand; 1e-13 is the
-//! promise, some 450 roundings.
+//! The reference is the closed form in double-double arithmetic (31 digits), written by hand; 1e-13
+//! is the promise, some 450 roundings.
 
 use approx::assert_relative_eq;
 use liftoff::prelude::*;

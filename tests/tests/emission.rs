@@ -91,8 +91,8 @@ fn operations() {
 }
 
 /// The paper's equation of motion of Fig. 1a on its supports,
-/// `(4/3 + sec⁴φ − 2 sec φ) φ̈ + sin φ sec²φ (2 sec³φ − 1) φ̇² = (2g/l)(sec²φ − cos φ)`, by hand, each product fused with the
-/// addition that follows:
+/// `(4/3 + sec⁴φ − 2 sec φ) φ̈ + sin φ sec²φ (2 sec³φ − 1) φ̇² = (2g/l)(sec²φ − cos
+/// φ)`, by hand, each product fused with the addition that follows:
 ///
 /// ```text
 /// sec = 1/cos   sec2 = sec²   p = sec2 sec                         ÷, 2 ×
@@ -101,7 +101,8 @@ fn operations() {
 /// φ̈ = ((2g/l) (sec2 − cos) − velocity) / inertia                   −, ×, ×+, ÷
 /// ```
 ///
-/// Derived, one division is saved, and sec²φ − cos φ keeps its digits at small φ, where this has none.
+/// Derived, one division is saved, and sec²φ − cos φ keeps its digits at small φ, where this has
+/// none.
 #[test]
 fn a_pair_on_its_corners_costs_no_more_than_by_hand() {
     let by_hand = Cost { additions: 1, multiplications: 6, fused: 4, divisions: 2, roots: 0, angles: 1 };

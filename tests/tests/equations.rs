@@ -1,4 +1,5 @@
-//! The derived equations of every model as snapshots in textbook notation, operation counts included.
+//! The derived equations of every model as snapshots in textbook notation, operation counts
+//! included.
 
 use liftoff::equations;
 use liftoff_compiled::*;

@@ -1,5 +1,5 @@
-//! Motions far along a slope are those near its top: the height of a point is there a difference of terms as large as it is far, and
-//! nothing is decided by less than their rounding.
+//! Motions far along a slope are those near its top: the height of a point is there a difference of
+//! terms as large as it is far, and nothing is decided by less than their rounding.
 
 use liftoff::method::{Dop853, Gauss, Method, Taylor};
 use liftoff::prelude::*;
@@ -84,7 +84,8 @@ fn a_wheel_rolls_alike_wherever_on_its_slope() {
     rolls_alike(&Gauss);
 }
 
-/// It bounces and comes to rest on a face, φ + γ a multiple of a right angle, and slides on with g (sin γ − μ cos γ).
+/// It bounces and comes to rest on a face, φ + γ a multiple of a right angle, and slides on with g
+/// (sin γ − μ cos γ).
 #[test]
 fn a_block_comes_to_rest_on_a_face_wherever_on_its_slope() {
     bounces(&Taylor);
@@ -123,8 +124,9 @@ fn bounces(method: &(impl Method + Clone)) {
     }
 }
 
-/// Completed by its contacts from x alone, or given whole, it lies on the slope and slides: so far off that the rounding of the gaps
-/// is more than what is closed near the origin, and that the path there from the nominal figure is billions of lengths.
+/// Completed by its contacts from x alone, or given whole, it lies on the slope and slides: so far
+/// off that the rounding of the gaps is more than what is closed near the origin, and that the path
+/// there from the nominal figure is billions of lengths.
 #[test]
 fn a_block_is_put_on_its_slope_however_far() {
     let block = Block { m: 1.0, b: 0.6, gamma: GAMMA, mu: 0.1, e: 0.4, g: 9.81 };

@@ -1,7 +1,7 @@
 //! One contact set, two forms: the closed form against the full equations with multipliers.
 //!
-//! Both solve the same linear equations in `f64`; away from singular positions their condition numbers stay
-//! below 1e3, so 1e-11 relative is rounding and nothing else.
+//! Both solve the same linear equations in `f64`; away from singular positions their condition
+//! numbers stay below 1e3, so 1e-11 relative is rounding and nothing else.
 
 use liftoff_compiled::*;
 use liftoff_core::model::{BarSystem, ClosedForm, Energy, Form, Phase, PhaseVisitor};
@@ -97,7 +97,8 @@ models! {
     double_pendulum: DoublePendulum { m: 1.3, l: 0.7, g: 9.81 }, 1;
 }
 
-/// A ladder whose contact sets get own code in one struct and share the full equations in the other.
+/// A ladder whose contact sets get own code in one struct and share the full equations in the
+/// other.
 mod limits {
     use liftoff::prelude::*;
 

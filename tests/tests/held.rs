@@ -1,5 +1,6 @@
-//! Code that contact sets without a closed form have of their own, against the full equations: by LU with complete pivoting, and where
-//! these determine no single reaction, by the runtime's elimination.
+//! Code that contact sets without a closed form have of their own, against the full equations: by
+//! LU with complete pivoting, and where these determine no single reaction, by the runtime's
+//! elimination.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
@@ -13,7 +14,8 @@ use liftoff_interpreter::Interpreted;
 use liftoff_tests::random::Source;
 use nalgebra::{DMatrix, DVector};
 
-/// K = [M −Jᵀ; J 0] over the closed rows, balanced to unit inertias and unit rows, and r = (f, −b); the balance.
+/// K = [M −Jᵀ; J 0] over the closed rows, balanced to unit inertias and unit rows, and r = (f, −b);
+/// the balance.
 fn balanced(equations: &Equations<f64>, rows: &[usize]) -> (DMatrix<f64>, DVector<f64>, Vec<f64>) {
     let n = equations.force().len();
     let size = n + rows.len();

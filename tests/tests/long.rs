@@ -1,6 +1,8 @@
-//! Emitted long trees against the oracle: chains by loops over their bars, and a tree of unequal bars by straight lines.
+//! Emitted long trees against the oracle: chains by loops over their bars, and a tree of unequal
+//! bars by straight lines.
 //!
-//! Tolerance: the oracle's dense solve of 5n unknowns, whose condition grows as n², beside 16 digits.
+//! Tolerance: the oracle's dense solve of 5n unknowns, whose condition grows as n², beside 16
+//! digits.
 
 use liftoff::method::{Dop853, Taylor};
 use liftoff::prelude::*;
@@ -122,8 +124,8 @@ fn chains_and_a_tree() {
     check(&Tree { m: 1.0, l: 1.0, g: 1.0 }, &tree());
 }
 
-/// By Taylor's series of its straight lines, and by steps over its loops; at tolerance 1e-12 some hundred steps lose that
-/// much each.
+/// By Taylor's series of its straight lines, and by steps over its loops; at tolerance 1e-12 some
+/// hundred steps lose that much each.
 #[test]
 fn a_chain_keeps_its_energy() {
     let model = Twelve { m: 1.0, l: 1.0, g: 1.0 };

@@ -1,7 +1,7 @@
 //! The oracle against closed forms, so that it can be trusted where there are none.
 //!
-//! Tolerance 1e-12 relative to the scale of the quantity: a dense solve of some 20 unknowns loses two or
-//! three digits of the 16. Looser ones say why.
+//! Tolerance 1e-12 relative to the scale of the quantity: a dense solve of some 20 unknowns loses
+//! two or three digits of the 16. Looser ones say why.
 
 mod scenes;
 

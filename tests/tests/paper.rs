@@ -1,7 +1,8 @@
-//! The paper's equations as restated in `liftoff_tests::paper`, against the 25-digit references and one another.
+//! The paper's equations as restated in `liftoff_tests::paper`, against the 25-digit references and
+//! one another.
 //!
-//! Tolerance 1e-13 relative to the larger of the value and 0.1: a few hundred roundings of f64, for what is
-//! evaluated or bisected; located maxima of μ carry the square root of rounding in φ, 1e-8.
+//! Tolerance 1e-13 relative to the larger of the value and 0.1: a few hundred roundings of f64, for
+//! what is evaluated or bisected; located maxima of μ carry the square root of rounding in φ, 1e-8.
 
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
@@ -31,7 +32,8 @@ fn close(left: f64, right: f64, scale: f64) {
     assert!((left - right).abs() <= ROUNDING * scale.abs(), "{left:e} is not {right:e}");
 }
 
-/// Central difference: error h² f‴/6 plus rounding ε f/h, both below 1e-9 of an O(1…10) function at h = 1e-5.
+/// Central difference: error h² f‴/6 plus rounding ε f/h, both below 1e-9 of an O(1…10) function at
+/// h = 1e-5.
 fn derivative(f: impl Fn(f64) -> f64, x: f64) -> f64 {
     (f(x + 1e-5) - f(x - 1e-5)) / 2e-5
 }

@@ -100,7 +100,8 @@ fn check_potential(assembly: &Assembly, state: &State) {
     assert!(error.abs() < 1e-8 * (1.0 + power.abs() + energy(0.0).abs()), "{error:e} of {power:e}");
 }
 
-/// Each body and particle: m C̈ = m g + what is said to act on it, and I θ̈ = its moment where there are no couples.
+/// Each body and particle: m C̈ = m g + what is said to act on it, and I θ̈ = its moment where
+/// there are no couples.
 fn check_actions(assembly: &Assembly, state: &State, set: &[usize]) {
     let motion = assembly.solve(state, set).expect("regular");
     let at = |place: &Place| match *place {
@@ -135,7 +136,8 @@ fn check_actions(assembly: &Assembly, state: &State, set: &[usize]) {
     }
 }
 
-/// An impact that gives closed supports random rates: the joints keep theirs, every work is accounted for.
+/// An impact that gives closed supports random rates: the joints keep theirs, every work is
+/// accounted for.
 fn check_impact(assembly: &Assembly, state: &State, set: &[usize], source: &mut Source) {
     let acting: Vec<_> = set.iter().map(|&support| (support, source.range(-1.0, 1.0))).collect();
     let impact = assembly.impact(state, &acting, &[]).expect("regular");

@@ -47,7 +47,8 @@ fn mirrored_and_full_agree() {
     }
 }
 
-/// Far below, a corner's gap is rounding of a large drop at each half turn: the search for its closing must go on.
+/// Far below, a corner's gap is rounding of a large drop at each half turn: the search for its
+/// closing must go on.
 #[test]
 fn a_long_flight_ends() {
     let run = run(&FallingPair { m: 1.0, l: 1.0, g: 9.81 }, Pose::new("phi", 0.01), &["t = 60"]);
@@ -64,7 +65,8 @@ fn an_energy_level_needs_one_degree_of_freedom() {
     assert!(matches!(error, liftoff::StartError::Degrees { degrees: 3 }), "{error}");
 }
 
-/// Thrown from any pose, its bars folded back among them, where feet close on branches that are not the figure's.
+/// Thrown from any pose, its bars folded back among them, where feet close on branches that are not
+/// the figure's.
 #[test]
 fn no_event_moves_a_chain_or_gives_it_energy() {
     let model = ZigzagFull { m1: 0.5, m2: 0.5, l: 1.0, g: 9.81 };
@@ -88,8 +90,9 @@ fn no_event_moves_a_chain_or_gives_it_energy() {
     assert!(branches > 0);
 }
 
-/// Two bars on their corners fall through level, where x does not follow from the angles any more: near it reactions of the closed
-/// form are the error of the state by 1/p³, of which no event is read.
+/// Two bars on their corners fall through level, where x does not follow from the angles any more:
+/// near it reactions of the closed form are the error of the state by 1/p³, of which no event is
+/// read.
 #[test]
 fn bars_fall_through_level_without_an_event() {
     use liftoff::method::MethodId;

@@ -19,7 +19,8 @@ impl Series {
         (number, Monomial(powers))
     }
 
-    /// [`content`](Self::content) as it is written in front: without the number where that, or what it leaves, is long.
+    /// [`content`](Self::content) as it is written in front: without the number where that, or what
+    /// it leaves, is long.
     pub fn written_content(&self) -> (Rational, Monomial) {
         let (number, monomial) = self.content();
         let long = |c: Rational| is_long(c.numerator().unsigned_abs(), c.denominator().unsigned_abs());
@@ -30,7 +31,8 @@ impl Series {
         }
     }
 
-    /// The series over number · monomial, which divide every term; `None` where an exponent overflows.
+    /// The series over number · monomial, which divide every term; `None` where an exponent
+    /// overflows.
     pub fn over(&self, number: Rational, monomial: &Monomial) -> Option<Self> {
         Some(self.times_monomial(number.recip(), &Monomial(monomial.0.times(-1)?)))
     }

@@ -1,9 +1,9 @@
 //! Exact division of Laurent–trigonometric polynomials by their lexicographic leading terms.
 //!
-//! Degrees add under multiplication, the greatest and the least in every variable. So the degrees of
-//! a quotient lie in a box known beforehand; a leading term outside it proves that there is none, and
-//! since leading terms decrease, the division ends. Nearly every failure is found beforehand, and
-//! cheaply, by an image modulo a prime.
+//! Degrees add under multiplication, the greatest and the least in every variable. So the degrees
+//! of a quotient lie in a box known beforehand; a leading term outside it proves that there is
+//! none, and since leading terms decrease, the division ends. Nearly every failure is found
+//! beforehand, and cheaply, by an image modulo a prime.
 
 use super::exponential::{Exponential, Exponents, subtract};
 use super::{Monomial, Powers, Series, Symbol, modular, work};
@@ -118,7 +118,8 @@ fn quotient_ranges(numerator: &Ranges, divisor: &Ranges) -> Option<Ranges> {
     proper.then_some(ranges)
 }
 
-/// Whether every entry lies in its range; remainders have no symbols but those of numerator and divisor, which all have one.
+/// Whether every entry lies in its range; remainders have no symbols but those of numerator and
+/// divisor, which all have one.
 fn within(ranges: &Ranges, powers: &Powers) -> bool {
     ranges.iter().all(|(symbol, (least, greatest))| (*least..=*greatest).contains(&powers.get(*symbol)))
 }

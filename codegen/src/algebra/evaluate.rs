@@ -11,7 +11,8 @@ impl Angle {
 }
 
 impl Series {
-    /// The value where every symbol has the value given; NaN for overflow, and once the budget of [`work`] is spent.
+    /// The value where every symbol has the value given; NaN for overflow, and once the budget of
+    /// [`work`] is spent.
     pub fn evaluate(&self, value: &impl Fn(Symbol) -> f64) -> f64 {
         if self.is_overflow() || !work::spend(self.len()) {
             return f64::NAN;

@@ -1,8 +1,8 @@
 //! Exact algebra of Poisson series and their quotients. It knows no mechanics.
 //!
-//! A [`Series`] is Σ rational · monomial · sin|cos(integer combination of symbols). Products of waves
-//! are turned into sums, so two series are equal exactly if their terms are. A [`Quotient`] has a
-//! factored denominator; quotients are compared by cross-multiplication.
+//! A [`Series`] is Σ rational · monomial · sin|cos(integer combination of symbols). Products of
+//! waves are turned into sums, so two series are equal exactly if their terms are. A [`Quotient`]
+//! has a factored denominator; quotients are compared by cross-multiplication.
 
 mod angle;
 mod calculus;

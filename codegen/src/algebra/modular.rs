@@ -1,8 +1,8 @@
 //! Proofs that one series does not divide another, by their images in F_p[x].
 //!
-//! All variables but one get values in F_p, where p ≡ 1 (mod 4) so that i = √−1 exists. If d divides
-//! n, then the image of d divides that of n up to a power of x; a remainder refutes it. The converse
-//! fails with a probability of about 1/p, and then costs time only.
+//! All variables but one get values in F_p, where p ≡ 1 (mod 4) so that i = √−1 exists. If d
+//! divides n, then the image of d divides that of n up to a power of x; a remainder refutes it. The
+//! converse fails with a probability of about 1/p, and then costs time only.
 
 use super::{Rational, Series, Symbol, Term, work};
 use std::collections::BTreeMap;

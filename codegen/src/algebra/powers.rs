@@ -1,4 +1,5 @@
-//! Sparse integer vectors over the symbols: the exponents of a monomial, the multipliers of an angle.
+//! Sparse integer vectors over the symbols: the exponents of a monomial, the multipliers of an
+//! angle.
 //!
 //! They form an ordered group: sums are entry by entry, and the lexicographic order of the dense
 //! vectors satisfies a < b ⇔ a + c < b + c. Products by a monomial therefore keep a series sorted,

@@ -1,9 +1,9 @@
 //! Quotients N / (f₁^k₁ f₂^k₂ …) of Poisson series.
 //!
 //! Each factor is primitive (coprime integer coefficients, the first positive, no common symbol),
-//! not constant, and does not divide another; rational numbers and parameters are units and stand in
-//! the numerator. Every operation divides out the factors that divide the numerator. Trigonometric
-//! polynomials have no unique factorisation, so equality is by cross-multiplication.
+//! not constant, and does not divide another; rational numbers and parameters are units and stand
+//! in the numerator. Every operation divides out the factors that divide the numerator.
+//! Trigonometric polynomials have no unique factorisation, so equality is by cross-multiplication.
 
 use super::{Monomial, Series, Symbol};
 

@@ -129,7 +129,8 @@ impl Rational {
     }
 }
 
-/// The greatest common divisor of both denominators; 1 for two overflows, so that one may divide by it and a denominator 0 stays 0.
+/// The greatest common divisor of both denominators; 1 for two overflows, so that one may divide by
+/// it and a denominator 0 stays 0.
 fn common_denominator(a: Rational, b: Rational) -> i128 {
     gcd(a.denominator, b.denominator).max(1)
 }

@@ -49,7 +49,8 @@ impl Series {
     }
 }
 
-/// Which time derivative of `symbol`, if any, the other one is: of a coordinate any, of others themselves only.
+/// Which time derivative of `symbol`, if any, the other one is: of a coordinate any, of others
+/// themselves only.
 fn order(symbol: Symbol, other: Symbol) -> Option<u8> {
     match (symbol, other) {
         (Symbol::Coordinate { index, .. }, Symbol::Coordinate { index: i, order }) if i == index => {

@@ -2,7 +2,8 @@
 
 use std::cmp::Ordering;
 
-/// One indeterminate. Parameters come before coordinates, coordinates before reactions, these before opaque terms.
+/// One indeterminate. Parameters come before coordinates, coordinates before reactions, these
+/// before opaque terms.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Symbol {
     /// A parameter, or a named constant derived from parameters.
@@ -16,7 +17,8 @@ pub enum Symbol {
     },
     /// A reaction or multiplier.
     Reaction(u16),
-    /// What is no series of the others, a spring's length say, or its time derivative of that order.
+    /// What is no series of the others, a spring's length say, or its time derivative of that
+    /// order.
     Opaque {
         /// Which.
         index: u16,
@@ -62,7 +64,8 @@ impl Symbol {
         Self::Opaque { index: i as u16, order: 0 }
     }
 
-    /// Its time derivative; `None` for what is neither coordinate nor opaque term (or at order 255).
+    /// Its time derivative; `None` for what is neither coordinate nor opaque term (or at order
+    /// 255).
     pub fn derivative(self) -> Option<Self> {
         match self {
             Self::Coordinate { index, order } => {

@@ -1,5 +1,6 @@
-//! A budget of term operations, so that no declaration takes time or memory without bound. Past it every series that is
-//! computed is overflow, so that whatever is under way comes to its end at once.
+//! A budget of term operations, so that no declaration takes time or memory without bound. Past it
+//! every series that is computed is overflow, so that whatever is under way comes to its end at
+//! once.
 
 use std::cell::Cell;
 
@@ -16,7 +17,8 @@ impl Drop for Outer {
     }
 }
 
-/// Runs `f` with a budget of term operations of its own; what it spends is not that of whoever is around.
+/// Runs `f` with a budget of term operations of its own; what it spends is not that of whoever is
+/// around.
 pub fn limited<T>(operations: u64, f: impl FnOnce() -> T) -> T {
     let _outer = Outer(LEFT.replace(operations));
     f()

@@ -1,14 +1,15 @@
 //! Dimensions of the parameters, from what each expression of a declaration stands for.
 //!
-//! A mass is a mass and a position a length; the terms of a sum are alike; what a sine is taken of is a number. With one
-//! unknown dimension d for each parameter these are linear equations, Σ cᵢ dᵢ = D in the powers of length, time and mass,
-//! solved exactly in the order of the declaration, so that the equation that contradicts those before it is known with its
-//! place.
+//! A mass is a mass and a position a length; the terms of a sum are alike; what a sine is taken of
+//! is a number. With one unknown dimension d for each parameter these are linear equations, Σ cᵢ dᵢ =
+//! D in the powers of length, time and mass, solved exactly in the order of the declaration, so
+//! that the equation that contradicts those before it is known with its place.
 //!
-//! A number with a dimension fits wherever it stands (`length = 2`, `stiffness = 3 * m`). So equations of expressions with
-//! numbers in them, or without parameters, are taken after the others; where they contradict, the declaration holds in one
-//! system of units only, which is no mistake. 0 has every dimension. Of a declaration in pure numbers,
-//! `#[liftoff(dimensionless)]`, nothing is demanded.
+//! A number with a dimension fits wherever it stands (`length = 2`, `stiffness = 3 * m`). So
+//! equations of expressions with numbers in them, or without parameters, are taken after the
+//! others; where they contradict, the declaration holds in one system of units only, which is no
+//! mistake. 0 has every dimension. Of a declaration in pure numbers, `#[liftoff(dimensionless)]`,
+//! nothing is demanded.
 
 mod affine;
 mod declared;

@@ -27,7 +27,8 @@ pub(super) struct Conflict {
 }
 
 impl EchelonForm {
-    /// Adds the equation of this number, or gives what it contradicts; one whose powers overflow says nothing.
+    /// Adds the equation of this number, or gives what it contradicts; one whose powers overflow
+    /// says nothing.
     pub fn add(&mut self, number: usize, zero: &AffineDimension) -> Option<Conflict> {
         let mut row = self.reduced(zero);
         if row.zero.is_overflow() {

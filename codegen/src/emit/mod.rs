@@ -1,7 +1,8 @@
-//! The implementation of `BarSystem` as Rust. Decides nothing: every name and number comes from the stages before.
+//! The implementation of `BarSystem` as Rust. Decides nothing: every name and number comes from the
+//! stages before.
 
-/// `quote::quote!` in mixed-site hygiene: the variables of emitted code are its own, whatever a declaration calls its things;
-/// types and functions are found where the model stands.
+/// `quote::quote!` in mixed-site hygiene: the variables of emitted code are its own, whatever a
+/// declaration calls its things; types and functions are found where the model stands.
 macro_rules! quote {
     ($($code:tt)*) => { ::quote::quote_spanned!(::proc_macro2::Span::mixed_site()=> $($code)*) };
 }
@@ -65,8 +66,8 @@ pub fn implementation(analysis: &Analysis) -> TokenStream {
     enclosed(&analysis.system.runtime, &analysis.system.ident, &items)
 }
 
-/// Items out of reach of all that is called alike outside: in the inner block only what it imports is found first, so that the
-/// model and what stands beside it may have any name.
+/// Items out of reach of all that is called alike outside: in the inner block only what it imports
+/// is found first, so that the model and what stands beside it may have any name.
 fn enclosed(runtime: &Path, ident: &Ident, items: &TokenStream) -> TokenStream {
     let model = model();
     quote! {

@@ -1,7 +1,9 @@
-//! Names as constants of the model, `Ladder::PHI`: in upper snake case, each of a type that tells what it names.
+//! Names as constants of the model, `Ladder::PHI`: in upper snake case, each of a type that tells
+//! what it names.
 //!
-//! Where several names give one constant, the first has it in this order: coordinates, supports, points, threads, bars,
-//! springs, sections; a point and a support of one name share it. A name that gives `LAYOUT`, which the trait has, has none.
+//! Where several names give one constant, the first has it in this order: coordinates, supports,
+//! points, threads, bars, springs, sections; a point and a support of one name share it. A name
+//! that gives `LAYOUT`, which the trait has, has none.
 
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -30,7 +32,8 @@ pub(super) fn constants(analysis: &Analysis) -> TokenStream {
     })
 }
 
-/// Constants for all that a declaration with mistakes names, so that their uses are no further mistakes.
+/// Constants for all that a declaration with mistakes names, so that their uses are no further
+/// mistakes.
 pub(super) fn assumed(description: &Description) -> TokenStream {
     description.names.as_ref().map_or_else(TokenStream::new, |visibility| {
         let mut constants = ConstantList::default();

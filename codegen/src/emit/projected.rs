@@ -1,5 +1,5 @@
-//! The form with all coordinates and multipliers for the closed rows: the runtime's dense solve, and emitted code where a contact
-//! set has its own.
+//! The form with all coordinates and multipliers for the closed rows: the runtime's dense solve,
+//! and emitted code where a contact set has its own.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::format_ident;
@@ -86,7 +86,8 @@ pub(super) fn held_motions(analysis: &Analysis, constants: &UsedConstants) -> Op
     let [derivative, reactions] = solved(analysis);
     let motions = held(analysis).map(|(motion, name)| held_motion(analysis, constants, motion, &name));
     Some(quote! {
-        /// All coordinates, with multipliers for the closed rows, by elimination with partial pivoting.
+        /// All coordinates, with multipliers for the closed rows, by elimination with partial
+        /// pivoting.
         enum Held {}
 
         impl Held {
@@ -127,13 +128,13 @@ fn held_motion(
         },
     };
     quote! {
-        /// M a = f + Jᵀ λ and J a + b = 0 over the closed rows, by L D Lᵀ written out; in the precision of f64, and where no pivot is
-        /// a small part of what it is left of.
+        /// M a = f + Jᵀ λ and J a + b = 0 over the closed rows, by L D Lᵀ written out; in the
+        /// precision of f64, and where no pivot is a small part of what it is left of.
         enum #name {}
 
         impl #name {
-            /// ẏ; the reactions; of each row of M that varies, and of each closed one, what it has on the diagonal of M or of
-            /// J M⁻¹ Jᵀ, and the pivot that is left of it.
+            /// ẏ; the reactions; of each row of M that varies, and of each closed one, what it has
+            /// on the diagonal of M or of J M⁻¹ Jᵀ, and the pivot that is left of it.
             #[inline]
             fn solution<S: Real>(k: &Constants<S>, state: &[S; #n]) -> ([S; #n], [S; #r], [[S; 2]; #pivots]) {
                 #solution

@@ -1,5 +1,5 @@
-//! Joint forces, tensions, internal forces, momenta: one arm each, so that only what is asked for is computed; those of a
-//! long tree's joints, which follow from each other, together.
+//! Joint forces, tensions, internal forces, momenta: one arm each, so that only what is asked for
+//! is computed; those of a long tree's joints, which follow from each other, together.
 
 use proc_macro2::TokenStream;
 

@@ -9,7 +9,8 @@ use crate::system::{Function, Operator};
 /// Columns from which on a sum takes a line for each of its terms.
 const WIDE: usize = 100;
 
-/// Writes formulas with the identifiers of symbols. What is longer than a line has line ends between terms.
+/// Writes formulas with the identifiers of symbols. What is longer than a line has line ends
+/// between terms.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Formulas {
     identifiers: BTreeMap<Symbol, String>,

@@ -16,8 +16,8 @@ impl Identifiers {
         Self { taken: reserved.into_iter().map(str::to_owned).collect() }
     }
 
-    /// The identifier for a name: its letters and digits, Greek letters spelled, an underscore at its end for each time that it
-    /// is taken.
+    /// The identifier for a name: its letters and digits, Greek letters spelled, an underscore at
+    /// its end for each time that it is taken.
     pub fn make_unique(&mut self, name: &str) -> String {
         let mut identifier = plain(name);
         while !self.taken.insert(identifier.clone()) {

@@ -1,5 +1,5 @@
-//! Whether values are affine functions of the reduced state, with coefficients that parameters alone determine: over a step they
-//! are then as good as the step's own polynomial.
+//! Whether values are affine functions of the reduced state, with coefficients that parameters
+//! alone determine: over a step they are then as good as the step's own polynomial.
 
 use std::collections::BTreeMap;
 

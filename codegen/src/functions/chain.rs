@@ -6,7 +6,8 @@ use crate::motion::{Branch, Motion};
 use crate::program::{Id, Lowering};
 use crate::system::System;
 
-/// From so many bars on its loops take fewer cycles than straight lines: 72 ns for 75 at 6 bars, 46 for 38 at 4.
+/// From so many bars on its loops take fewer cycles than straight lines: 72 ns for 75 at 6 bars, 46
+/// for 38 at 4.
 const FROM: usize = 6;
 
 /// The constants of a chain, its angles measured from the first axis.
@@ -74,7 +75,8 @@ impl Chain {
     }
 }
 
-/// Free fall in axes from which a direction `± q + quarters π/2` is q: turned back, or turned on after a reflection.
+/// Free fall in axes from which a direction `± q + quarters π/2` is q: turned back, or turned on
+/// after a reflection.
 fn turned(gravity: Option<&[Series; 2]>, sign: i8, quarters: u8) -> [Series; 2] {
     let [x, y] = gravity.cloned().unwrap_or_else(|| [Series::zero(), Series::zero()]);
     let (y, quarters) = if sign < 0 { (-y, (4 - quarters) % 4) } else { (y, quarters) };

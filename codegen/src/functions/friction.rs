@@ -1,12 +1,13 @@
-//! The contacts that slide in a closed form. Without friction the accelerations would be a⁰ and the reactions N⁰; a unit of
-//! the friction force R_j adds aʲ and nʲ. With `R_j = −σ_j μ_j N_j`
+//! The contacts that slide in a closed form. Without friction the accelerations would be a⁰ and the
+//! reactions N⁰; a unit of the friction force R_j adds aʲ and nʲ. With `R_j = −σ_j μ_j N_j`
 //!
 //! ```text
 //! Σ_j (δ_ij + n_i^j σ_j μ_j) N_j = N⁰_i,    a = a⁰ + Σ_j aʲ R_j
 //! ```
 //!
-//! solved by Cramer's rule for one contact or two. The determinant vanishes at the border of Painlevé's paradox and nowhere
-//! else (Génot and Brogliato, *New results on Painlevé paradoxes*, Eur. J. Mech. A 18, 1999).
+//! solved by Cramer's rule for one contact or two. The determinant vanishes at the border of
+//! Painlevé's paradox and nowhere else (Génot and Brogliato, *New results on Painlevé paradoxes*,
+//! Eur. J. Mech. A 18, 1999).
 
 use crate::algebra::{Quotient, Symbol};
 use crate::motion::Motion;

@@ -5,9 +5,9 @@
 //! [ J  0  ] [ −λ ] = [ −b ]
 //! ```
 //!
-//! by L D Lᵀ over named entries, M first, so that what follows is −J M⁻¹ Jᵀ; zeros are left out. Where a tree is cheaper to
-//! eliminate from its leaves, `a = a₀ + Σ λ_k a_k`, a_k what the unit force of row k does to it, with
-//! `(J M⁻¹ Jᵀ) λ = −(J a₀ + b)`, `a_k = M⁻¹ J_kᵀ`.
+//! by L D Lᵀ over named entries, M first, so that what follows is −J M⁻¹ Jᵀ; zeros are left out.
+//! Where a tree is cheaper to eliminate from its leaves, `a = a₀ + Σ λ_k a_k`, a_k what the unit
+//! force of row k does to it, with `(J M⁻¹ Jᵀ) λ = −(J a₀ + b)`, `a_k = M⁻¹ J_kᵀ`.
 
 use super::{Kernel, Mass, PhaseFunctions, recursion};
 use crate::algebra::{Series, Symbol};
@@ -20,7 +20,8 @@ use crate::system::System;
 const SETS: usize = 8;
 /// Beside joints so many rows are closed in them at most.
 const ROWS: usize = 8;
-/// A set whose relative pivots are less than this in the nominal figure is held by rows that repeat each other.
+/// A set whose relative pivots are less than this in the nominal figure is held by rows that repeat
+/// each other.
 const LEAST_PIVOT: f64 = 1e-4;
 
 /// What the closed rows of a contact set make of a motion.
@@ -43,13 +44,14 @@ pub struct HeldSolution {
     pub accelerations: Vec<Id>,
     /// λ of each closed row.
     pub multipliers: Vec<Id>,
-    /// Of each row of M that varies, and of each closed one, its entry on the diagonal (of M, of J M⁻¹ Jᵀ) and the pivot that
-    /// elimination makes of it: the smaller the pivot, the nearer are the rows to repeating each other.
+    /// Of each row of M that varies, and of each closed one, its entry on the diagonal (of M, of J
+    /// M⁻¹ Jᵀ) and the pivot that elimination makes of it: the smaller the pivot, the nearer are
+    /// the rows to repeating each other.
     pub pivots: Vec<[Id; 2]>,
 }
 
-/// Of each set that has neither a closed form nor too many rows, by the cheaper elimination; none where something that moves has no
-/// mass of its own, or hinges rub.
+/// Of each set that has neither a closed form nor too many rows, by the cheaper elimination; none
+/// where something that moves has no mass of its own, or hinges rub.
 pub(super) fn held_motions(
     program: &mut Program,
     system: &System,
@@ -80,8 +82,8 @@ pub(super) fn held_motions(
     motions
 }
 
-/// The sets that could have code of their own with the rows that are closed in them, smallest sets first: without a closed form, with
-/// a freedom left, and with nothing that slides.
+/// The sets that could have code of their own with the rows that are closed in them, smallest sets
+/// first: without a closed form, with a freedom left, and with nothing that slides.
 fn candidates<'a>(
     motion: &'a Motion,
     phases: &'a [PhaseFunctions],

@@ -1,7 +1,8 @@
 //! Where the equations are not analytic in the state: at the zeros of what they take roots of.
 //!
-//! `√(a a)` is `|a|`, which has a kink where `a` changes its sign; another radicand is zero at a minimum, as `ẋ² + ẏ²` where a
-//! point comes to rest, or at the edge of the domain of the equations.
+//! `√(a a)` is `|a|`, which has a kink where `a` changes its sign; another radicand is zero at a
+//! minimum, as `ẋ² + ẏ²` where a point comes to rest, or at the edge of the domain of the
+//! equations.
 
 use super::Kernel;
 use crate::program::{Id, Operation, Program};

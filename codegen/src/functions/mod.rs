@@ -101,7 +101,8 @@ pub struct PhaseFunctions {
     pub accelerations: Vec<Id>,
     /// Where loops over equal bars give the accelerations.
     pub chain: Option<Chain>,
-    /// Reaction of each contact, zero where open, then the friction forces; reads the accelerations of the kept rates.
+    /// Reaction of each contact, zero where open, then the friction forces; reads the accelerations
+    /// of the kept rates.
     pub reactions: Vec<Id>,
     /// Every coordinate, then every rate.
     pub embedding: Vec<Id>,
@@ -133,7 +134,8 @@ impl PhaseFunctions {
     }
 }
 
-/// Whether no contact or a single one leaves a phase without a closed form, whose series are those of the full equations.
+/// Whether no contact or a single one leaves a phase without a closed form, whose series are those
+/// of the full equations.
 fn needs_projected_series(motion: &Motion, phases: &[PhaseFunctions]) -> bool {
     let sets = core::iter::once(0).chain((0..motion.contacts.len().min(64)).map(|i| 1 << i));
     let has_form = |closed: u64| phases.iter().any(|phase| phase.set.closed == closed);
@@ -159,11 +161,13 @@ pub struct Functions {
     pub phases: Vec<PhaseFunctions>,
     /// Motions that joints and contacts hold, without a closed form.
     pub held: Vec<HeldMotion>,
-    /// The full state as a phase, for the Taylor series of the full equations, where phases need them.
+    /// The full state as a phase, for the Taylor series of the full equations, where phases need
+    /// them.
     pub projected: Option<PhaseFunctions>,
     /// The nominal figure: x and y of each point.
     pub figure: Vec<Id>,
-    /// Forces, couples and momenta by name; they read the accelerations of all coordinates and the multipliers of all rows.
+    /// Forces, couples and momenta by name; they read the accelerations of all coordinates and the
+    /// multipliers of all rows.
     pub quantities: Vec<Quantity<Id>>,
     /// Those of them that are computed together: the forces of the joints of a tree.
     pub together: Range<usize>,

@@ -3,7 +3,8 @@
 use crate::Analysis;
 use crate::motion::{ClosedSet, contains};
 
-/// A name for each closed form, then for each motion that is held without one, no two alike: `On_A_and_E`, `On_sliding_A`, `Free`.
+/// A name for each closed form, then for each motion that is held without one, no two alike:
+/// `On_A_and_E`, `On_sliding_A`, `Free`.
 pub(crate) fn phase_names(analysis: &Analysis) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
     let (phases, held) = (&analysis.functions.phases, &analysis.functions.held);

@@ -1,4 +1,5 @@
-//! What a phase's series need: of the program, of what stands for coordinates that the reduced state lacks, in which order.
+//! What a phase's series need: of the program, of what stands for coordinates that the reduced
+//! state lacks, in which order.
 
 use std::collections::BTreeMap;
 
@@ -7,14 +8,16 @@ use crate::algebra::Symbol;
 use crate::motion::{Motion, contains};
 use crate::program::{Id, Operation, Program};
 
-/// What the series of a phase give: everything that varies along a motion and tells when a contact opens or closes.
+/// What the series of a phase give: everything that varies along a motion and tells when a contact
+/// opens or closes.
 #[derive(Clone, Debug)]
 pub struct SeriesOutputs {
     /// The derivative of the reduced state, without that of the time.
     pub rates: Vec<Id>,
     /// Of each contact, zero where open, then the friction forces.
     pub reactions: Vec<Id>,
-    /// Of the contacts the gaps of the open ones, then of those with friction the slip velocities of the sliding ones.
+    /// Of the contacts the gaps of the open ones, then of those with friction the slip velocities
+    /// of the sliding ones.
     pub gaps: Vec<Option<Id>>,
     /// Distances of the feet.
     pub feet: Vec<Id>,
@@ -99,7 +102,8 @@ impl SeriesScope<'_> {
         }
     }
 
-    /// a and b of a product a · (1 / b), which is one convolution as a quotient and two as it stands.
+    /// a and b of a product a · (1 / b), which is one convolution as a quotient and two as it
+    /// stands.
     pub fn quotient(&self, id: Id) -> Option<(Id, Id)> {
         let Operation::Mul(a, b) = self.program.operation(id) else { return None };
         let varies = |id: Id| !self.program.is_constant(id);
@@ -122,7 +126,8 @@ impl SeriesScope<'_> {
         }
     }
 
-    /// The rates are what an order waits for: of the coordinates it has the coefficient since the order before last.
+    /// The rates are what an order waits for: of the coordinates it has the coefficient since the
+    /// order before last.
     pub fn lateness(&self, id: Id, known: &BTreeMap<Id, usize>) -> usize {
         match self.input(id) {
             Some(Symbol::Coordinate { order: 1, .. }) => self.program.operations().len(),

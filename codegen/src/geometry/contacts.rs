@@ -96,8 +96,9 @@ impl GeometryDraft<'_> {
         pushes
     }
 
-    /// Which way the tangent of a support points where that of the one it is the mirror image of points forwards: a mirror
-    /// turns a tangent against the quarter turn from its normal; along a bar it goes as the bar's ends do.
+    /// Which way the tangent of a support points where that of the one it is the mirror image of
+    /// points forwards: a mirror turns a tangent against the quarter turn from its normal; along a
+    /// bar it goes as the bar's ends do.
     fn sense(&self, support: usize) -> i8 {
         let Some(mirror) = &self.system.mirror else { return 1 };
         let Some(of) = (0..support).find(|&of| mirror.supports[of] == support) else { return 1 };

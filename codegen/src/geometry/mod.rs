@@ -1,8 +1,11 @@
-//! How a model looks: forms with a role, between points and at places that parameters determine. Here kinds of joints,
-//! supports and loads become forms; what draws them knows forms only. The runtime has the same types, filled by `emit`.
+//! How a model looks: forms with a role, between points and at places that parameters determine.
+//! Here kinds of joints, supports and loads become forms; what draws them knows forms only. The
+//! runtime has the same types, filled by `emit`.
 //!
-//! - `forms`: what there is to draw; `numbers`: what depends on the parameters; `bodies`: what moves, and marks at points;
-//! - `contacts`: what stands still, where it pushes; `measured`: what coordinates and lengths measure.
+//! - `forms`: what there is to draw; `numbers`: what depends on the parameters; `bodies`: what
+//!   moves, and marks at points;
+//! - `contacts`: what stands still, where it pushes; `measured`: what coordinates and lengths
+//!   measure.
 
 mod bodies;
 mod contacts;

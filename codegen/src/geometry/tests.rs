@@ -102,8 +102,9 @@ fn threads_pull_at_their_ends() {
     assert!(!geometry.marks.contains(&(o, Look::Ground)));
 }
 
-/// A disc turns with its body, a particle's does not; circles about points are drawn once for all they carry, and what touches
-/// with a rim is pushed there. A circular guide is a line, a bowl is not.
+/// A disc turns with its body, a particle's does not; circles about points are drawn once for all
+/// they carry, and what touches with a rim is pushed there. A circular guide is a line, a bowl is
+/// not.
 #[test]
 fn discs_are_circles_about_points() {
     let (system, geometry) = geometry(

@@ -1,5 +1,6 @@
-//! Directions of the bodies from the affine relations `Σ kᵢ xᵢ + constant = 0` (integer `kᵢ`) that declared
-//! coordinates, welds, equal angles and the mirror impose; Gaussian elimination on unit coefficients.
+//! Directions of the bodies from the affine relations `Σ kᵢ xᵢ + constant = 0` (integer `kᵢ`) that
+//! declared coordinates, welds, equal angles and the mirror impose; Gaussian elimination on unit
+//! coefficients.
 
 use std::collections::BTreeMap;
 
@@ -12,7 +13,8 @@ use crate::algebra::{Angle, Series, Symbol};
 use crate::syntax::plain;
 use crate::system::{CoordinateKind, Declared, ParameterValues, Reference, Settled, System};
 
-/// A direction's component above this, negative, is taken for zero: far above the rounding of a figure's numbers.
+/// A direction's component above this, negative, is taken for zero: far above the rounding of a
+/// figure's numbers.
 const NEAR: f64 = 1e-9;
 
 /// The angular coordinates and the direction of each body in terms of them.

@@ -53,7 +53,8 @@ impl Kinematics {
         }
     }
 
-    /// What a drive prescribes as a series, of a distance d its `d²/2d₀`, and a constant angle to be added to it.
+    /// What a drive prescribes as a series, of a distance d its `d²/2d₀`, and a constant angle to
+    /// be added to it.
     pub fn driven(&self, system: &System, driven: &Driven) -> (Series, Angle) {
         match driven {
             Driven::Reading(reading) => self.derive_reading(system, *reading),

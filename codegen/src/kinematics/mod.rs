@@ -58,7 +58,8 @@ pub struct DependentAngle {
 pub struct Joint {
     /// What it stands for, `pin O (x)`.
     pub name: String,
-    /// Vanishes on the constraint; of a drive, `Symbol::opaque(i)` is the prescribed value of the `i`-th.
+    /// Vanishes on the constraint; of a drive, `Symbol::opaque(i)` is the prescribed value of the
+    /// `i`-th.
     pub equation: Series,
     /// What it holds.
     pub kind: JointKind,
@@ -176,8 +177,8 @@ impl Kinematics {
         rank::check_mobility(system, self)
     }
 
-    /// The direction's reading `q = sign (δ − reference)` evaluated on the nominal figure, with the parameters of a
-    /// sample.
+    /// The direction's reading `q = sign (δ − reference)` evaluated on the nominal figure, with the
+    /// parameters of a sample.
     pub fn nominal(&self, system: &System, numbers: &ParameterValues) -> Vec<f64> {
         self.coordinates.iter().map(|c| evaluate_reading(system, numbers, &c.reading)).collect()
     }

@@ -1,5 +1,6 @@
-//! Positions of the points: each connected component is laid out from a root point and then anchored,
-//! axis by axis, by a pin, by the mirror, by a declared coordinate, or by a coordinate of its own.
+//! Positions of the points: each connected component is laid out from a root point and then
+//! anchored, axis by axis, by a pin, by the mirror, by a declared coordinate, or by a coordinate of
+//! its own.
 
 use super::{Coordinate, Joint, SpanningTree, offset};
 use crate::algebra::{Angle, Rational, Series, Symbol};
@@ -64,7 +65,8 @@ fn origin() -> [Series; 2] {
     [Series::zero(), Series::zero()]
 }
 
-/// Pinned points first, then those with a declared position, then those on the mirror, then the rest.
+/// Pinned points first, then those with a declared position, then those on the mirror, then the
+/// rest.
 fn roots(system: &System) -> Vec<usize> {
     let pinned = system.pins.iter().map(|pin| pin.point);
     let declared = system.coordinates.iter().filter_map(|c| match c.kind {

@@ -90,7 +90,8 @@ fn unknown(direction: &ConstrainedAngle) -> AffineAngle {
     })
 }
 
-/// Reflection in a vertical line sends `δ` to `π − δ`, in a horizontal one to `−δ`; exchanged ends add π.
+/// Reflection in a vertical line sends `δ` to `π − δ`, in a horizontal one to `−δ`; exchanged ends
+/// add π.
 fn mirrored(system: &System) -> impl Iterator<Item = Relation> + '_ {
     system.mirror.iter().flat_map(|mirror| {
         mirror.bodies.iter().enumerate().filter(|(body, (image, _))| body <= image).map(

@@ -1,11 +1,13 @@
-//! What is read within the stack of a thread, and what is refused; each limit at its edge and far beyond.
+//! What is read within the stack of a thread, and what is refused; each limit at its edge and far
+//! beyond.
 
 use super::{LENGTH, LEVELS};
 
 /// An expression of so many parts.
 type Form<'a> = &'a dyn Fn(usize) -> String;
 
-/// The messages about a length, from a thread with 2 MiB of stack: the least that anything of the compiler has.
+/// The messages about a length, from a thread with 2 MiB of stack: the least that anything of the
+/// compiler has.
 fn find_mistakes(length: String) -> Vec<String> {
     let derived = move || {
         let item = format!(

@@ -1,4 +1,5 @@
-//! Where a long formula may be broken: before the signs of its sums, those in brackets too where the brackets hold much.
+//! Where a long formula may be broken: before the signs of its sums, those in brackets too where
+//! the brackets hold much.
 
 use super::{Equation, Math};
 

@@ -1,4 +1,5 @@
-//! Formulas as MathML, which browsers set by themselves: a `<math>` for each part between which a line may end.
+//! Formulas as MathML, which browsers set by themselves: a `<math>` for each part between which a
+//! line may end.
 
 use super::line_breaks::{Token, chunks};
 use super::name::DOTS;
@@ -106,7 +107,8 @@ fn symbol(name: &Name, dots: u8) -> String {
     }
 }
 
-/// Letters with combining dots, which fonts without a table for mathematics place well too; words with dots above them.
+/// Letters with combining dots, which fonts without a table for mathematics place well too; words
+/// with dots above them.
 fn dotted(stem: &str, order: u8) -> String {
     let Some(place) = usize::from(order).checked_sub(1) else { return format!("<mi>{stem}</mi>") };
     let mut letters = stem.chars();

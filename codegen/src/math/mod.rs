@@ -1,6 +1,6 @@
-//! Formulas as they are written, whatever prints them: what stands over what, which brackets are there, which number is
-//! raised. [`Series`](crate::algebra::Series) and what the equations are made of become this; text, LaTeX and MathML are
-//! three ways to print it.
+//! Formulas as they are written, whatever prints them: what stands over what, which brackets are
+//! there, which number is raised. [`Series`](crate::algebra::Series) and what the equations are
+//! made of become this; text, LaTeX and MathML are three ways to print it.
 
 mod latex;
 mod line_breaks;
@@ -44,7 +44,8 @@ pub enum Math {
     Multiple(Box<Math>, Box<Math>),
     /// Raised to a power.
     Power(Box<Math>, i32),
-    /// One over the other; in text the stroke has space around it where it divides all that stands before it.
+    /// One over the other; in text the stroke has space around it where it divides all that stands
+    /// before it.
     Fraction {
         /// Numerator and denominator.
         parts: Box<[Math; 2]>,
@@ -111,7 +112,8 @@ impl Math {
         }
     }
 
-    /// A product, the sign of its first factor in front; of none it is 1. A first factor 1 is left out, sums are put in brackets.
+    /// A product, the sign of its first factor in front; of none it is 1. A first factor 1 is left
+    /// out, sums are put in brackets.
     pub fn product(factors: impl IntoIterator<Item = Self>) -> Self {
         let mut all = Vec::new();
         let mut negative = false;
@@ -152,7 +154,8 @@ impl Math {
         }
     }
 
-    /// One over the other, the sign in front; a sum above, and all but one factor below, is put in brackets.
+    /// One over the other, the sign in front; a sum above, and all but one factor below, is put in
+    /// brackets.
     pub fn over(self, below: Self) -> Self {
         self.divided(below, false)
     }

@@ -1,4 +1,5 @@
-//! Formulas as they are set: what a fraction bar holds together needs no brackets, signs stand in front, functions last.
+//! Formulas as they are set: what a fraction bar holds together needs no brackets, signs stand in
+//! front, functions last.
 
 use super::line_breaks::WHOLE;
 use super::{Equation, Math};

@@ -43,7 +43,8 @@ fn as_mathml() {
     assert_eq!(Equation::new(Math::symbol("T"), product).mathml(), expected);
 }
 
-/// Signs move in front, functions behind, brackets go where a fraction bar holds together what they held.
+/// Signs move in front, functions behind, brackets go where a fraction bar holds together what they
+/// held.
 #[test]
 fn what_is_set_is_tidied() {
     let product = Math::product([
@@ -84,7 +85,8 @@ fn long_equations_are_broken_before_signs() {
     assert!(rows.iter().all(|row| row.matches("\\mathrm{inner}").count() <= 10), "{rows:?}");
 }
 
-/// Short fractions as fractions, others as decimals of seven digits: what is read back is the number.
+/// Short fractions as fractions, others as decimals of seven digits: what is read back is the
+/// number.
 #[test]
 fn long_fractions_are_decimals() {
     let text = |numerator, denominator| Math::Number { numerator, denominator }.to_string();

@@ -44,7 +44,8 @@ impl Action {
         Self { on: Some(Holder::Body(body)), at, along, force, couple: Series::zero() }
     }
 
-    /// A couple on a body: at the point that it shares with the body that bears the opposite, else at its first.
+    /// A couple on a body: at the point that it shares with the body that bears the opposite, else
+    /// at its first.
     pub(super) fn couple(scene: &Scene, body: usize, from: Option<usize>, couple: Series) -> Self {
         let holds =
             |point: &usize, body: usize| scene.system.points[*point].on.iter().any(|(b, _)| *b == body);

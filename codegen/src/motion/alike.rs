@@ -1,5 +1,5 @@
-//! Bodies that follow a coordinate alike: in a chain all that hang from a bar. What their masses give is summed once for all
-//! coordinates that move the same of them.
+//! Bodies that follow a coordinate alike: in a chain all that hang from a bar. What their masses
+//! give is summed once for all coordinates that move the same of them.
 
 use std::collections::BTreeMap;
 
@@ -76,7 +76,8 @@ pub(super) fn classes(inertias: &[Inertia], coordinate: usize) -> Vec<Class> {
     classes
 }
 
-/// Sums of several values of each body over sets of bodies, each found from the largest that is known within it.
+/// Sums of several values of each body over sets of bodies, each found from the largest that is
+/// known within it.
 pub(super) struct BodySums<const K: usize> {
     of: Vec<[Series; K]>,
     known: BTreeMap<Bodies, [Series; K]>,

@@ -1,6 +1,7 @@
-//! A point, or the disc about it, outside a circle or inside: with D from the circle's centre to the point and L the distance where
-//! they touch, the gap is `± (|D|² − L²)/2L`, its unit force along `u = ± D/L`, the tangent a quarter turn counter-clockwise
-//! from D. A circle of radius R about a point of a body moves and turns with it: the slip is `t · Ḋ ∓ r ω − R Ω`, and both bear
+//! A point, or the disc about it, outside a circle or inside: with D from the circle's centre to
+//! the point and L the distance where they touch, the gap is `± (|D|² − L²)/2L`, its unit force
+//! along `u = ± D/L`, the tangent a quarter turn counter-clockwise from D. A circle of radius R
+//! about a point of a body moves and turns with it: the slip is `t · Ḋ ∓ r ω − R Ω`, and both bear
 //! the reaction.
 
 use super::action::{Action, Scene};

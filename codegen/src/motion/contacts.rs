@@ -1,5 +1,6 @@
-//! Which one-sided constraints are one contact: those whose gaps are one series, and mirror images (whose gaps are one
-//! on the joints); their reaction is the total. With friction only images are one: its law needs the reaction of each.
+//! Which one-sided constraints are one contact: those whose gaps are one series, and mirror images
+//! (whose gaps are one on the joints); their reaction is the total. With friction only images are
+//! one: its law needs the reaction of each.
 
 use super::action::{Action, Scene};
 use super::expression::{Expression, OpaqueTerms};
@@ -14,7 +15,8 @@ use crate::system::{Drive, Support, System};
 pub struct Contact {
     /// Indices of its supports.
     pub supports: Vec<usize>,
-    /// Whether its members are mirror images (or there is only one), so that each bears an equal share.
+    /// Whether its members are mirror images (or there is only one), so that each bears an equal
+    /// share.
     pub shared: bool,
     /// Whether it is closed always, a guide.
     pub two_sided: bool,
@@ -59,7 +61,8 @@ impl Contact {
         names.join(", ")
     }
 
-    /// The same as a part of names in code; drives are called as they are declared, `drive distance(A, B)`.
+    /// The same as a part of names in code; drives are called as they are declared,
+    /// `drive distance(A, B)`.
     pub fn word(&self, system: &System) -> String {
         self.label(system).replace(", ", "_").replace([' ', '('], "_").replace(')', "")
     }

@@ -55,8 +55,8 @@ impl Dense {
         }
     }
 
-    /// `M = Σ m J_cᵀ J_c + I ωᵀ ω`, `h = Σ m J_cᵀ J̇_c u` and the weights, class by class of what moves alike: no sum over
-    /// all bodies for each pair of coordinates.
+    /// `M = Σ m J_cᵀ J_c + I ωᵀ ω`, `h = Σ m J_cᵀ J̇_c u` and the weights, class by class of what
+    /// moves alike: no sum over all bodies for each pair of coordinates.
     fn inertias(&mut self, inertias: &[Inertia], gravity: Option<&[Series; 2]>) {
         let n = self.forces.len();
         let mut masses =

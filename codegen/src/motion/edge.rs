@@ -1,6 +1,7 @@
-//! A point, or the disc of radius r about it, on one side of an edge of a body: with e the edge's direction, n its left normal, A
-//! its first point, the gap is `± n · (P − A) − r`, along the edge while the foot `s = e · (P − A)` lies between its ends. Both
-//! bear the reaction; the slip is `e · (Ṗ − Ȧ) ± r ω`.
+//! A point, or the disc of radius r about it, on one side of an edge of a body: with e the edge's
+//! direction, n its left normal, A its first point, the gap is `± n · (P − A) − r`, along the edge
+//! while the foot `s = e · (P − A)` lies between its ends. Both bear the reaction; the slip is
+//! `e · (Ṗ − Ȧ) ± r ω`.
 
 use super::action::Scene;
 use super::dot;

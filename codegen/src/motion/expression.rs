@@ -171,8 +171,8 @@ impl OpaqueTerm {
 pub(super) struct OpaqueTerms(pub Vec<OpaqueTerm>);
 
 impl OpaqueTerms {
-    /// The prescribed motions with their first two derivatives: what is driven is `f(t)` less its constant angle, of a
-    /// distance that is always driven `f²/2d₀`.
+    /// The prescribed motions with their first two derivatives: what is driven is `f(t)` less its
+    /// constant angle, of a distance that is always driven `f²/2d₀`.
     pub fn of_drives(system: &System, kinematics: &Kinematics) -> Self {
         let opaque_terms = system.drives.iter().enumerate().map(|(i, drive)| {
             let (_, constant) = kinematics.driven(system, &drive.driven);

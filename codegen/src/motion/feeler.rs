@@ -30,7 +30,8 @@ impl<'a> Feeler<'a> {
         }
     }
 
-    /// The body that turns with it, and the velocity of its rim for a unit of the body's turning, times a factor.
+    /// The body that turns with it, and the velocity of its rim for a unit of the body's turning,
+    /// times a factor.
     pub fn spin(&self, factor: i8) -> Option<(usize, Series)> {
         let disc = self.disc?;
         Some((disc.body?, disc.radius.scale(crate::algebra::Rational::integer(factor.into()))))

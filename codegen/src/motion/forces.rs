@@ -1,5 +1,5 @@
-//! Forces by the balance of parts: what acts on a part through a cut is its change of momentum less all else that acts
-//! on it,
+//! Forces by the balance of parts: what acts on a part through a cut is its change of momentum less
+//! all else that acts on it,
 //!
 //! `F = Σ m (c̈ − g) − Σ f − Σ λ φ`, `C = Σ m (c − O) × (c̈ − g) + I ω̇ − Σ ((r − O) × f + c)`,
 //!
@@ -175,8 +175,8 @@ impl<'a> Forces<'a> {
         })
     }
 
-    /// Whether no couple but those of the loads and drives acts on a part: none of equal angles, none of the ground on a
-    /// bar welded to it, and so many welds as said across the cut.
+    /// Whether no couple but those of the loads and drives acts on a part: none of equal angles,
+    /// none of the ground on a bar welded to it, and so many welds as said across the cut.
     pub fn turns_freely(&self, part: &CutSide, welds: usize) -> bool {
         let system = self.scene.system;
         let holds = |body: usize| part.holds(Holder::Body(body));

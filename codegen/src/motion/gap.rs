@@ -14,9 +14,10 @@
 //!
 //! Of a disc of radius ϱ about the point the gap over lines is less by ϱ, and L = R ± ϱ.
 //!
-//! On the constraint the gradient of each is the unit force. The slip of a support that is rough or has friction is the
-//! velocity of the point (of the bar at the corner) along the tangent, relative to the surface; the tangent is the line's (the bar's) direction, on a circle a
-//! quarter turn counter-clockwise from the radius.
+//! On the constraint the gradient of each is the unit force. The slip of a support that is rough or
+//! has friction is the velocity of the point (of the bar at the corner) along the tangent, relative
+//! to the surface; the tangent is the line's (the bar's) direction, on a circle a quarter turn
+//! counter-clockwise from the radius.
 
 use super::action::{Action, Scene, normal, unit};
 use super::circle::{self, MeasuredCircle};
@@ -85,7 +86,8 @@ fn corner(scene: &Scene, body: usize, at: &[Series; 2], side: i8, slips: bool) -
     let reach = [0, 1].map(|axis| &at[axis] - &first[axis]);
     let from_first = dot(&along, &reach);
     let from_last = &bar.length - &from_first;
-    // The bar's point at the corner slips as the first point does along the bar: their distance is across its turn.
+    // The bar's point at the corner slips as the first point does along the bar: their distance is
+    // across its turn.
     let velocity = first.each_ref().map(Series::rate);
     let turning = &direction.rate() * &dot(&across, &velocity);
     let slip = Row::tangential(

@@ -1,6 +1,7 @@
-//! Hinges with friction: a journal of radius r in its bearing, which it touches on the line of the hinge force F. The slip is
-//! `v = r ω`, the reaction `N = |F|`, so that `R = −μ N sign v` is the couple r R. The row of N has no entries: the hinge holds
-//! without it, and F is a joint force of the motion.
+//! Hinges with friction: a journal of radius r in its bearing, which it touches on the line of the
+//! hinge force F. The slip is `v = r ω`, the reaction `N = |F|`, so that `R = −μ N sign v` is the
+//! couple r R. The row of N has no entries: the hinge holds without it, and F is a joint force of
+//! the motion.
 
 use super::action::{Action, Scene};
 use super::measured::Measured;
@@ -25,7 +26,8 @@ pub(super) fn measure(scene: &Scene, body: usize, from: Option<usize>, radius: &
 }
 
 impl Motion {
-    /// The places of both components of its force among the quantities, of each hinge with friction.
+    /// The places of both components of its force among the quantities, of each hinge with
+    /// friction.
     ///
     /// # Errors
     /// Hinges whose friction is not known here.

@@ -1,9 +1,10 @@
 //! Springs, dampers, applied forces and couples: what acts where, and the springs' potential.
 //!
-//! A spring from a to b with `r = b − a`, `d = |r|` bears the tension `S = k (d − l) + c ḋ`, `ḋ = r·ṙ / d`; it pulls a
-//! with `κ r`, `κ = S/d`, b with the opposite; on a condition `d² = |r|² + 1 − s`, so that the direction is not lost where the ends meet
-//! while it does not act. A torsion spring turns its body by `−k (Δ − a) − c Δ̇`. What acts on a condition has
-//! the factor s, 1 while it acts, else 0, which is constant between events.
+//! A spring from a to b with `r = b − a`, `d = |r|` bears the tension `S = k (d − l) + c ḋ`,
+//! `ḋ = r·ṙ / d`; it pulls a with `κ r`, `κ = S/d`, b with the opposite; on a condition
+//! `d² = |r|² + 1 − s`, so that the direction is not lost where the ends meet while it does not
+//! act. A torsion spring turns its body by `−k (Δ − a) − c Δ̇`. What acts on a condition has the
+//! factor s, 1 while it acts, else 0, which is constant between events.
 
 use super::action::{Action, Scene, normal, unit};
 use super::expression::{Expression, OpaqueTerms};

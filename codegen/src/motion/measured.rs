@@ -38,7 +38,8 @@ pub(super) fn slips(support: &Support) -> bool {
     support.rough || support.friction.is_some()
 }
 
-/// What slips along a tangent: `t · ẋ + Σ c ω`, and what its rate is without accelerations beside `t · ẍ`.
+/// What slips along a tangent: `t · ẋ + Σ c ω`, and what its rate is without accelerations beside
+/// `t · ẍ`.
 pub(super) struct TangentSlip<'a> {
     pub span: &'a [Series; 2],
     pub tangent: &'a [Series; 2],

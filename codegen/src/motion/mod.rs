@@ -1,8 +1,9 @@
 //! The equations of motion in the generalised coordinates, as Poisson series:
 //!
 //! `M a + h = Q + Jᵀ λ`, with `T = ½ uᵀ M u`, `M = Σ m J_cᵀ J_c + I ωᵀ ω`, `h = Σ m J_cᵀ J̇_c u`
-//! (the velocity terms), Q the generalised forces of gravity, springs and loads, and one row `g̈ = J a + b` for each
-//! contact, each joint, and each slip of a contact that is rough or has friction.
+//! (the velocity terms), Q the generalised forces of gravity, springs and loads, and one row
+//! `g̈ = J a + b` for each contact, each joint, and each slip of a contact that is rough or has
+//! friction.
 
 mod action;
 mod alike;
@@ -61,7 +62,8 @@ pub const MOST_GUIDES: usize = 64;
 /// Trees of more bodies are not written out entry by entry: recursions are shorter.
 const WRITTEN: usize = 8;
 
-/// `Σ a b`, the products not multiplied out: series of the motion, its accelerations and the multipliers of the rows.
+/// `Σ a b`, the products not multiplied out: series of the motion, its accelerations and the
+/// multipliers of the rows.
 pub type Products = Vec<[Series; 2]>;
 
 /// A contact set: bits of the contacts that are closed, and of those with friction that stick.
@@ -108,13 +110,15 @@ pub struct Motion {
     pub loads: Loads,
     /// One-sided contacts.
     pub contacts: Vec<Contact>,
-    /// Rows of the contacts, then of the joints, then of the slips of contacts that are rough or have friction.
+    /// Rows of the contacts, then of the joints, then of the slips of contacts that are rough or
+    /// have friction.
     pub rows: Vec<Row>,
     /// The contact of each slip.
     pub tangents: Vec<usize>,
     /// What series contain that is no series itself.
     pub opaque_terms: Vec<OpaqueTerm>,
-    /// Joint forces, tensions, internal forces and momenta, by name; of a long tree without joint forces and momenta.
+    /// Joint forces, tensions, internal forces and momenta, by name; of a long tree without joint
+    /// forces and momenta.
     pub quantities: Vec<Quantity<Products>>,
     /// The tree that the system is, if it is one.
     pub tree: Option<Tree>,
@@ -126,8 +130,8 @@ impl Motion {
     /// Derives the equations of `system` in the coordinates of `kinematics`.
     ///
     /// # Errors
-    /// A support whose point cannot move; more than [`MOST_CONTACTS`] contacts or [`MOST_GUIDES`] guides with friction; rationals
-    /// that overflow.
+    /// A support whose point cannot move; more than [`MOST_CONTACTS`] contacts or [`MOST_GUIDES`]
+    /// guides with friction; rationals that overflow.
     pub fn derive(system: &System, kinematics: &Kinematics) -> syn::Result<Self> {
         let n = kinematics.coordinates.len();
         let scene = Scene { system, kinematics };
@@ -170,8 +174,8 @@ impl Motion {
         }
     }
 
-    /// The tree, where its functions are recursions over its bodies: beyond eight bodies, those with contacts beyond
-    /// what is unrolled.
+    /// The tree, where its functions are recursions over its bodies: beyond eight bodies, those
+    /// with contacts beyond what is unrolled.
     pub fn long_tree(&self) -> Option<&Tree> {
         let most = if self.contacts.is_empty() { WRITTEN } else { UNROLLED };
         self.tree
@@ -185,7 +189,8 @@ impl Motion {
         drives || self.rows.len() > self.contacts.len() + self.tangents.len()
     }
 
-    /// What a state has beside coordinates and rates: the time where the equations depend on it, then the switches.
+    /// What a state has beside coordinates and rates: the time where the equations depend on it,
+    /// then the switches.
     pub fn carried(&self) -> impl Iterator<Item = Symbol> + Clone + use<> {
         let time = self.is_timed().then_some(Symbol::Time);
         time.into_iter().chain((0..self.switches as u16).map(Symbol::Switch))
@@ -196,12 +201,14 @@ impl Motion {
         2 * self.n + self.carried().count()
     }
 
-    /// Every load, and the forces of the rows by their multipliers; `None` where these are not known one by one.
+    /// Every load, and the forces of the rows by their multipliers; `None` where these are not
+    /// known one by one.
     pub fn actions(&self, scene: &Scene) -> Option<Vec<Action>> {
         Forces::new(scene, self).known()
     }
 
-    /// Whether a row is closed in a contact set; the slip of a contact with friction where it sticks.
+    /// Whether a row is closed in a contact set; the slip of a contact with friction where it
+    /// sticks.
     pub fn is_closed(&self, row: usize, set: ClosedSet) -> bool {
         match row {
             _ if row < self.contacts.len() => contains(set.closed, row) && self.contacts[row].force.is_none(),
@@ -214,8 +221,8 @@ impl Motion {
         }
     }
 
-    /// The contact sets of the first contacts, all guides closed, smallest first; of those with one and the same contacts closed, that in which
-    /// all with friction stick first.
+    /// The contact sets of the first contacts, all guides closed, smallest first; of those with one
+    /// and the same contacts closed, that in which all with friction stick first.
     pub fn sets(&self, contacts: usize) -> Vec<ClosedSet> {
         let guides = self.contacts.iter().enumerate().filter(|(_, contact)| contact.two_sided);
         let (rubs, guides) = (first(self.frictions().map(|of| of.0)), first(guides.map(|of| of.0)));

@@ -38,8 +38,8 @@ impl CutSide {
         Self { holders: holders.collect(), piece: None }
     }
 
-    /// The piece of a bar that is not held from the tree's root, with everything that hangs from it; both pieces where
-    /// the parameters decide which that is, each with how much it counts.
+    /// The piece of a bar that is not held from the tree's root, with everything that hangs from
+    /// it; both pieces where the parameters decide which that is, each with how much it counts.
     pub fn section(scene: &Scene, opaque_terms: &mut OpaqueTerms, section: &Section) -> Vec<(Self, Series)> {
         let entry = &scene.system.local(section.body, scene.kinematics.tree.entry[section.body])[0];
         let pieces = [true, false].map(|far| BarPiece { body: section.body, at: section.at.clone(), far });
@@ -122,8 +122,8 @@ impl BarPiece {
         &scene.system.bodies[self.body]
     }
 
-    /// 1 for what acts on it, 0 for what acts on the other piece; `½ (1 ± x/|x|)` of what moves along the bar, or stands
-    /// where the parameters decide.
+    /// 1 for what acts on it, 0 for what acts on the other piece; `½ (1 ± x/|x|)` of what moves
+    /// along the bar, or stands where the parameters decide.
     fn share(&self, scene: &Scene, opaque_terms: &mut OpaqueTerms, along: &Series) -> Series {
         if let Some(far) = self.is_beyond(scene, along) {
             return if far == self.far { Series::one() } else { Series::zero() };
@@ -135,8 +135,8 @@ impl BarPiece {
         (&Series::one() + &sign).scale(Rational::new(1, 2))
     }
 
-    /// Whether a place along the bar is beyond the section, where that is so for all parameters. The section lies within the
-    /// bar, between its ends, as every model is asked when it is built.
+    /// Whether a place along the bar is beyond the section, where that is so for all parameters.
+    /// The section lies within the bar, between its ends, as every model is asked when it is built.
     fn is_beyond(&self, scene: &Scene, along: &Series) -> Option<bool> {
         let length = &self.bar(scene).length;
         let of_length = |x: &Series| x.divide_exact(length).and_then(|ratio| ratio.as_constant());

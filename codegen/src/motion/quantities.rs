@@ -1,4 +1,5 @@
-//! Forces at joints, tensions, forces of drives, internal forces and momenta, by name. Only what is asked for is computed.
+//! Forces at joints, tensions, forces of drives, internal forces and momenta, by name. Only what is
+//! asked for is computed.
 
 use super::Vector;
 use super::action::{Holder, Scene, normal, unit};
@@ -10,7 +11,8 @@ use crate::algebra::Series;
 use crate::kinematics::JointKind;
 use crate::system::{Drive, Driven, System};
 
-/// Systems of more bodies have no joint forces unless they are trees: their length grows with the square.
+/// Systems of more bodies have no joint forces unless they are trees: their length grows with the
+/// square.
 const BODIES: usize = 16;
 
 /// Joint forces, tensions, forces of drives, internal forces, momenta.
@@ -70,7 +72,8 @@ pub(super) fn derive_quantities(
     named
 }
 
-/// The force of a drive for a unit multiplier of its row: of a distance d, f(t) as it is driven, `d/d₀`.
+/// The force of a drive for a unit multiplier of its row: of a distance d, f(t) as it is driven,
+/// `d/d₀`.
 fn force(scene: &Scene, opaque_terms: &mut OpaqueTerms, drive: &Drive) -> Series {
     let Driven::Distance { inverse, .. } = &drive.driven else { return Series::one() };
     &prescribed(scene, opaque_terms, drive) * inverse
@@ -136,7 +139,8 @@ impl Forces<'_> {
         }
     }
 
-    /// The forces of the rows that hold a point: on a body, or all of those by which the ground holds it.
+    /// The forces of the rows that hold a point: on a body, or all of those by which the ground
+    /// holds it.
     fn closing(&self, point: usize, body: Option<usize>) -> Vector {
         let mut sum = [Series::zero(), Series::zero()];
         let rows = self.joints.iter().filter(|(at, _)| *at == point);
@@ -155,7 +159,8 @@ impl Forces<'_> {
             let holds = |point: usize, body: usize| system.points[point].on.iter().any(|(b, _)| *b == body);
             let shared = (0..system.points.len()).find(|&p| holds(p, weld.body) && holds(p, other));
             let Some(point) = shared else { continue };
-            // Of the two the one that is reached through their point, and whether it is the one held.
+            // Of the two the one that is reached through their point, and whether it is the one
+            // held.
             let below = [(weld.body, 1), (other, -1)].into_iter().find(|(body, _)| {
                 tree.entry[*body] == point && tree.owner[point].is_some_and(|o| o == weld.body || o == other)
             });

@@ -1,6 +1,7 @@
 //! What a model computes beside its motion and the reactions of its contacts.
 
-/// A quantity of a model by its name, with what gives it: products of series, or its place in the program.
+/// A quantity of a model by its name, with what gives it: products of series, or its place in the
+/// program.
 #[derive(Clone, Debug)]
 pub struct Quantity<T> {
     /// As expressions have it: `fx(D, AD)`.
@@ -43,7 +44,8 @@ impl<T> Quantity<T> {
         Self { name: name.into(), kind, value }
     }
 
-    /// Both components of a joint's force; `holder` is its point, `D`, or with the body that bears it, `D, AD`.
+    /// Both components of a joint's force; `holder` is its point, `D`, or with the body that bears
+    /// it, `D, AD`.
     pub(crate) fn joint_force(holder: &str, [x, y]: [T; 2]) -> [Self; 2] {
         [("fx", x), ("fy", y)]
             .map(|(axis, force)| Self::new(format!("{axis}({holder})"), QuantityKind::JointForce, force))
@@ -64,7 +66,8 @@ mod tests {
     use super::QuantityKind::*;
     use crate::analyse;
 
-    /// A drive is a torque where what it drives is an angle: a coordinate that is one, or a direction.
+    /// A drive is a torque where what it drives is an angle: a coordinate that is one, or a
+    /// direction.
     #[test]
     fn each_quantity_has_the_kind_of_what_it_is() {
         let analysis = analyse(

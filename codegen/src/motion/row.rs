@@ -16,7 +16,8 @@ pub struct Row {
 }
 
 impl Row {
-    /// The row of a gap that is a series of the coordinates and of opaque terms that depend on time alone.
+    /// The row of a gap that is a series of the coordinates and of opaque terms that depend on time
+    /// alone.
     pub(super) fn from_gap(gap: &Series, n: usize) -> Self {
         let jacobian = (0..n).map(|i| gap.derivative(Symbol::coordinate(i))).collect();
         Self {

@@ -1,5 +1,5 @@
-//! Ends of a bar for what slides along it: with e the bar's direction, A its first point and l its length, the gaps are
-//! `s = e · (P − A)` and `l − s`. Both bear the reaction.
+//! Ends of a bar for what slides along it: with e the bar's direction, A its first point and l its
+//! length, the gaps are `s = e · (P − A)` and `l − s`. Both bear the reaction.
 
 use super::action::{Action, Scene, unit};
 use super::dot;

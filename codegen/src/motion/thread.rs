@@ -1,7 +1,8 @@
 //! Threads: `g = ℓ − Σ |segments|`, polynomial where only one segment moves.
 //!
-//! With `d` the length of a segment between `a` and `b`, `r = b − a`: `ḋ = r·ṙ / d`, and without accelerations
-//! `d̈ = ((r×ṙ)² / d² + r·β) / d`, β what r̈ is without them; a difference of ṙ·ṙ and ḋ² would lose digits.
+//! With `d` the length of a segment between `a` and `b`, `r = b − a`: `ḋ = r·ṙ / d`, and without
+//! accelerations `d̈ = ((r×ṙ)² / d² + r·β) / d`, β what r̈ is without them; a difference of ṙ·ṙ and
+//! ḋ² would lose digits.
 
 use super::action::{Action, Scene};
 use super::expression::{Expression, OpaqueTerms};

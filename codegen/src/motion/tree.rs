@@ -1,5 +1,6 @@
-//! Systems whose bodies hang from fixed or free points as trees: each turns about a point of the body before it, by a
-//! coordinate of its own that measures its direction; a free point has its place for coordinates. Loops close such trees.
+//! Systems whose bodies hang from fixed or free points as trees: each turns about a point of the
+//! body before it, by a coordinate of its own that measures its direction; a free point has its
+//! place for coordinates. Loops close such trees.
 
 use super::Motion;
 use super::action::{Holder, Scene};
@@ -36,8 +37,8 @@ pub struct Branch {
     pub coordinate: usize,
     /// ±1: how its direction turns with the coordinate.
     pub sign: i8,
-    /// The point that it turns about, from the one that its parent turns about, in the parent's frame; on the ground or at a base
-    /// from the origin.
+    /// The point that it turns about, from the one that its parent turns about, in the parent's
+    /// frame; on the ground or at a base from the origin.
     pub reach: [Series; 2],
     /// Its mass, and the point masses on it.
     pub lumped_masses: Vec<LumpedMass>,
@@ -55,7 +56,8 @@ pub struct LumpedMass {
 }
 
 impl Tree {
-    /// The tree that a system is but for its joints; `None` for one with bodies that turn together, or a mirror.
+    /// The tree that a system is but for its joints; `None` for one with bodies that turn together,
+    /// or a mirror.
     pub fn recognise(scene: &Scene, motion: &Motion) -> Option<Self> {
         let (system, kinematics) = (scene.system, scene.kinematics);
         let count = system.bodies.len();

@@ -1,5 +1,5 @@
-//! What parameters alone determine: measures, restitution, the nominal figure and the numbers of a drawing. Each is a list of
-//! values of a program of its own, and what is made of them.
+//! What parameters alone determine: measures, restitution, the nominal figure and the numbers of a
+//! drawing. Each is a list of values of a program of its own, and what is made of them.
 
 mod measure;
 mod measures;
@@ -41,7 +41,8 @@ impl ParameterProgram {
     }
 }
 
-/// Restitution of each contact, then the tangential one of each with friction; none where all are plastic.
+/// Restitution of each contact, then the tangential one of each with friction; none where all are
+/// plastic.
 pub fn restitution(analysis: &Analysis) -> Option<ParameterProgram> {
     let supports = analysis.motion.contacts.iter().map(|contact| contact.support(&analysis.system));
     let frictions = analysis.motion.frictions().map(|(contact, _)| {

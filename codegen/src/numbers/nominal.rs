@@ -44,7 +44,8 @@ pub enum NominalReference {
     Body(NominalDirection),
 }
 
-/// The direction of a body: between two points, less that of an own line of the body which they are on.
+/// The direction of a body: between two points, less that of an own line of the body which they are
+/// on.
 #[derive(Clone, Copy, Debug)]
 pub struct NominalDirection {
     /// The numbers of the two points, x and y of each.

@@ -1,4 +1,5 @@
-//! What the figure settled, as measures that are not negative where it holds with a model's own parameters.
+//! What the figure settled, as measures that are not negative where it holds with a model's own
+//! parameters.
 
 use super::measure::{Measure, MeasureKind, MeasureValue, Turned};
 use crate::Analysis;

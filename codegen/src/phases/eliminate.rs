@@ -1,6 +1,6 @@
-//! What counts as closed form: a length that enters a gap linearly, an angle that a gap equates with others or with a
-//! prescribed motion, `sin α = sin β` or `cos α = cos β` on the branch of the nominal figure; and for a slip, which has
-//! velocities only, a rate: its coordinate stays.
+//! What counts as closed form: a length that enters a gap linearly, an angle that a gap equates
+//! with others or with a prescribed motion, `sin α = sin β` or `cos α = cos β` on the branch of the
+//! nominal figure; and for a slip, which has velocities only, a rate: its coordinate stays.
 
 use std::collections::BTreeMap;
 
@@ -10,7 +10,8 @@ use crate::algebra::{Angle, Quotient, Symbol};
 use crate::kinematics::Kinematics;
 use crate::motion::Motion;
 
-/// Solves `rows` one by one, cheapest pivot first; `None` where a row resists both rules or repeats others.
+/// Solves `rows` one by one, cheapest pivot first; `None` where a row resists both rules or repeats
+/// others.
 pub(super) fn eliminate(
     kinematics: &Kinematics,
     motion: &Motion,
@@ -75,7 +76,8 @@ fn stick(
     cheapest(candidates)
 }
 
-/// An expression with everything eliminated replaced; rates twice, as the rate of one may bring in another.
+/// An expression with everything eliminated replaced; rates twice, as the rate of one may bring in
+/// another.
 pub(super) fn substitute_all(expression: &Quotient, eliminated: &[Elimination]) -> Quotient {
     let rates = eliminated.iter().filter(|e| matches!(e.value, CoordinateValue::Rate(_)));
     eliminated.iter().chain(rates).fold(expression.clone(), |q, e| substituted(&q, e))

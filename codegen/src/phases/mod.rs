@@ -1,9 +1,10 @@
 //! The equations of each contact set that has a closed form.
 //!
 //! The closed rows are solved for some coordinates, `q_e = q_e(q_k)`. With `u = G u_k` and
-//! `a = G a_k + β`, the motion is `M̂ a_k + ĥ = Q̂`, `M̂ = Gᵀ M G`, `ĥ = Gᵀ (h + M β)`, `Q̂ = Gᵀ Q`, and the
-//! reactions follow from the eliminated rows of the full equations, `J_eᵀ λ = (M a + h − Q)_e`. The friction forces R of
-//! sliding contacts are loads in both: Q contains `J_tᵀ R`, and `R = −σ μ N` closes the equations.
+//! `a = G a_k + β`, the motion is `M̂ a_k + ĥ = Q̂`, `M̂ = Gᵀ M G`, `ĥ = Gᵀ (h + M β)`,
+//! `Q̂ = Gᵀ Q`, and the reactions follow from the eliminated rows of the full equations,
+//! `J_eᵀ λ = (M a + h − Q)_e`. The friction forces R of sliding contacts are loads in both: Q
+//! contains `J_tᵀ R`, and `R = −σ μ N` closes the equations.
 
 mod eliminate;
 mod elimination;
@@ -37,7 +38,8 @@ pub struct Phase {
     pub eliminated: Vec<Elimination>,
     /// What the elimination divides by, where it is not constant.
     pub pivots: Vec<Series>,
-    /// Every coordinate in terms of those kept; an eliminated angle is given by [`Value::Angle`] only.
+    /// Every coordinate in terms of those kept; an eliminated angle is given by [`Value::Angle`]
+    /// only.
     pub coordinates: Vec<CoordinateValue>,
     /// Every rate.
     pub rates: Vec<Quotient>,
@@ -55,7 +57,8 @@ pub struct Phase {
     pub potential: Quotient,
     /// What series contain that is no series itself, in terms of what stays.
     pub opaque_terms: Vec<OpaqueTerm>,
-    /// Reaction of each closed row (index of the row, λ), in terms of kept accelerations and the friction forces.
+    /// Reaction of each closed row (index of the row, λ), in terms of kept accelerations and the
+    /// friction forces.
     pub reactions: Vec<(usize, Quotient)>,
     /// The same in an order in which one may contain those before it, as numbers are best computed.
     pub reaction_steps: Vec<(usize, Quotient)>,
@@ -85,7 +88,8 @@ impl Phase {
     }
 }
 
-/// The closed forms of `motion`, smallest sets first; none where the friction of hinges follows the length of a force.
+/// The closed forms of `motion`, smallest sets first; none where the friction of hinges follows the
+/// length of a force.
 pub fn closed_forms(system: &System, kinematics: &Kinematics, motion: &Motion, dense: &Dense) -> Vec<Phase> {
     if motion.has_hinges() {
         return Vec::new();

@@ -169,7 +169,8 @@ impl Full {
         }
     }
 
-    /// `J_eᵀ λ = (M a + h − Q)_e`, eliminated in the order in which the rows gave their coordinates.
+    /// `J_eᵀ λ = (M a + h − Q)_e`, eliminated in the order in which the rows gave their
+    /// coordinates.
     fn reaction_equations(
         &self,
         motion: &Motion,
@@ -204,8 +205,9 @@ impl ReactionEquations {
         Some(self.rows.iter().copied().zip(right).collect())
     }
 
-    /// λ one after the other: one whose own quotient has several factors below its line follows from an equation in which the
-    /// others stand before it. Multiplied out, such a numerator cancels where one of the factors is small.
+    /// λ one after the other: one whose own quotient has several factors below its line follows
+    /// from an equation in which the others stand before it. Multiplied out, such a numerator
+    /// cancels where one of the factors is small.
     fn back_substitute(&self, solved: &[(usize, Quotient)]) -> Vec<(usize, Quotient)> {
         let n = solved.len();
         let (mut steps, mut left): (Vec<usize>, Vec<usize>) = (0..n).partition(|&r| is_simple(&solved[r].1));

@@ -37,8 +37,9 @@ pub(super) fn linear<'a>(
     })
 }
 
-/// `−r / p` of `p x + r = 0`, with p where it may be small, and how many moving terms that has and how small it is. At parameters
-/// as different as the angle of a slope and that of a wall there is no nominal value: slopes are taken for gentle ones.
+/// `−r / p` of `p x + r = 0`, with p where it may be small, and how many moving terms that has and
+/// how small it is. At parameters as different as the angle of a slope and that of a wall there is
+/// no nominal value: slopes are taken for gentle ones.
 pub(super) fn solved(
     equation: &Series,
     symbol: Symbol,
@@ -123,7 +124,8 @@ pub(super) fn equal_waves(
     Some(Elimination { branch: open.then_some(branch), ..solved })
 }
 
-/// The branch that is the nearer at every sample, and whether by how much depends on the parameters.
+/// The branch that is the nearer at every sample, and whether by how much depends on the
+/// parameters.
 pub(super) fn nearest([a, b]: [Angle; 2], samples: &[BTreeMap<Symbol, f64>]) -> Option<(AngleBranch, bool)> {
     let snapped = |x: f64| if x.abs() < NEAR { 0.0 } else { x };
     let farther = |values| snapped(wrapped_value(&b, values).abs() - wrapped_value(&a, values).abs());

@@ -1,4 +1,5 @@
-//! The reduced equations against the full ones, at random states; which rows have a closed form, and on which branch.
+//! The reduced equations against the full ones, at random states; which rows have a closed form,
+//! and on which branch.
 
 mod branches;
 mod laws;

@@ -48,8 +48,9 @@ impl Program {
 const WINDOW: usize = 512;
 
 impl Program {
-    /// Cycles per call on a current processor, independent calls overlapping: two operations a cycle, but no faster than
-    /// the longest chain of dependent ones in as many calls as fit in its window.
+    /// Cycles per call on a current processor, independent calls overlapping: two operations a
+    /// cycle, but no faster than the longest chain of dependent ones in as many calls as fit in its
+    /// window.
     pub fn cycles(&self, outputs: &[Id]) -> usize {
         let cost = self.cost(outputs);
         let Cost { additions, multiplications, fused, divisions, roots, angles } = cost;
@@ -76,15 +77,15 @@ impl Program {
 }
 
 impl Cost {
-    /// Additions, multiplications, divisions and roots one by one, two in a multiplication with an addition; a sine and its
-    /// cosine are one each.
+    /// Additions, multiplications, divisions and roots one by one, two in a multiplication with an
+    /// addition; a sine and its cosine are one each.
     pub fn flops(self) -> usize {
         let Self { additions, multiplications, fused, divisions, roots, angles } = self;
         additions + multiplications + 2 * fused + divisions + roots + 2 * angles
     }
 
-    /// What they take on current processors: every operation once; a sine with its cosine as forty, a division or root
-    /// as ten.
+    /// What they take on current processors: every operation once; a sine with its cosine as forty,
+    /// a division or root as ten.
     pub fn weight(self) -> usize {
         let Self { additions, multiplications, fused, divisions, roots, angles } = self;
         additions + multiplications + fused + 10 * (divisions + roots) + 40 * angles

@@ -1,4 +1,5 @@
-//! Terms of a series that share their powers of coordinates and rates, and how each such group is evaluated.
+//! Terms of a series that share their powers of coordinates and rates, and how each such group is
+//! evaluated.
 
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -11,7 +12,8 @@ type Exponents = Vec<(Symbol, i16)>;
 /// A trigonometric polynomial: what multiplies each wave depends on parameters only.
 pub(super) type Group = BTreeMap<Wave, Series>;
 
-/// Beyond this multiple of an angle, powers of its cosine lose more digits than addition theorems do.
+/// Beyond this multiple of an angle, powers of its cosine lose more digits than addition theorems
+/// do.
 const DEGREE: i16 = 6;
 
 /// How a group is evaluated.
@@ -45,7 +47,8 @@ pub(super) fn groups(series: &Series) -> BTreeMap<Monomial, Group> {
     groups
 }
 
-/// Whether some cosines of the series could cancel: two of opposite signs, or a wave that might be expanded.
+/// Whether some cosines of the series could cancel: two of opposite signs, or a wave that might be
+/// expanded.
 pub(super) fn may_cancel(series: &Series) -> bool {
     let sign =
         |positive: bool| series.terms().any(|(term, c)| !term.wave.sine && (c.signum() > 0) == positive);

@@ -1,8 +1,8 @@
 //! Poisson series and their quotients as operations.
 //!
-//! Terms are grouped by their powers of coordinates and rates; a group is a trigonometric polynomial whose
-//! coefficients depend on parameters only. A group of one angle becomes a polynomial in its cosine; cosines
-//! that cancel at zero angles go through versed sines.
+//! Terms are grouped by their powers of coordinates and rates; a group is a trigonometric
+//! polynomial whose coefficients depend on parameters only. A group of one angle becomes a
+//! polynomial in its cosine; cosines that cancel at zero angles go through versed sines.
 
 use std::collections::BTreeMap;
 

@@ -1,7 +1,8 @@
-//! The program of a model: hash-consed straight-line arithmetic over parameters, coordinates and rates.
+//! The program of a model: hash-consed straight-line arithmetic over parameters, coordinates and
+//! rates.
 //!
-//! Every function of a model is a list of outputs in one shared [`Program`]; the interpreter, the operation
-//! count and the emitted Rust are folds over it.
+//! Every function of a model is a list of outputs in one shared [`Program`]; the interpreter, the
+//! operation count and the emitted Rust are folds over it.
 
 mod arithmetic;
 mod cost;
@@ -137,7 +138,8 @@ impl Program {
         }
     }
 
-    /// The angle whose sine, cosine or versed sine `id` is, where that is known of a value made by addition theorems.
+    /// The angle whose sine, cosine or versed sine `id` is, where that is known of a value made by
+    /// addition theorems.
     pub fn wave(&self, id: Id) -> Option<&WaveStep> {
         self.waves.get(&id)
     }

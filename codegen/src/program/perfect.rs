@@ -1,5 +1,6 @@
-//! Radicands that are the square of a monomial once they are written as a series: the speed of a pendulum's end,
-//! `√((l φ̇ cos φ)² + (l φ̇ sin φ)²) = |l φ̇|`, is a root of nothing that its equations could not do without.
+//! Radicands that are the square of a monomial once they are written as a series: the speed of a
+//! pendulum's end, `√((l φ̇ cos φ)² + (l φ̇ sin φ)²) = |l φ̇|`, is a root of nothing that its
+//! equations could not do without.
 
 use crate::algebra::{Quotient, Rational, Series, Symbol};
 use crate::motion::Expression;
@@ -68,7 +69,8 @@ mod tests {
         Expression::Join(operator, Box::new(a), Box::new(b))
     }
 
-    /// (l u cos φ)² + (l u sin φ)² = l² u²; 9 u²/l²; and what is no square, may be negative, or does not vary.
+    /// (l u cos φ)² + (l u sin φ)² = l² u²; 9 u²/l²; and what is no square, may be negative, or
+    /// does not vary.
     #[test]
     fn squares_of_monomials_have_a_root() {
         let (l, u) = (Series::symbol(Symbol::parameter(0)), Series::symbol(Symbol::rate(0)));

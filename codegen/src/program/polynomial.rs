@@ -1,6 +1,6 @@
 //! Trigonometric polynomials of one angle as `P(c) + s R(c)`, `c = cos α`, `s = sin α`, by
-//! `cos kα = T_k(c)` and `sin kα = s U_{k−1}(c)`; their zeros at `α = 0` and `π` are split off exactly,
-//! `1 − c² = s²` and `1 − c = vers α`, so that no digits cancel there.
+//! `cos kα = T_k(c)` and `sin kα = s U_{k−1}(c)`; their zeros at `α = 0` and `π` are split off
+//! exactly, `1 − c² = s²` and `1 − c = vers α`, so that no digits cancel there.
 
 use crate::algebra::{Rational, Series};
 

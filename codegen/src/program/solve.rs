@@ -39,7 +39,8 @@ pub struct Factored {
 }
 
 impl Factored {
-    /// `w_ij = m_ij − Σ w_ik l_jk`, `l_ij = w_ij / d_j`, `d_i = m_ii − Σ w_ik l_ik`; `mass[i][j]` is read for `j ≤ i`.
+    /// `w_ij = m_ij − Σ w_ik l_jk`, `l_ij = w_ij / d_j`, `d_i = m_ii − Σ w_ik l_ik`; `mass[i][j]`
+    /// is read for `j ≤ i`.
     pub fn factor(program: &mut Program, mass: &[Vec<Id>]) -> Self {
         Self::bordered(program, mass, 0)
     }

@@ -1,4 +1,5 @@
-//! Sines and cosines of integer combinations: one evaluation per angle, the rest by addition theorems.
+//! Sines and cosines of integer combinations: one evaluation per angle, the rest by addition
+//! theorems.
 //!
 //! An angle whose versed sine is wanted is evaluated at its half, `sin α = 2 sin ½α cos ½α`,
 //! `cos α = 1 − vers α`, `vers α = 2 sin² ½α`.
@@ -63,7 +64,8 @@ impl Lowering<'_> {
         wave
     }
 
-    /// Notes what `id` is, unless it is that by its own operation or linear in the waves of a lesser angle.
+    /// Notes what `id` is, unless it is that by its own operation or linear in the waves of a
+    /// lesser angle.
     fn note(&mut self, id: Id, part: Part, argument: &[(Symbol, i16)], sin_cos: (Id, Id)) {
         let direct =
             matches!(self.program.operation(id), Operation::Sin(_) | Operation::Cos(_) | Operation::Neg(_));

@@ -63,8 +63,8 @@ const SYNONYMS: [(&[&str], &str); 19] = [
 const FIELD_SYNONYMS: [(&[&str], &str); 1] =
     [(&["default", "unit", "param", "parameter", "set"], "#[value(9.81, unit = \"m/s²\")]")];
 
-/// Reports attributes of an item and its fields that the compiler would refuse, and those whose condition only the compiler
-/// knows.
+/// Reports attributes of an item and its fields that the compiler would refuse, and those whose
+/// condition only the compiler knows.
 ///
 /// # Errors
 /// Each at its place.

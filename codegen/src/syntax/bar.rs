@@ -1,4 +1,5 @@
-//! `#[bar(AD, mass = m, length = l)]`, `#[bar(shin = knee -> foot, mass = m, length = l, inertia = i, centre = c)]`.
+//! `#[bar(AD, mass = m, length = l)]`,
+//! `#[bar(shin = knee -> foot, mass = m, length = l, inertia = i, centre = c)]`.
 
 use syn::parse::ParseStream;
 use syn::{Expr, Ident};
@@ -28,7 +29,8 @@ pub struct MassProperties {
     pub length: Expr,
     /// Moment of inertia about the centre of mass; m l²/12 if absent.
     pub inertia: Option<Expr>,
-    /// The centre of mass: along the bar from its first point, and across it to the left; the middle if absent.
+    /// The centre of mass: along the bar from its first point, and across it to the left; the
+    /// middle if absent.
     pub centre: Option<Vec<Expr>>,
 }
 

@@ -1,4 +1,5 @@
-//! `#[body(hull, points(A = (0, 0), B = (l, 0), C = (a, h)), mass = m, inertia = i, centre = (a, b))]`.
+//! `#[body(hull, points(A = (0, 0), B = (l, 0), C = (a, h)), mass = m, inertia = i, centre = (a,
+//! b))]`.
 
 use syn::parse::ParseStream;
 use syn::{Expr, Ident, Token};

@@ -1,4 +1,5 @@
-//! `#[chain(c, links = 16, from = O, mass = m, length = l)]`: equal bars `c1`, `c2`, … through `c_1`, `c_2`, ….
+//! `#[chain(c, links = 16, from = O, mass = m, length = l)]`: equal bars `c1`, `c2`, … through
+//! `c_1`, `c_2`, ….
 
 use syn::Ident;
 use syn::parse::ParseStream;

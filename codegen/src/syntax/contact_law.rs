@@ -1,5 +1,6 @@
-//! How a one-sided constraint acts: `rough`, `friction = mu`, `static = mu_s`, `tangential = e_t`, `jams`, `restitution = e`,
-//! `law = newton`, `moreau`, `poisson` or `stronge`, `stop`, `while("…")`.
+//! How a one-sided constraint acts: `rough`, `friction = mu`, `static = mu_s`, `tangential = e_t`,
+//! `jams`, `restitution = e`, `law = newton`, `moreau`, `poisson` or `stronge`, `stop`,
+//! `while("…")`.
 
 use syn::Expr;
 
@@ -32,7 +33,8 @@ pub struct FrictionLaw {
     pub limit: Option<Expr>,
     /// The part of the slip velocity that an impact gives back where it would end the slip.
     pub tangential: Option<Expr>,
-    /// Whether a run ends where no reaction obeys the law; else an impact without collision ends the slip.
+    /// Whether a run ends where no reaction obeys the law; else an impact without collision ends
+    /// the slip.
     pub jams: bool,
 }
 

@@ -38,7 +38,8 @@ pub enum ReadingDeclaration {
 /// What an angle is measured from.
 #[derive(Clone, Debug)]
 pub enum Origin {
-    /// An undirected line: 0 for the horizontal, 1 for the vertical; acute and positive in the figure.
+    /// An undirected line: 0 for the horizontal, 1 for the vertical; acute and positive in the
+    /// figure.
     Line(i64),
     /// A direction, in quarter turns from +x; counter-clockwise.
     Direction(i64),

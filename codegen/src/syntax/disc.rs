@@ -1,4 +1,5 @@
-//! `#[disc(P, radius = r)]`, `#[disc(P, radius = r, on = AB)]`: what a body, or a particle, is about a point of it.
+//! `#[disc(P, radius = r)]`, `#[disc(P, radius = r, on = AB)]`: what a body, or a particle, is
+//! about a point of it.
 
 use syn::parse::ParseStream;
 use syn::{Expr, Ident};

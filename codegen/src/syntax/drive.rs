@@ -1,5 +1,6 @@
-//! `#[drive(phi = f)]`, `#[drive(angle(AB) = f)]`, `#[drive(x(P) = f)]`, `#[drive(y(P) = f)]`, and relative motions,
-//! `#[drive(distance(A, B) = f)]`, `#[drive(angle(AB, BC) = f)]`, `#[drive(along(P, AB) = f)]`; `while("…")`.
+//! `#[drive(phi = f)]`, `#[drive(angle(AB) = f)]`, `#[drive(x(P) = f)]`, `#[drive(y(P) = f)]`, and
+//! relative motions, `#[drive(distance(A, B) = f)]`, `#[drive(angle(AB, BC) = f)]`,
+//! `#[drive(along(P, AB) = f)]`; `while("…")`.
 
 use syn::parse::ParseStream;
 use syn::punctuated::Punctuated;

@@ -1,4 +1,5 @@
-//! `#[equal(angle(AB), angle(BC))]`, `#[equal(phi_inner, phi_outer)]`; gears, `#[equal(phi, -2 * psi)]`.
+//! `#[equal(angle(AB), angle(BC))]`, `#[equal(phi_inner, phi_outer)]`; gears,
+//! `#[equal(phi, -2 * psi)]`.
 
 use proc_macro2::Span;
 use syn::parse::ParseStream;

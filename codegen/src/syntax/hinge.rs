@@ -1,4 +1,5 @@
-//! `#[hinge(A, friction = mu, static = mu_s, radius = r)]`, of a pinned point also `#[pin(A, friction = mu, radius = r)]`.
+//! `#[hinge(A, friction = mu, static = mu_s, radius = r)]`, of a pinned point also
+//! `#[pin(A, friction = mu, radius = r)]`.
 
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;

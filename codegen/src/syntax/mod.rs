@@ -1,4 +1,5 @@
-//! What is declared: the struct's fields and its helper attributes, with spans, nothing resolved yet.
+//! What is declared: the struct's fields and its helper attributes, with spans, nothing resolved
+//! yet.
 
 mod attribute;
 mod attribute_check;
@@ -102,7 +103,8 @@ pub struct Description {
     pub ident: Ident,
     /// Where the runtime crate is found.
     pub runtime: Path,
-    /// How far the constants with its names are seen, as far as the struct; none if there are to be none.
+    /// How far the constants with its names are seen, as far as the struct; none if there are to be
+    /// none.
     pub names: Option<Visibility>,
     /// The item's tokens as text.
     pub declaration: String,
@@ -197,7 +199,8 @@ pub fn parse(tokens: TokenStream) -> syn::Result<Description> {
     Ok(description)
 }
 
-/// What an item without generic parameters is called, and where its runtime is, whatever else is wrong with it.
+/// What an item without generic parameters is called, and where its runtime is, whatever else is
+/// wrong with it.
 pub(crate) fn name_and_runtime(tokens: &TokenStream) -> Option<(Ident, Path)> {
     let mut runtime = syn::parse_quote!(::liftoff);
     let tokens: Vec<TokenTree> = tokens.clone().into_iter().collect();

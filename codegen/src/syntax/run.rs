@@ -1,4 +1,5 @@
-//! `#[run(start = "phi = 0.1, phi' = 2", until = "phi = pi/2", limit = 10)]`: the run that is made where nothing else is said.
+//! `#[run(start = "phi = 0.1, phi' = 2", until = "phi = pi/2", limit =
+//! 10)]`: the run that is made where nothing else is said.
 
 use proc_macro2::Span;
 use syn::ext::IdentExt;

@@ -1,6 +1,6 @@
-//! What carries: `floor`, `floor(h)`, `wall(x)`, `slope(angle)`, `slope(angle, (x, y))`, `corner(x, y)`,
-//! `circle((x, y), r)`, `bowl((x, y), r)`, `slot(angle, (x, y), w)`, `bar(AB)`, `edge(A, B)`, `disc(Q)`;
-//! the centre of a circle or bowl may be a point, `circle(Q, r)`.
+//! What carries: `floor`, `floor(h)`, `wall(x)`, `slope(angle)`, `slope(angle, (x, y))`,
+//! `corner(x, y)`, `circle((x, y), r)`, `bowl((x, y), r)`, `slot(angle, (x, y), w)`, `bar(AB)`,
+//! `edge(A, B)`, `disc(Q)`; the centre of a circle or bowl may be a point, `circle(Q, r)`.
 
 use syn::{Expr, Ident};
 
@@ -22,7 +22,8 @@ pub enum ShapeDeclaration {
     Circle(CentreDeclaration, Expr),
     /// A circle's centre and radius, free inside.
     Bowl(CentreDeclaration, Expr),
-    /// Two parallel lines of this direction, a point midway between them, and how far apart they are.
+    /// Two parallel lines of this direction, a point midway between them, and how far apart they
+    /// are.
     Slot(Expr, Box<Pair>, Expr),
     /// A bar, along its length.
     Bar(Ident),

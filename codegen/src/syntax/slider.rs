@@ -1,5 +1,5 @@
-//! `#[slider(P = horizontal(h))]`, `vertical(x)`, `line(angle, (x, y))`, `circle((x, y), r)`, `bar(AB)`; `of = P`; `stops` at the ends of
-//! a bar; `friction = mu`, `static = mu_s`, `jams`.
+//! `#[slider(P = horizontal(h))]`, `vertical(x)`, `line(angle, (x, y))`, `circle((x, y), r)`,
+//! `bar(AB)`; `of = P`; `stops` at the ends of a bar; `friction = mu`, `static = mu_s`, `jams`.
 
 use syn::parse::ParseStream;
 use syn::{Expr, Ident, Token};

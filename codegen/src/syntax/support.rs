@@ -1,4 +1,5 @@
-//! `#[support(A = floor)]`, `#[support(heel = wall(0), under = A, facing = right, rough, restitution = e)]`.
+//! `#[support(A = floor)]`, `#[support(heel = wall(0), under = A, facing = right, rough,
+//! restitution = e)]`.
 
 use proc_macro2::Span;
 use syn::parse::ParseStream;

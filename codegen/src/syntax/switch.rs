@@ -24,7 +24,8 @@ impl SwitchDeclaration {
     }
 }
 
-/// What a condition compares, the greater side first, as expressions of the declaration; none of what only a run can read.
+/// What a condition compares, the greater side first, as expressions of the declaration; none of
+/// what only a run can read.
 fn sides(quoted: &LitStr) -> Option<[Expr; 2]> {
     let text = quoted.value();
     let (greater, less) = match text.split_once('>') {

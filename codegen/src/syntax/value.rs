@@ -1,4 +1,5 @@
-//! `#[value = 9.81]`, `#[value(75, unit = "deg")]` on a field: what a run takes where nothing else is said.
+//! `#[value = 9.81]`, `#[value(75, unit = "deg")]` on a field: what a run takes where nothing else
+//! is said.
 
 use proc_macro2::Span;
 use syn::parse::ParseStream;
@@ -102,7 +103,8 @@ pub(crate) fn without_unit(literal: &Lit) -> syn::Result<()> {
     if matches!(suffix, "" | "f64") { Ok(()) } else { Err(syn::Error::new(literal.span(), text())) }
 }
 
-/// The value of a text, in the coherent unit, and the powers of length, time, mass and angle of the unit behind it.
+/// The value of a text, in the coherent unit, and the powers of length, time, mass and angle of the
+/// unit behind it.
 ///
 /// # Errors
 /// `wrong` where it is no number, or what is wrong with its unit.

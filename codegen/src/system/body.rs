@@ -1,5 +1,5 @@
-//! Rigid bodies of any shape. A uniform triangle with the sides a, b, c has its centre of mass at the mean of its
-//! corners and the moment of inertia I = m (a² + b² + c²)/36 about it.
+//! Rigid bodies of any shape. A uniform triangle with the sides a, b, c has its centre of mass at
+//! the mean of its corners and the moment of inertia I = m (a² + b² + c²)/36 about it.
 
 use super::bodies::Structure;
 use super::mass_properties::{MassValues, not_negative};

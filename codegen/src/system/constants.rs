@@ -1,5 +1,6 @@
-//! Constants derived from parameters that are no Poisson series of them: roots, reciprocals of sums, and angles
-//! that are no integer combination of parameters and quarter turns. Each distinct one is a symbol.
+//! Constants derived from parameters that are no Poisson series of them: roots, reciprocals of
+//! sums, and angles that are no integer combination of parameters and quarter turns. Each distinct
+//! one is a symbol.
 
 use super::roots::{power, reduce_root, square_part};
 use crate::algebra::{Angle, Rational, Series, Symbol, work};
@@ -13,8 +14,8 @@ pub enum Definition {
     Ratio(Series, Series),
 }
 
-/// A convergent of π whose parts are exact in `f64` and which is within 5.4e-32 of it: what a double-double
-/// can hold.
+/// A convergent of π whose parts are exact in `f64` and which is within 5.4e-32 of it: what a
+/// double-double can hold.
 pub(super) const PI: (i128, i128) = (6_134_899_525_417_045, 1_952_799_169_684_491);
 
 /// The derived constants met so far.
@@ -102,7 +103,8 @@ impl Constants {
         Some(Series::symbol(self.define(Definition::Sqrt(radicand))).scale(outside))
     }
 
-    /// The angle of a series: integer multiples of parameters and of π/2 stay exact, the rest is one constant.
+    /// The angle of a series: integer multiples of parameters and of π/2 stay exact, the rest is
+    /// one constant.
     pub fn angle(&mut self, a: &Series) -> Angle {
         let pi = self.known_pi();
         let (mut angle, mut exact) = (Angle::zero(), Series::zero());

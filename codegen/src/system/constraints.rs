@@ -65,7 +65,8 @@ pub struct Drive {
     pub driven: Driven,
     /// Its value; contains no motion.
     pub value: Formula,
-    /// Whether it holds on a condition only: then it is a contact, [`OneSided::Drive`](super::OneSided::Drive).
+    /// Whether it holds on a condition only: then it is a contact,
+    /// [`OneSided::Drive`](super::OneSided::Drive).
     pub switched: bool,
     /// Where it is declared.
     pub span: Span,

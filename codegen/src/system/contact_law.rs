@@ -94,7 +94,8 @@ impl Contacts {
     }
 }
 
-/// The restitution of `owner`; that a literal lies outside [0, 1] is reported. What the condition that it is there on names counts as used.
+/// The restitution of `owner`; that a literal lies outside [0, 1] is reported. What the condition
+/// that it is there on names counts as used.
 pub(super) fn restitution(scope: &mut Scope, owner: &Ident, contact_law: &ContactLaw) -> Option<Series> {
     contact_law.armed.iter().for_each(|switch| scope.use_words(&switch.condition));
     coefficient(scope, "restitution", owner, contact_law.restitution.as_ref()?)

@@ -1,5 +1,5 @@
-//! Declared coordinates. Of an undirected line the sign and the end are those for which the angle is acute
-//! and positive in the figure; a bar along the line counts counter-clockwise.
+//! Declared coordinates. Of an undirected line the sign and the end are those for which the angle
+//! is acute and positive in the figure; a bar along the line counts counter-clockwise.
 
 use syn::Ident;
 
@@ -75,8 +75,8 @@ fn relative(scope: &mut Scope, structure: &Structure, bar: &Ident, other: &Ident
     structure.body(scope, other).map(Reference::Body)
 }
 
-/// The end of the line, in quarter turns, and the sign with 0 ≤ sign·(direction − end) ≤ π/2: of a bar along or across
-/// the line the counter-clockwise one.
+/// The end of the line, in quarter turns, and the sign with 0 ≤ sign·(direction − end) ≤ π/2: of a
+/// bar along or across the line the counter-clockwise one.
 fn acute(
     scope: &mut Scope,
     structure: &Structure,
@@ -123,7 +123,8 @@ fn turned_back([x, y]: &[Series; 2], quarters: i64) -> [Series; 2] {
     }
 }
 
-/// Whether two coordinates measure the direction of one bar from the ground, or the position of one point along one axis.
+/// Whether two coordinates measure the direction of one bar from the ground, or the position of one
+/// point along one axis.
 pub(crate) fn measures_the_same(a: &CoordinateKind, b: &CoordinateKind) -> bool {
     use CoordinateKind::{Angle, Position};
     match (a, b) {

@@ -68,7 +68,8 @@ fn drive(
     Some(Drive { name, driven: driven?, value: value?, switched, span })
 }
 
-/// Reports a drive on a condition in a mirrored model: it and its image would have to take hold as one.
+/// Reports a drive on a condition in a mirrored model: it and its image would have to take hold as
+/// one.
 fn one_motion(scope: &mut Scope, drive: &Drive) {
     if scope.description.mirror.is_some() {
         let text = format!(

@@ -1,4 +1,5 @@
-//! Straight sides of bodies that carry: a bar along its length, or what lies between two points of a body.
+//! Straight sides of bodies that carry: a bar along its length, or what lies between two points of
+//! a body.
 
 use syn::Ident;
 

@@ -1,5 +1,5 @@
-//! Parameter expressions: numbers, parameters and named constants under + − · /, `sqrt`, `sin`, `cos`,
-//! whole powers. Every mistake in an expression is told.
+//! Parameter expressions: numbers, parameters and named constants under + − · /, `sqrt`, `sin`,
+//! `cos`, whole powers. Every mistake in an expression is told.
 
 use quote::ToTokens;
 use syn::{BinOp, Expr, ExprCall, ExprMethodCall, Lit, UnOp};

@@ -1,5 +1,6 @@
-//! Expressions of time and motion: those of parameters, and `t`, declared coordinates and their rates, positions
-//! of points and their rates, `tan`. What parameters determine is folded into one series.
+//! Expressions of time and motion: those of parameters, and `t`, declared coordinates and their
+//! rates, positions of points and their rates, `tan`. What parameters determine is folded into one
+//! series.
 
 use quote::ToTokens;
 use syn::{BinOp, Expr, ExprCall, ExprMethodCall, Ident, UnOp};
@@ -49,7 +50,8 @@ impl Readable<'_> {
         Some(formula)
     }
 
-    /// The formula of an expression of time and parameters, or its mistakes are kept; `why` it contains no motion.
+    /// The formula of an expression of time and parameters, or its mistakes are kept; `why` it
+    /// contains no motion.
     pub fn of_time(&self, scope: &mut Scope, expr: &Expr, why: &'static str) -> Option<Formula> {
         let formula = FormulaReader { scope, readable: self, reads: Reads::Time(why) }.parse(expr)?;
         scope.note(Signal::new(&scope.description.constants, expr, &formula, false));
@@ -63,7 +65,8 @@ impl Readable<'_> {
         Some(formula)
     }
 
-    /// The formula of an expression of a slip velocity `v` and parameters, or its mistakes are kept.
+    /// The formula of an expression of a slip velocity `v` and parameters, or its mistakes are
+    /// kept.
     pub fn of_slip(&self, scope: &mut Scope, expr: &Expr) -> Option<Formula> {
         FormulaReader { scope, readable: self, reads: Reads::Slip }.parse(expr)
     }

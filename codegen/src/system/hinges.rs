@@ -36,7 +36,8 @@ pub(super) fn resolve(scope: &mut Scope, structure: &Structure, contacts: &mut C
     }
 }
 
-/// The point, the body that turns there, and against which other one; against the ground where it is pinned.
+/// The point, the body that turns there, and against which other one; against the ground where it
+/// is pinned.
 fn turning(
     scope: &mut Scope,
     structure: &Structure,

@@ -32,14 +32,16 @@ pub struct Spring {
     pub span: Span,
 }
 
-/// A torsion spring, a damper or both: torque −k (Δ − a) − c Δ̇ on `body`, Δ = direction(body) − direction(from).
+/// A torsion spring, a damper or both: torque −k (Δ − a) − c Δ̇ on `body`, Δ = direction(body) −
+/// direction(from).
 #[derive(Clone, Debug)]
 pub struct Torsion {
     /// Its name, `AB` or `AB, CD`.
     pub name: String,
     /// The body.
     pub body: usize,
-    /// What its direction is measured from, and what bears the opposite torque; the ground if absent.
+    /// What its direction is measured from, and what bears the opposite torque; the ground if
+    /// absent.
     pub from: Option<usize>,
     /// Stiffness, torque per rad; like the angle and the damping an expression of time.
     pub stiffness: Option<Formula>,

@@ -1,4 +1,5 @@
-//! Mass, length, inertia and centre of mass. A uniform bar has its centre at l/2 and I = m l²/12 about it.
+//! Mass, length, inertia and centre of mass. A uniform bar has its centre at l/2 and I = m l²/12
+//! about it.
 
 use syn::{Expr, Ident};
 

@@ -12,8 +12,8 @@ impl Scope<'_> {
         &self.constants.multiply(x, x) + &self.constants.multiply(y, y)
     }
 
-    /// √(x² + y²); along an axis the component itself, with the sign that makes it positive where that is the same
-    /// at every sample.
+    /// √(x² + y²); along an axis the component itself, with the sign that makes it positive where
+    /// that is the same at every sample.
     pub fn norm(&mut self, vector: &[Series; 2]) -> Series {
         let along = match vector {
             [x, y] if y.is_zero() => Some(x),

@@ -1,5 +1,5 @@
-//! The resolved system: points, bodies, supports, coordinates and the mirror by index, every number a series
-//! in the parameters. Made only by [`System::resolve`]; what it contains has been checked.
+//! The resolved system: points, bodies, supports, coordinates and the mirror by index, every number
+//! a series in the parameters. Made only by [`System::resolve`]; what it contains has been checked.
 
 mod beams;
 mod bodies;
@@ -88,8 +88,8 @@ pub struct System {
     pub values: Vec<DefaultValue>,
     /// The run where nothing else is said.
     pub run: RunDeclaration,
-    /// Constants derived from parameters; `Symbol::parameter(parameters.len() + i)` is the `i`-th. Each
-    /// depends only on those before it.
+    /// Constants derived from parameters; `Symbol::parameter(parameters.len() + i)` is the `i`-th.
+    /// Each depends only on those before it.
     pub constants: Vec<Definition>,
     /// Named points.
     pub points: Vec<Point>,
@@ -133,7 +133,8 @@ pub struct System {
     pub figure: Vec<[Series; 2]>,
     /// What the figure settled, to be checked with a model's own parameters.
     pub settled: Vec<Settled>,
-    /// Values of the parameters with which the figure can be drawn; the first are all 1 if it can be there.
+    /// Values of the parameters with which the figure can be drawn; the first are all 1 if it can
+    /// be there.
     pub samples: Vec<ParameterValues>,
     /// The most contact sets that get own code.
     pub sets: usize,
@@ -167,13 +168,15 @@ impl System {
         }
     }
 
-    /// Where a point is in the frame of a body that it belongs to; the frame's origin for any other.
+    /// Where a point is in the frame of a body that it belongs to; the frame's origin for any
+    /// other.
     pub fn local(&self, body: usize, point: usize) -> [Series; 2] {
         let on = self.points[point].on.iter().find(|(other, _)| *other == body);
         on.map_or_else(|| [Series::zero(), Series::zero()], |(_, local)| local.clone())
     }
 
-    /// The step from the first point of a body to its last in the body's frame, if it is not along the first axis.
+    /// The step from the first point of a body to its last in the body's frame, if it is not along
+    /// the first axis.
     pub fn oblique(&self, body: usize) -> Option<[Series; 2]> {
         let declared = &self.bodies[body];
         let [from, to] = [declared.from, declared.to].map(|point| self.local(body, point));
@@ -194,14 +197,15 @@ pub struct Point {
     pub name: String,
     /// Where it is declared.
     pub span: Span,
-    /// The bodies it belongs to, and where on each, in the body's frame: for a bar along and across (to the left)
-    /// from its first point.
+    /// The bodies it belongs to, and where on each, in the body's frame: for a bar along and across
+    /// (to the left) from its first point.
     pub on: Vec<(usize, [Series; 2])>,
     /// Where the ground holds it, if it is a fixed point and belongs to no body.
     pub ground: Option<[Series; 2]>,
 }
 
-/// A rigid body; for a bar the origin of its frame is the first point, the first axis points to the last.
+/// A rigid body; for a bar the origin of its frame is the first point, the first axis points to the
+/// last.
 #[derive(Clone, Debug)]
 pub struct Body {
     /// Its name.
@@ -216,11 +220,13 @@ pub struct Body {
     pub mass: Series,
     /// Distance between its first and last point.
     pub length: Series,
-    /// Distances of its first point from those after the second: a body may be much longer that way.
+    /// Distances of its first point from those after the second: a body may be much longer that
+    /// way.
     pub extents: Vec<Series>,
     /// Moment of inertia about the centre of mass.
     pub inertia: Series,
-    /// The centre of mass in the body's frame: for a bar along and across (to the left) from its first point.
+    /// The centre of mass in the body's frame: for a bar along and across (to the left) from its
+    /// first point.
     pub centre: [Series; 2],
     /// Whether its mass is spread evenly along a bar.
     pub uniform: bool,
@@ -367,7 +373,8 @@ pub struct Mirror {
     pub at: Series,
     /// Image of each point.
     pub points: Vec<usize>,
-    /// Image of each body, and whether its ends are exchanged (the image of `from` is the image's `to`).
+    /// Image of each body, and whether its ends are exchanged (the image of `from` is the image's
+    /// `to`).
     pub bodies: Vec<(usize, bool)>,
     /// Image of each support.
     pub supports: Vec<usize>,

@@ -1,11 +1,13 @@
-//! One-sided constraints: supports and threads, what they touch, how they act; and what holds both ways while it is there.
+//! One-sided constraints: supports and threads, what they touch, how they act; and what holds both
+//! ways while it is there.
 
 use proc_macro2::Span;
 
 use super::{Disc, Formula, Law, System, listed};
 use crate::algebra::{Angle, Series};
 
-/// A one-sided constraint: a support or a thread; or a guide with friction, or a drive on a condition, which hold both ways.
+/// A one-sided constraint: a support or a thread; or a guide with friction, or a drive on a
+/// condition, which hold both ways.
 #[derive(Clone, Debug)]
 pub struct Support {
     /// Its name.
@@ -41,7 +43,8 @@ pub struct Friction {
     pub kinetic: Formula,
     /// μₛ of sticking.
     pub limit: Series,
-    /// The part of the slip velocity that an impact gives back where it would end the slip; none if absent.
+    /// The part of the slip velocity that an impact gives back where it would end the slip; none if
+    /// absent.
     pub tangential: Option<Series>,
     /// Whether a run ends where no reaction obeys the law.
     pub jams: bool,
@@ -65,7 +68,8 @@ pub enum OneSided {
         body: usize,
         /// The corner.
         at: [Series; 2],
-        /// +1: the gap is n·(A − corner), n the bar's left normal and A its first point; −1: its opposite.
+        /// +1: the gap is n·(A − corner), n the bar's left normal and A its first point; −1: its
+        /// opposite.
         side: i8,
     },
     /// A point, or the disc about it, outside or inside a circle.
@@ -76,7 +80,8 @@ pub enum OneSided {
         centre: Centre,
         /// Its radius.
         radius: Series,
-        /// The least distance of the point from its centre, inside the greatest: the radius, and that of the disc that touches.
+        /// The least distance of the point from its centre, inside the greatest: the radius, and
+        /// that of the disc that touches.
         reach: Series,
         /// Whether the point is kept inside.
         inside: bool,

@@ -1,5 +1,5 @@
-//! From a description to a system: names to indices, expressions to series, the figure completed, then the
-//! decisions that depend on it.
+//! From a description to a system: names to indices, expressions to series, the figure completed,
+//! then the decisions that depend on it.
 
 use super::bodies::Structure;
 use super::contact_law::Contacts;

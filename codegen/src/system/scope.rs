@@ -161,7 +161,8 @@ impl<'a> Scope<'a> {
         }
     }
 
-    /// Reports parameters and constants that nothing uses; not while an attribute is not understood.
+    /// Reports parameters and constants that nothing uses; not while an attribute is not
+    /// understood.
     pub fn check_used(&mut self) {
         if !self.description.broken.is_empty() {
             return;
@@ -198,8 +199,8 @@ impl<'a> Scope<'a> {
         self.numbers(&self.all_one())
     }
 
-    /// Values with which the figure may be drawn: those that parameters have by default, others as in
-    /// [`Self::candidates`].
+    /// Values with which the figure may be drawn: those that parameters have by default, others as
+    /// in [`Self::candidates`].
     pub fn of_figure(&self) -> impl Iterator<Item = ParameterValues> + '_ {
         let defaults: Vec<Option<f64>> = self.description.values.iter().map(|known| known.value).collect();
         // Without a free parameter all samples are one.

@@ -1,5 +1,5 @@
-//! Signals: expressions of time and motion that loads and drives follow, as the runtime reads them. A step of an integration
-//! is accepted only over a signal that it has seen.
+//! Signals: expressions of time and motion that loads and drives follow, as the runtime reads them.
+//! A step of an integration is accepted only over a signal that it has seen.
 
 use syn::{BinOp, Expr, Ident, Lit, UnOp};
 

@@ -67,7 +67,8 @@ impl Guide {
     }
 }
 
-/// The ends of bars that stop what slides along them, as one-sided constraints named after slider and end.
+/// The ends of bars that stop what slides along them, as one-sided constraints named after slider
+/// and end.
 pub(super) fn stops(scope: &mut Scope, structure: &Structure, contacts: &mut Contacts) {
     let description = scope.description;
     for declared in &description.sliders {

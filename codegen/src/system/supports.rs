@@ -42,8 +42,8 @@ pub(super) fn resolve(
     }
 }
 
-/// Whether a line's direction is against that in which its surface is said to move: upwards on a wall, along its angle in a
-/// slot.
+/// Whether a line's direction is against that in which its surface is said to move: upwards on a
+/// wall, along its angle in a slot.
 fn is_reversed(shape: &ShapeDeclaration, k: usize, contact: &OneSided) -> bool {
     match (shape, contact) {
         (ShapeDeclaration::Wall(_), OneSided::Line { direction, .. }) => *direction == Angle::quarters(3),
@@ -112,7 +112,8 @@ fn corner(
     Some(OneSided::Corner { body, at: at?, side })
 }
 
-/// Two lines, each half the width from the middle: the lower free upwards, to the left of the slot's direction.
+/// Two lines, each half the width from the middle: the lower free upwards, to the left of the
+/// slot's direction.
 fn slot(
     scope: &mut Scope,
     point: Option<usize>,

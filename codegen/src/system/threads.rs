@@ -1,4 +1,5 @@
-//! Inextensible threads between points; what they pass on the way is smooth, whether it moves or not.
+//! Inextensible threads between points; what they pass on the way is smooth, whether it moves or
+//! not.
 
 use std::fmt::Display;
 

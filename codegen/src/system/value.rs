@@ -28,7 +28,8 @@ impl ParameterValues {
         Self::new(&self.0[..parameters], constants)
     }
 
-    /// Whether every derived constant is a number: no root of a negative number, no division by zero.
+    /// Whether every derived constant is a number: no root of a negative number, no division by
+    /// zero.
     pub(super) fn are_finite(&self) -> bool {
         self.0.iter().all(|x| x.is_finite())
     }
@@ -48,7 +49,8 @@ impl ParameterValues {
 }
 
 impl System {
-    /// The value of a series at the first sample: with every parameter 1 where the figure can be drawn there.
+    /// The value of a series at the first sample: with every parameter 1 where the figure can be
+    /// drawn there.
     pub fn nominal_number(&self, series: &Series) -> f64 {
         self.samples.first().map_or(f64::NAN, |numbers| numbers.evaluate(series))
     }

@@ -1,4 +1,5 @@
-//! Directions that keep their difference: of two bars welded where they meet, or of a bar and the ground.
+//! Directions that keep their difference: of two bars welded where they meet, or of a bar and the
+//! ground.
 
 use super::bodies::Structure;
 use super::figure::{Figure, unturned};

@@ -48,8 +48,9 @@ fn an_unequal_pendulum() {
     has(declaration, &expected);
 }
 
-/// Squares and products of waves where they are shorter: y = l sin φ, so that the top's energy is ½ p l² φ̇² cos² φ; the
-/// thread is 2 l cos φ long. The set without a closed form has its equations with multipliers.
+/// Squares and products of waves where they are shorter: y = l sin φ, so that the top's energy is ½
+/// p l² φ̇² cos² φ; the thread is 2 l cos φ long. The set without a closed form has its equations
+/// with multipliers.
 #[test]
 fn a_step_ladder() {
     let declaration =

@@ -1,4 +1,5 @@
-//! The program's values against what follows from energies and gaps by differences, which no derivation enters.
+//! The program's values against what follows from energies and gaps by differences, which no
+//! derivation enters.
 
 use super::analysis;
 use super::scenes::SCENES;

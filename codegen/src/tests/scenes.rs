@@ -38,7 +38,8 @@ pub(crate) const SCENES: [&str; 15] = [
      struct Balls { m: f64, l: f64, r: f64, mu: f64, g: f64 }",
 ];
 
-/// Joints that close loops, prescribed motions, names that are words of the language, and a chain too long to be written out.
+/// Joints that close loops, prescribed motions, names that are words of the language, and a chain
+/// too long to be written out.
 pub(crate) const OTHERS: [&str; 7] = [
     "#[bar(OA, mass = a, length = r)] #[bar(CB, mass = b, length = l)] #[pin(O = (0, h))] #[pin(C = (0, 0))]
      #[slider(A = bar(CB))] #[figure(A = (r, h), B = (4 * l / 5, 3 * l / 5))] #[coordinate(phi = angle(OA))]
@@ -111,7 +112,8 @@ fn angles_that_are_equal_already_or_never_are_reported() {
     );
 }
 
-/// A contact set tells the sides of the first 64 contacts, and guides are the first, whatever is declared before them.
+/// A contact set tells the sides of the first 64 contacts, and guides are the first, whatever is
+/// declared before them.
 #[test]
 fn guides_with_friction_are_the_first_contacts_and_bounded() {
     let beads = |count: usize| {

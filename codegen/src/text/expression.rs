@@ -27,7 +27,8 @@ fn joined(operator: Operator, a: Math, b: Math) -> Math {
     }
 }
 
-/// What another factor or a bar may follow: `(sin t) m`, since `sin t m` could be the sine of `t m`.
+/// What another factor or a bar may follow: `(sin t) m`, since `sin t m` could be the sine of
+/// `t m`.
 fn closed(math: Math) -> Math {
     if is_open(&math) { math.group() } else { math }
 }

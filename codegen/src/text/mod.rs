@@ -17,8 +17,8 @@ use crate::phases::{Phase, closed_forms};
 use crate::program::Cost;
 pub use writer::TextWriter;
 
-/// The equations of a model: those of the whole system, and those of each contact set in closed form. Its text is stable,
-/// fit for snapshots.
+/// The equations of a model: those of the whole system, and those of each contact set in closed
+/// form. Its text is stable, fit for snapshots.
 #[derive(Clone, Debug, Default)]
 pub struct Equations {
     /// The model's name.
@@ -39,7 +39,8 @@ pub struct Equations {
     pub velocity_terms: Vec<Equation>,
     /// Generalised forces Q that do not vanish.
     pub forces: Vec<Equation>,
-    /// What stands in the equations by a name of its own: elongations, loads; what is 1 while a condition holds, else 0.
+    /// What stands in the equations by a name of its own: elongations, loads; what is 1 while a
+    /// condition holds, else 0.
     pub definitions: Vec<Equation>,
     /// Gap of each contact, by its label.
     pub gaps: Vec<Equation>,
@@ -49,7 +50,8 @@ pub struct Equations {
     pub phases: Vec<PhaseEquations>,
     /// The others, with multipliers; none where there are very many.
     pub others: Vec<PhaseEquations>,
-    /// All of these at once, each with the multipliers of all contacts: those of open ones are zero.
+    /// All of these at once, each with the multipliers of all contacts: those of open ones are
+    /// zero.
     pub general: Option<PhaseEquations>,
     /// What this scene does not have, and its code hence does not contain; a sentence each.
     pub left_out: Vec<String>,
@@ -97,9 +99,11 @@ pub struct CoordinateText {
 pub struct PhaseEquations {
     /// Labels of its closed contacts, of members joined by commas: `A, E`.
     pub closed: Vec<String>,
-    /// What it is called where nothing is closed, if not `free`: a mechanism without contacts, or one that is driven.
+    /// What it is called where nothing is closed, if not `free`: a mechanism without contacts, or
+    /// one that is driven.
     pub unclosed: Option<&'static str>,
-    /// The sets without closed form that these are the equations of, with multipliers; none of one in closed form.
+    /// The sets without closed form that these are the equations of, with multipliers; none of one
+    /// in closed form.
     pub multipliers: Vec<Vec<String>>,
     /// What the closed contacts and joints determine.
     pub eliminated: Vec<Equation>,

@@ -60,7 +60,8 @@ impl TextWriter<'_> {
         }
     }
 
-    /// Of a contact that it is closed, of one that is rough or sticks that it does not slip; those of joints are known.
+    /// Of a contact that it is closed, of one that is rough or sticks that it does not slip; those
+    /// of joints are known.
     fn constraint(&self, row: usize) -> Option<Equation> {
         let motion = &self.analysis.motion;
         let zero = match row {
@@ -108,7 +109,8 @@ impl TextWriter<'_> {
         })
     }
 
-    /// `N(A) = √(fx(A, AB)² + fy(A, AB)²)` of each hinge with friction, and its law where it slides.
+    /// `N(A) = √(fx(A, AB)² + fy(A, AB)²)` of each hinge with friction, and its law where it
+    /// slides.
     fn lengths(&self, set: ClosedSet) -> impl Iterator<Item = Equation> + '_ {
         let motion = &self.analysis.motion;
         let closed = motion.contacts.iter().enumerate().filter(move |(i, _)| contains(set.closed, *i));

@@ -82,7 +82,8 @@ impl TextWriter<'_> {
     }
 }
 
-/// A product with one factor more, which stands before functions: `m l φ̈ cos φ`, not `m l cos φ φ̈`.
+/// A product with one factor more, which stands before functions: `m l φ̈ cos φ`, not
+/// `m l cos φ φ̈`.
 pub(super) fn times(math: Math, factor: Math) -> Math {
     match math {
         Math::Minus(inner) => times(*inner, factor).minus(),

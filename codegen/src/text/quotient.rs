@@ -1,4 +1,5 @@
-//! Quotients over a power of one cosine, written as books do: `y = ½ l tan φ`, `T = … (4 − 6/cos φ + 3/cos⁴ φ)`.
+//! Quotients over a power of one cosine, written as books do: `y = ½ l tan φ`,
+//! `T = … (4 − 6/cos φ + 3/cos⁴ φ)`.
 
 use super::TextWriter;
 use crate::algebra::{Angle, Monomial, Quotient, Rational, Series, Symbol, Wave, lead};

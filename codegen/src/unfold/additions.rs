@@ -1,5 +1,6 @@
-//! What the declaration of both halves says that the mirror said: places of the figure, the coordinates of the mirrored model
-//! with their images, and the images of angles that are kept equal.
+//! What the declaration of both halves says that the mirror said: places of the figure, the
+//! coordinates of the mirrored model with their images, and the images of angles that are kept
+//! equal.
 
 use proc_macro2::TokenStream;
 use quote::quote;

@@ -1,4 +1,5 @@
-//! Coordinates of both halves. An angle q of a bar b, δ = r + s q, has the image q' = q of the image b', δ' = r' − s q', r' the image of r.
+//! Coordinates of both halves. An angle q of a bar b, δ = r + s q, has the image q' = q of the
+//! image b', δ' = r' − s q', r' the image of r.
 
 use proc_macro2::{Literal, Span, TokenStream};
 use quote::quote;
@@ -36,7 +37,8 @@ impl Coordinates<'_> {
         ident
     }
 
-    /// What reads the same of the mirror image; none of an angle between bars of which one is named from the other end.
+    /// What reads the same of the mirror image; none of an angle between bars of which one is named
+    /// from the other end.
     pub fn image(&self, kind: &CoordinateKind) -> Option<CoordinateKind> {
         let turned = |body: usize| self.mirror.bodies[body].1;
         let image = |body: usize| self.mirror.bodies[body].0;
@@ -60,7 +62,8 @@ impl Coordinates<'_> {
         }
     }
 
-    /// Whether nothing that is declared determines it: what hangs together has one position along each axis.
+    /// Whether nothing that is declared determines it: what hangs together has one position along
+    /// each axis.
     pub fn is_free(&self, kind: &CoordinateKind, kinematics: &Kinematics) -> bool {
         use CoordinateKind::Position;
         let root = |point: usize| kinematics.tree.root[point];

@@ -1,4 +1,5 @@
-//! Angles that a mirrored model keeps equal: a relation `Σ kᵢ δᵢ = constant` of directions has the image `Σ kᵢ δᵢ' = constant'`.
+//! Angles that a mirrored model keeps equal: a relation `Σ kᵢ δᵢ = constant` of directions has the
+//! image `Σ kᵢ δᵢ' = constant'`.
 
 use crate::kinematics::dependent;
 use crate::system::{ConstrainedAngle, CoordinateKind, Equal, Mirror, Reference, System};

@@ -4,8 +4,9 @@
 //! x = a:  δ' = π − δ        y = a:  δ' = −δ
 //! ```
 //!
-//! or π more where the image is named from its other end. What it needs beside the declaration, `additions` writes; `coordinates`: those of
-//! both halves; `equal`: which angles are kept equal in one half alone.
+//! or π more where the image is named from its other end. What it needs beside the declaration,
+//! `additions` writes; `coordinates`: those of both halves; `equal`: which angles are kept equal in
+//! one half alone.
 
 mod additions;
 mod coordinates;
@@ -28,8 +29,8 @@ const LEFT_OUT: [&str; 3] = ["mirror", "run", "budget"];
 /// Both halves of a mirrored model.
 #[derive(Clone, Debug)]
 pub struct Unfolded {
-    /// What is derived of their declaration, which has no default run. Coordinates of the mirrored model keep their names; the image of
-    /// `phi` is `phi_image`.
+    /// What is derived of their declaration, which has no default run. Coordinates of the mirrored
+    /// model keep their names; the image of `phi` is `phi_image`.
     pub analysis: Analysis,
     system: System,
     kinematics: Kinematics,
@@ -40,7 +41,8 @@ impl Unfolded {
     /// Unfolds a mirrored model. Where it keeps angles equal, their images are kept equal too.
     ///
     /// # Errors
-    /// Mistakes of the declaration; it has no mirror; both halves are not a model, or are not drawn as the mirror draws them.
+    /// Mistakes of the declaration; it has no mirror; both halves are not a model, or are not drawn
+    /// as the mirror draws them.
     pub fn from_tokens(input: TokenStream) -> syn::Result<Self> {
         let description = crate::parse(input.clone())?;
         let system = crate::resolve(input.clone())?;
@@ -81,7 +83,8 @@ impl Unfolded {
         self.analysis.kinematics.coordinates.iter().map(|coordinate| read(&coordinate.reading)).collect()
     }
 
-    /// Π, row by row: the mirror image of a displacement δq from a symmetric position, as joints allow it, is Π δq.
+    /// Π, row by row: the mirror image of a displacement δq from a symmetric position, as joints
+    /// allow it, is Π δq.
     pub fn reflection(&self, parameters: &[f64], position: &[f64]) -> Vec<Vec<f64>> {
         let Analysis { system, kinematics, .. } = &self.analysis;
         let value = values(system, parameters, position);
@@ -106,7 +109,8 @@ impl Unfolded {
         kinematics.coordinates.iter().map(|coordinate| row(&coordinate.reading)).collect()
     }
 
-    /// What hangs where nothing is known hangs the same way in both halves, and not as a mirror image where nothing pulls it.
+    /// What hangs where nothing is known hangs the same way in both halves, and not as a mirror
+    /// image where nothing pulls it.
     fn check_figure(&self) -> syn::Result<()> {
         let Some(numbers) = self.system.samples.first() else { return Ok(()) };
         let parameters: Vec<f64> = (0..self.system.parameters.len())

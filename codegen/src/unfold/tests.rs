@@ -174,7 +174,8 @@ fn places(analysis: &Analysis, parameters: &[f64], q: &[f64]) -> Vec<[f64; 2]> {
     analysis.kinematics.points.iter().map(|place| place.each_ref().map(|c| c.evaluate(&value))).collect()
 }
 
-/// The projection onto the displacements that the joints allow: 1 − Σ u uᵀ, u an orthonormal basis of their rows.
+/// The projection onto the displacements that the joints allow: 1 − Σ u uᵀ, u an orthonormal basis
+/// of their rows.
 fn allowed(analysis: &Analysis, parameters: &[f64], q: &[f64]) -> Vec<Vec<f64>> {
     let mut projection: Vec<Vec<f64>> =
         (0..q.len()).map(|i| (0..q.len()).map(|j| f64::from(i == j)).collect()).collect();
@@ -234,8 +235,8 @@ fn the_reflection_takes_displacements_to_their_mirror_images() {
     }
 }
 
-/// Both halves have M' = Sᵀ M S and f' = Sᵀ f of the mirrored model, S the slopes of their position; a mirror image has the same M
-/// and f.
+/// Both halves have M' = Sᵀ M S and f' = Sᵀ f of the mirrored model, S the slopes of their
+/// position; a mirror image has the same M and f.
 #[test]
 fn symmetric_motions_are_those_of_the_mirrored_model() {
     for case in cases() {

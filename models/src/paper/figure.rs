@@ -46,8 +46,8 @@ pub fn path(
     Ok(Stroke::solid(points, colour, 0.6, 1))
 }
 
-/// Outputs with their axes' names against the angle φ over an interval, one panel each, both ends marked with these labels and
-/// the values there.
+/// Outputs with their axes' names against the angle φ over an interval, one panel each, both ends
+/// marked with these labels and the values there.
 pub fn against_phi(
     record: &Trajectory,
     interval: [f64; 2],

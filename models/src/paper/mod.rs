@@ -1,4 +1,5 @@
-//! The main job: the paper reproduced, printed, and written as `results.json`, `index.html` and pictures.
+//! The main job: the paper reproduced, printed, and written as `results.json`, `index.html` and
+//! pictures.
 
 mod border;
 mod falling_pair;
@@ -75,8 +76,9 @@ struct Results<'a> {
     results: &'a [Row],
 }
 
-/// Reproduces the paper at `tolerance`, hands the table to `print` and writes the files into `directory`; `peers` are
-/// rows of other tools, see [`peers`](liftoff_studio::work_precision::peers).
+/// Reproduces the paper at `tolerance`, hands the table to `print` and writes the files into
+/// `directory`; `peers` are rows of other tools, see
+/// [`peers`](liftoff_studio::work_precision::peers).
 pub fn report(
     tolerance: f64,
     directory: &Path,

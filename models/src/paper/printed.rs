@@ -2,8 +2,8 @@
 
 use serde::Deserialize;
 
-/// Gravity in the paper's numbers, m/s². The paper does not print it; standard gravity reproduces 63.798 of Fig. 8 and −2.576 of
-/// Fig. 4, 9.81 does not.
+/// Gravity in the paper's numbers, m/s². The paper does not print it; standard gravity reproduces
+/// 63.798 of Fig. 8 and −2.576 of Fig. 4, 9.81 does not.
 pub const GRAVITY: f64 = 9.80665;
 
 /// A printed number: `times` the quantity of its id, times g to `power_of_g`.

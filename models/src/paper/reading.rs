@@ -30,8 +30,9 @@ pub fn extrema(record: &Trajectory, output: &str) -> Result<Vec<Extremum>, Motio
     Ok(record.extrema(&record.output(output)?))
 }
 
-/// Least and largest value of an output over `[from, to]`, ends included. Turning points that stand out by less
-/// than the error bound do not count as such, so the ends of the steps are looked at too.
+/// Least and largest value of an output over `[from, to]`, ends included. Turning points that stand
+/// out by less than the error bound do not count as such, so the ends of the steps are looked at
+/// too.
 pub fn range(record: &Trajectory, output: &str, [from, to]: [f64; 2]) -> Result<[f64; 2], MotionError> {
     let value = record.function(output)?;
     let inside = |t: &f64| from <= *t && *t <= to;
@@ -42,7 +43,8 @@ pub fn range(record: &Trajectory, output: &str, [from, to]: [f64; 2]) -> Result<
     Ok(values.fold(bounds, |[low, high], v| [low.min(v), high.max(v)]))
 }
 
-/// When an output that changes monotonically over an interval has this value: by bisection, for drawings.
+/// When an output that changes monotonically over an interval has this value: by bisection, for
+/// drawings.
 pub fn time_of(
     record: &Trajectory,
     output: &str,
@@ -63,7 +65,8 @@ pub fn time_of(
     Ok(late)
 }
 
-/// Times from one end of an interval to the other between which a monotonic output makes `count` equal steps.
+/// Times from one end of an interval to the other between which a monotonic output makes `count`
+/// equal steps.
 pub fn equal_steps(
     record: &Trajectory,
     output: &str,

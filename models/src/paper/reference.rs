@@ -1,4 +1,5 @@
-//! What the computed values are compared with: the paper's printed numbers and references of 25 digits.
+//! What the computed values are compared with: the paper's printed numbers and references of 25
+//! digits.
 
 use super::printed::Printed;
 use serde::Deserialize;

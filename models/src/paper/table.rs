@@ -71,7 +71,8 @@ pub fn reproduced(rows: &[Row], tables: &References) -> (usize, Vec<String>) {
     (count, others)
 }
 
-/// How many printed numbers are reproduced; the largest error, and how many quantities it is the largest of.
+/// How many printed numbers are reproduced; the largest error, and how many quantities it is the
+/// largest of.
 pub fn summary(rows: &[Row], tables: &References) -> String {
     let (count, others) = reproduced(rows, tables);
     let total = count + others.len();

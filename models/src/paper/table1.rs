@@ -1,4 +1,5 @@
-//! Table 1 in the paper's layout: a column for each λ, a row for each quantity, what is printed and what is computed.
+//! Table 1 in the paper's layout: a column for each λ, a row for each quantity, what is printed and
+//! what is computed.
 
 use super::quantity::{Row, Value};
 use super::reference::References;

@@ -1,6 +1,6 @@
-//! Fig. 1a with held corners towards φ = π/2, where the chart y = (w/2) tan φ of the closed form ends. Of both bars
-//! T = m φ̇² (y_C′² + (l²/4) sin² φ + l²/12), y_C = (w/2) tan φ − (l/2) sin φ, V = −2 m g y_C; the corners are at the
-//! bars' ends where cos φ = w/2l.
+//! Fig. 1a with held corners towards φ = π/2, where the chart y = (w/2) tan φ of the closed form
+//! ends. Of both bars T = m φ̇² (y_C′² + (l²/4) sin² φ + l²/12), y_C = (w/2) tan φ − (l/2) sin φ, V =
+//! −2 m g y_C; the corners are at the bars' ends where cos φ = w/2l.
 
 use super::run;
 use liftoff::LoggedDecision;

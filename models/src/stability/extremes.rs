@@ -1,5 +1,5 @@
-//! Numbers near the ends of floating point, steps that cannot be made, times beyond all others: the right answer or a
-//! typed error with what was computed, never a panic or a run without end.
+//! Numbers near the ends of floating point, steps that cannot be made, times beyond all others: the
+//! right answer or a typed error with what was computed, never a panic or a run without end.
 
 use super::reference::{MPMATH, reference};
 use super::{run, run_unjudged};
@@ -92,7 +92,8 @@ fn throw() -> Case {
     )
 }
 
-/// Rounding bounds what a tolerance finer than it can reach; a coarse one bounds each step's error only.
+/// Rounding bounds what a tolerance finer than it can reach; a coarse one bounds each step's error
+/// only.
 fn tolerance(text: &str) -> Case {
     let tolerance = number(text);
     let spec = RunSpec::with(&[("m", 1.0), ("l", 1.0), ("g", 1.0)])

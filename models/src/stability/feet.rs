@@ -1,6 +1,6 @@
-//! The A-frame with a spin: N/mg = ¼ − (3/2) s S + (9/4) s² per foot, s = sin φ, S = s + l φ̇²/3g = 1 + ε, vanishes at
-//! s = (S ± √(S² − 1))/3 and has the minimum ¼ (1 − S²) between. Where a tolerance does not resolve that minimum, the
-//! only honest answer is a touch that is not decided.
+//! The A-frame with a spin: N/mg = ¼ − (3/2) s S + (9/4) s² per foot, s = sin φ, S = s + l φ̇²/3g =
+//! 1 + ε, vanishes at s = (S ± √(S² − 1))/3 and has the minimum ¼ (1 − S²) between. Where a
+//! tolerance does not resolve that minimum, the only honest answer is a touch that is not decided.
 
 use super::reference::{MPMATH, reference};
 use super::run;
@@ -75,9 +75,9 @@ fn opening(text: &str, excess: f64, tolerance: f64) -> Case {
     )
 }
 
-/// Where the feet land again, after twice the time in which they would not push: as far off as the time of the opening. Feet that
-/// rise by more than √ε land where their gap is zero, up to its rounding, with a slope of some 1.5 ε^(3/2). At ε = 0.1 the run ends
-/// before.
+/// Where the feet land again, after twice the time in which they would not push: as far off as the
+/// time of the opening. Feet that rise by more than √ε land where their gap is zero, up to its
+/// rounding, with a slope of some 1.5 ε^(3/2). At ε = 0.1 the run ends before.
 fn landing(text: &str, excess: f64, tolerance: f64) -> Option<Expectation> {
     let phi = reference(&format!("a-frame.land[{text}]"));
     let rounded =

@@ -1,9 +1,9 @@
 //! Guards that come near zero, touch it, or pass it by a little.
 //!
-//! - A marble in an upright ring, started below with v² = (5 + δ) g r, presses on the top with δ m g; with less than none
-//!   it leaves where its height over the centre is (1 + δ/3) r.
-//! - A bar that turns without gravity about its centre, ½ + δ/2 over the floor: the lower end comes as near as δ/2, or
-//!   strikes where sin φ = 1 + δ.
+//! - A marble in an upright ring, started below with v² = (5 + δ) g r, presses on the top with δ m
+//!   g; with less than none it leaves where its height over the centre is (1 + δ/3) r.
+//! - A bar that turns without gravity about its centre, ½ + δ/2 over the floor: the lower end comes
+//!   as near as δ/2, or strikes where sin φ = 1 + δ.
 
 use super::run;
 use liftoff_studio::RunSpec;

@@ -69,8 +69,9 @@ fn energy_of_two(state: &[f64]) -> f64 {
 
 fn pendulum(periods: f64) -> Case {
     let scene = format!("pendulum, amplitude 90°, {periods:e} periods");
-    // At the turning point φ̇ = −(3/2) (g/l) times the time by which it is late. The period changes with the energy at
-    // most by 4 (l/g)^½ per m g l, so that a drift of 1e-10 makes it late by at most 4e-10 of a unit in each.
+    // At the turning point φ̇ = −(3/2) (g/l) times the time by which it is late. The period changes
+    // with the energy at most by 4 (l/g)^½ per m g l, so that a drift of 1e-10 makes it late by at
+    // most 4e-10 of a unit in each.
     let expectations = vec![
         at_most("drift of E in mgl", 1e-10),
         expect("φ", FRAC_PI_2, 1e-10 + (1e-10 * periods).powi(2)),

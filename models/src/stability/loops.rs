@@ -1,4 +1,5 @@
-//! Closed loops whose bars come into one line: there the constraints lose rank and other branches begin.
+//! Closed loops whose bars come into one line: there the constraints lose rank and other branches
+//! begin.
 
 use super::run;
 use liftoff::LoggedDecision;

@@ -1,4 +1,5 @@
-//! Massless bars: well where the masses are definite on the motions that the joints leave, a named error elsewhere.
+//! Massless bars: well where the masses are definite on the motions that the joints leave, a named
+//! error elsewhere.
 
 use super::ratios::{pendulum, swing};
 use super::reference::MPMATH;

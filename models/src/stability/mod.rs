@@ -1,5 +1,6 @@
-//! The stability suite: stiff, extreme and degenerate scenes, each with the outcome that a closed form, a quadrature or
-//! plain mechanics demands, the outcome measured, and a verdict. `liftoff stability` runs it; so do the tests.
+//! The stability suite: stiff, extreme and degenerate scenes, each with the outcome that a closed
+//! form, a quadrature or plain mechanics demands, the outcome measured, and a verdict.
+//! `liftoff stability` runs it; so do the tests.
 
 mod chart;
 mod contacts;

@@ -1,7 +1,8 @@
-//! A bob on an axial spring in place of a rigid rod, k in mg/l, from rest at 60° on the slow manifold
-//! r = l + (mg/k)(3 cos φ − 2 cos 60°). On it φ̇² = (2g/l) C (1 − (cos 60° + 15 C/2)/k), C = cos φ − cos 60°: the period
-//! is T₀ (1 + c/k), so that after T₀ the bob is short of its turning point by c T₀/k in time. What is left out is of
-//! order k^(−3/2), of which critical damping takes 27 k^(−3/2) mgl from the energy.
+//! A bob on an axial spring in place of a rigid rod, k in mg/l, from rest at 60° on the slow
+//! manifold r = l + (mg/k)(3 cos φ − 2 cos 60°). On it φ̇² = (2g/l) C (1 − (cos 60° + 15 C/2)/k), C =
+//! cos φ − cos 60°: the period is T₀ (1 + c/k), so that after T₀ the bob is short of its turning
+//! point by c T₀/k in time. What is left out is of order k^(−3/2), of which critical damping takes
+//! 27 k^(−3/2) mgl from the energy.
 
 use super::reference::reference;
 use crate::models;

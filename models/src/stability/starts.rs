@@ -1,4 +1,5 @@
-//! Fig. 1a from rest at φ₀: V ∝ −φ³, so that the fall takes 0.99149/√φ₀ − 0.53719 natural times; φ₀ = 0 never moves.
+//! Fig. 1a from rest at φ₀: V ∝ −φ³, so that the fall takes 0.99149/√φ₀ − 0.53719 natural times; φ₀ =
+//! 0 never moves.
 
 use super::reference::{MPMATH, reference};
 use super::run;
@@ -19,7 +20,8 @@ pub(super) fn cases(_: MethodId, _: Effort) -> Vec<Case> {
 fn case(start: &str) -> Case {
     let [phi, t] = ["lift-off", "time"].map(|what| reference(&format!("falling-pair.{what}[{start}]")));
     let given: f64 = start.parse().unwrap_or(f64::NAN);
-    // Errors per step are relative to one radian; of φ near its start they shift the time by ½ t/φ₀ each.
+    // Errors per step are relative to one radian; of φ near its start they shift the time by ½ t/φ₀
+    // each.
     let tolerance = (1e-10 * given).clamp(1e-15, 1e-12);
     let within = t * (10.0 * tolerance / given).max(1e-10);
     // Of φ at the lift-off, that and the rounding of t, φ̇ < 1.

@@ -48,7 +48,8 @@ fn corners(ahead: f64) -> Case {
     )
 }
 
-/// A bar dropped all but level: B is higher by so many roundings of the height, and later by half as many.
+/// A bar dropped all but level: B is higher by so many roundings of the height, and later by half
+/// as many.
 fn ends(roundings: i32) -> Case {
     let tilt = f64::from(roundings) * f64::EPSILON;
     let e = 0.5;

@@ -1,5 +1,6 @@
-//! One motion in many units. Scaled by powers of two every rounding is the same: so must be the number of steps and every
-//! digit of the state. Powers of ten change the roundings of the parameters.
+//! One motion in many units. Scaled by powers of two every rounding is the same: so must be the
+//! number of steps and every digit of the state. Powers of ten change the roundings of the
+//! parameters.
 
 use super::reference::{MPMATH, reference};
 use super::run;
@@ -11,7 +12,8 @@ use liftoff_verification::cases::{Case, Effort, at_most, expect};
 /// Units of length, time and mass.
 type Units = [f64; 3];
 
-/// A model, its run in units, and the dimension of each coordinate: its power of the unit of length.
+/// A model, its run in units, and the dimension of each coordinate: its power of the unit of
+/// length.
 type Scene = (&'static str, fn(Units) -> RunSpec, &'static [i32]);
 
 const SCENES: [Scene; 5] = [

@@ -1,5 +1,5 @@
-//! A ball dropped from h = 1 under g = 1 rests after (1 + e)/(1 − e) √(2h/g) and infinitely many impacts; with e = 1
-//! never.
+//! A ball dropped from h = 1 under g = 1 rests after (1 + e)/(1 − e) √(2h/g) and infinitely many
+//! impacts; with e = 1 never.
 
 use super::run;
 use liftoff::prelude::*;
@@ -23,7 +23,8 @@ fn rests(text: &str) -> Case {
     let rest = (1.0 + e) / (1.0 - e) * 2.0_f64.sqrt();
     let spec = dropped(e).until(&format!("t = {}", rest + 1.0));
     let scene = format!("bouncing-ball, restitution {text}");
-    // An impact is located to the tolerance relative to the flight; the sum of all flights is known as well as they are.
+    // An impact is located to the tolerance relative to the flight; the sum of all flights is known
+    // as well as they are.
     let expectations = vec![expect("t of rest", rest, 1e-11 * rest), expect("height at the end", 0.0, 1e-14)];
     Case::numbers(format!("zeno.e={text}"), scene, CLOSED, expectations, move |by| {
         let record = run("bouncing-ball", by, &spec)?;

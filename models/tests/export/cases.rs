@@ -25,7 +25,8 @@ pub fn state(model: &Model, seed: &mut u64) -> Vec<f64> {
     layout.state_at(&[q, u].concat(), random(seed).abs())
 }
 
-/// The contact sets of the first contacts, those with friction now sticking, now sliding either way; guides are always closed.
+/// The contact sets of the first contacts, those with friction now sticking, now sliding either
+/// way; guides are always closed.
 pub fn sets(layout: &Layout, seed: &mut u64) -> Vec<ContactSet> {
     let contacts = layout.contacts.len().min(4);
     let guides = |i: usize| layout.contacts[i].kind == liftoff_core::model::ContactKind::Guide;

@@ -10,7 +10,8 @@ pub struct Expected {
     changes: Vec<f64>,
 }
 
-/// The values of a function of the state at it, and what rounding of it changes at most in three directions.
+/// The values of a function of the state at it, and what rounding of it changes at most in three
+/// directions.
 pub fn expected(name: &'static str, state: &[f64], of: &dyn Fn(&[f64]) -> Vec<f64>) -> Expected {
     let values = of(state);
     let mut changes = vec![0.0; values.len()];

@@ -18,9 +18,10 @@ use liftoff_core::system::Model;
 use liftoff_models::models;
 use processes::folder;
 
-/// What the library says differs from what the program does by no more than these multiples of rounding. Operations are those of the
-/// interpreter, in its order: 4 are left to compilers that compute sines of numbers themselves. The compiled model sums in another order,
-/// and its elimination has other pivots: 1000.
+/// What the library says differs from what the program does by no more than these multiples of
+/// rounding. Operations are those of the interpreter, in its order: 4 are left to compilers that
+/// compute sines of numbers themselves. The compiled model sums in another order, and its
+/// elimination has other pivots: 1000.
 const ROUNDINGS: [f64; 2] = [4.0, 1e3];
 
 /// How many cases of a model there are, and how many of them are of a closed form.
@@ -36,7 +37,8 @@ fn compared(library: &Library, name: &str, model: &Model) -> [usize; 2] {
     let (mut worst, mut closed) = ([0.0_f64; 2], 0);
     for ((set, state), answer) in asked.iter().zip(library.ask(&questions)) {
         let mut whole = compiled(model, *set, state);
-        // Nothing where there is no motion; of supports more than are needed the accelerations, where friction does not follow from them.
+        // Nothing where there is no motion; of supports more than are needed the accelerations,
+        // where friction does not follow from them.
         assert_eq!(answer["status"] == [0.0], is_unique(model, *set, state), "{name} {set:?} {state:?}");
         let slides = set.iter().any(|i| model.layout().contacts[i].friction.is_some());
         match answer["status"][0] as u8 {
@@ -98,7 +100,8 @@ fn friction_in_hinges_is_that_of_the_program() {
     assert!(cases >= 2 && closed == 0);
 }
 
-/// Chains beyond what is solved by unrolled statements: their equations are recursions, their mass matrix products along paths.
+/// Chains beyond what is solved by unrolled statements: their equations are recursions, their mass
+/// matrix products along paths.
 #[test]
 fn long_chains_are_those_of_the_program() {
     let folder = folder("chains");

@@ -38,9 +38,10 @@ fn converged(ask: &dyn Fn(usize) -> [Answer; 2]) -> [Answer; 2] {
     STEPS.into_iter().map(ask).find(is_fine).expect("the method converges")
 }
 
-/// The longest segment of each model's own run, or a second of it, with all coordinates and in closed form where there is one. With half
-/// the step the error is a 16th, so that of the finer one is a 15th of what the two differ by, to a factor of 2 where the next order is
-/// still seen. The run's own tolerance is 1e-13 a step; chaos makes 1e-10 of what it sums up to.
+/// The longest segment of each model's own run, or a second of it, with all coordinates and in
+/// closed form where there is one. With half the step the error is a 16th, so that of the finer one
+/// is a 15th of what the two differ by, to a factor of 2 where the next order is still seen. The
+/// run's own tolerance is 1e-13 a step; chaos makes 1e-10 of what it sums up to.
 #[test]
 fn its_motions_are_those_of_the_program_to_the_error_of_the_method() {
     let folder = folder("motions");

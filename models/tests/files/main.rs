@@ -183,7 +183,8 @@ fn units_are_converted_wherever_they_stand() {
     }
 }
 
-/// A figure is drawn with the values of parameters: which numbers of a scene are literals makes no difference.
+/// A figure is drawn with the values of parameters: which numbers of a scene are literals makes no
+/// difference.
 #[test]
 fn figures_are_drawn_with_the_values_of_parameters() {
     let leaning = "#[bar(AB, mass = 1, length = 1)] #[support(A = floor(H))] #[support(B = wall(W))] \

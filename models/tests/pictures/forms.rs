@@ -1,5 +1,5 @@
-//! The forms that are drawn against what the equations say of the same coordinates, bars and contacts: a kind of either that
-//! has no form is found here.
+//! The forms that are drawn against what the equations say of the same coordinates, bars and
+//! contacts: a kind of either that has no form is found here.
 
 use liftoff_core::model::geometry::{Direction, Look, Push, Reading, Shape, Solid, Spot};
 use liftoff_models::models;
@@ -72,7 +72,8 @@ fn every_body_is_drawn_and_every_bar_as_long_as_is_written() {
     }
 }
 
-/// The gap of a support or thread as it is drawn: how far what moves is from what stands still, along the push.
+/// The gap of a support or thread as it is drawn: how far what moves is from what stands still,
+/// along the push.
 fn drawn_gap(pose: &Configuration, name: &str) -> Option<f64> {
     let geometry = pose.geometry();
     let push = geometry.push(name)?;

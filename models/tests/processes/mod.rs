@@ -15,8 +15,8 @@ pub fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
 }
 
-/// A Python that has these packages: the one there is, else one in an environment of its own where pip can install them; none, which
-/// is told, where it cannot.
+/// A Python that has these packages: the one there is, else one in an environment of its own where
+/// pip can install them; none, which is told, where it cannot.
 #[allow(dead_code, reason = "tests of other formats need none")]
 pub fn python_with(packages: &[&str]) -> Option<PathBuf> {
     let has = |python: &Path| {

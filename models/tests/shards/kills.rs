@@ -1,4 +1,5 @@
-//! Processes killed at any moment, disks that are full, folders that cannot be written: what was done is there, and the end is the same.
+//! Processes killed at any moment, disks that are full, folders that cannot be written: what was
+//! done is there, and the end is the same.
 
 use crate::command::{done, liftoff, lines, read_file, refused, run_program, with};
 use crate::processes::{folder, text};
@@ -58,8 +59,9 @@ fn long<'a>(options: &[&'a str]) -> Vec<&'a str> {
 
 const SHARDS: usize = 3;
 
-/// Each shard is killed again and again, at any of its moments, those of its beginning and its end most of all, until it has got
-/// through; what is a whole line of its journal then is there ever after.
+/// Each shard is killed again and again, at any of its moments, those of its beginning and its end
+/// most of all, until it has got through; what is a whole line of its journal then is there ever
+/// after.
 #[test]
 fn shards_killed_at_any_moment_lose_nothing_and_end_alike() {
     let folder = folder("any-moment");

@@ -1,4 +1,5 @@
-//! Shards of a sweep by real processes: as tasks of an array, killed, on a full disk, damaged, and merged.
+//! Shards of a sweep by real processes: as tasks of an array, killed, on a full disk, damaged, and
+//! merged.
 
 mod command;
 mod kills;
@@ -103,7 +104,8 @@ fn a_shard_that_was_killed_goes_on_and_ends_alike() {
     assert!(run_program(&folder, &sweep("--out=parts")).contains("0 computed, 3000 known"));
 }
 
-/// Files may have so many blocks of 512 bytes, as on a disk that is full: the journal or the file of the shard does not fit.
+/// Files may have so many blocks of 512 bytes, as on a disk that is full: the journal or the file
+/// of the shard does not fit.
 #[cfg(unix)]
 #[test]
 fn on_a_full_disk_nothing_that_was_done_is_lost() {

@@ -4,7 +4,8 @@
 //! δq = Z ξ,   ξ̈ + C ξ̇ + K ξ = ξ̈₀
 //! ```
 //!
-//! with ξ̈₀ = 0 at an equilibrium. The loads of the contacts are in K: it is the Hessian of V + λᵀ g on their tangent space.
+//! with ξ̈₀ = 0 at an equilibrium. The loads of the contacts are in K: it is the Hessian of V + λᵀ
+//! g on their tangent space.
 
 use liftoff_core::model::ContactSet;
 use nalgebra::{DMatrix, DVector};
@@ -51,7 +52,8 @@ impl Linearisation {
         }
     }
 
-    /// Of the displacements ξ = V η alone, which have no accelerations but such; the columns of V are orthonormal.
+    /// Of the displacements ξ = V η alone, which have no accelerations but such; the columns of V
+    /// are orthonormal.
     pub(crate) fn restricted(&self, to: &DMatrix<f64>) -> Self {
         let across = |matrix: &DMatrix<f64>| to.transpose() * matrix * to;
         Self {
@@ -69,7 +71,8 @@ impl Linearisation {
         self.stiffness.nrows()
     }
 
-    /// Z, one row for each coordinate, k columns: δq = Z ξ with Zᵀ M Z = 1. Where inputs are generalised forces Q, ξ̈ has Zᵀ Q.
+    /// Z, one row for each coordinate, k columns: δq = Z ξ with Zᵀ M Z = 1. Where inputs are
+    /// generalised forces Q, ξ̈ has Zᵀ Q.
     pub fn basis(&self) -> &DMatrix<f64> {
         &self.basis
     }

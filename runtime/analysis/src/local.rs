@@ -4,8 +4,8 @@
 //! δq = Z ξ,   J Z = 0,   Zᵀ M Z = 1,   ξ̈ = a(ξ, ξ̇)
 //! ```
 //!
-//! In closed form Z = G L⁻ᵀ with G = ∂q/∂r and Gᵀ M G = L Lᵀ, which holds too where rows of J coincide, as those of sin α = sin β at
-//! cos α = 0; with multipliers Z spans the null space of J.
+//! In closed form Z = G L⁻ᵀ with G = ∂q/∂r and Gᵀ M G = L Lᵀ, which holds too where rows of J
+//! coincide, as those of sin α = sin β at cos α = 0; with multipliers Z spans the null space of J.
 
 use std::sync::Arc;
 
@@ -151,7 +151,8 @@ impl<'a> Local<'a> {
         slopes
     }
 
-    /// The full state at ξ, at rest, before the contacts are closed again where there is no closed form.
+    /// The full state at ξ, at rest, before the contacts are closed again where there is no closed
+    /// form.
     pub(crate) fn state_at(&self, xi: &DVector<f64>) -> Vec<DoubleDouble> {
         let mut y = self.rest.clone();
         let moved = &self.into * xi;

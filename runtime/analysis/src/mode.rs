@@ -4,8 +4,8 @@
 //! (λ² + λ C + K) v = 0
 //! ```
 //!
-//! Without C λ² are the eigenvalues of −K, which are real where K is symmetric. Away from an equilibrium, and under forces that have no
-//! potential, it is not.
+//! Without C λ² are the eigenvalues of −K, which are real where K is symmetric. Away from an
+//! equilibrium, and under forces that have no potential, it is not.
 
 use nalgebra::{Complex, DMatrix, DVector};
 
@@ -58,7 +58,8 @@ pub(crate) fn real(x: f64) -> Complex<f64> {
     Complex::new(x, 0.0)
 }
 
-/// λ and v of all modes, one of each complex pair, and of a real pair ±λ without damping the growing one.
+/// λ and v of all modes, one of each complex pair, and of a real pair ±λ without damping the
+/// growing one.
 pub(crate) fn compute_modes(
     [stiffness, damping]: [&DMatrix<f64>; 2],
     time: f64,
@@ -97,7 +98,8 @@ fn rate_of_square(square: f64, rounding: f64) -> Complex<f64> {
     if square > 0.0 { Complex::new(root, 0.0) } else { Complex::new(0.0, root) }
 }
 
-/// Without damping, of a K that is not symmetric: of a complex pair λ² both a vibration that grows and one that decays.
+/// Without damping, of a K that is not symmetric: of a complex pair λ² both a vibration that grows
+/// and one that decays.
 fn circulatory(
     [stiffness, damping]: [&DMatrix<f64>; 2],
     rounding: f64,
@@ -128,8 +130,8 @@ fn damped([stiffness, damping]: [&DMatrix<f64>; 2]) -> Vec<(Complex<f64>, DVecto
     kept.map(|&rate| (rate, shape([stiffness, damping], rate, 0))).collect()
 }
 
-/// v of (λ² + λ C + K) v = 0, the right singular vector of the least singular value; where so many before have the same λ, of the next
-/// one that is as small, if there is one.
+/// v of (λ² + λ C + K) v = 0, the right singular vector of the least singular value; where so many
+/// before have the same λ, of the next one that is as small, if there is one.
 fn shape(
     [stiffness, damping]: [&DMatrix<f64>; 2],
     rate: Complex<f64>,

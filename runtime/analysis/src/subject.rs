@@ -12,7 +12,8 @@ use crate::AnalysisError;
 /// A contact is closed within this part of the natural length.
 const CLOSED: f64 = 1e-9;
 
-/// A model with its parameters in double-double, its natural units, and a position at rest to begin with.
+/// A model with its parameters in double-double, its natural units, and a position at rest to begin
+/// with.
 #[derive(Clone)]
 pub struct Subject {
     pub(crate) system: Arc<dyn System<DoubleDouble>>,

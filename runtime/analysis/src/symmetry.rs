@@ -1,5 +1,5 @@
-//! Near a symmetric position every motion is a symmetric and an antisymmetric one, neither of which excites the other. With the
-//! mirror image Π δq of a displacement δq = Z ξ
+//! Near a symmetric position every motion is a symmetric and an antisymmetric one, neither of which
+//! excites the other. With the mirror image Π δq of a displacement δq = Z ξ
 //!
 //! ```text
 //! Π Z = Z Πξ,   Πξ² = 1,   Πξ V± = ±V±,   ξ = V± η:   η̈ + V±ᵀ C V± η̇ + V±ᵀ K V± η = 0
@@ -12,7 +12,8 @@ use crate::{AnalysisError, Linearisation};
 /// What is symmetric is so within this part of natural units: far above the rounding of K and Z.
 const SAME: f64 = 1e-9;
 
-/// A linearisation about a symmetric position, in two parts: what keeps its symmetry, and what breaks it.
+/// A linearisation about a symmetric position, in two parts: what keeps its symmetry, and what
+/// breaks it.
 #[derive(Debug, Clone)]
 pub struct BySymmetry {
     /// Of displacements that are their own mirror images.
@@ -22,8 +23,8 @@ pub struct BySymmetry {
 }
 
 impl BySymmetry {
-    /// How many times as fast as the fastest growing symmetric motion the fastest growing antisymmetric one grows; none where one of
-    /// them does not grow.
+    /// How many times as fast as the fastest growing symmetric motion the fastest growing
+    /// antisymmetric one grows; none where one of them does not grow.
     pub fn growth_ratio(&self) -> Option<f64> {
         let fastest = |part: &Linearisation| part.modes().first().map_or(0.0, crate::Mode::growth);
         let [symmetric, antisymmetric] = [&self.symmetric, &self.antisymmetric].map(fastest);
@@ -32,7 +33,8 @@ impl BySymmetry {
 }
 
 impl Linearisation {
-    /// The same in its symmetric and its antisymmetric part, given Π, one row and one column for each coordinate.
+    /// The same in its symmetric and its antisymmetric part, given Π, one row and one column for
+    /// each coordinate.
     ///
     /// # Errors
     /// The position, or the closed contacts, are not symmetric; Π does not fit.

@@ -35,7 +35,8 @@ impl Batch {
         Self { names, columns: entries.collect(), rows: 0 }
     }
 
-    /// Takes a row; one that does not fit is refused whole or leaves a batch that is not to be written.
+    /// Takes a row; one that does not fit is refused whole or leaves a batch that is not to be
+    /// written.
     pub fn push<'v>(&mut self, row: impl IntoIterator<Item = Value<'v>>) -> io::Result<()> {
         let mut row = row.into_iter();
         for (column, name) in self.columns.iter_mut().zip(&self.names) {

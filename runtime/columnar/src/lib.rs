@@ -1,10 +1,12 @@
-//! Tables of named columns with units, written row by row as columnar files: Parquet, Arrow's IPC file, NumPy's NPZ.
+//! Tables of named columns with units, written row by row as columnar files: Parquet, Arrow's IPC
+//! file, NumPy's NPZ.
 //!
-//! - `format`: which formats there are, and which of them this build has; `heading`: columns, and what is said of the whole
-//!   table; `value`: what stands in a row.
-//! - `table`: takes rows, and writes them in batches, so that memory does not grow with their number; `batch`: rows by columns.
-//! - `metadata`: what is said of the whole, with hashes; `arrow`: batches as Arrow's record batches; `parquet`, `ipc`,
-//!   `npz`: the files.
+//! - `format`: which formats there are, and which of them this build has; `heading`: columns, and
+//!   what is said of the whole table; `value`: what stands in a row.
+//! - `table`: takes rows, and writes them in batches, so that memory does not grow with their
+//!   number; `batch`: rows by columns.
+//! - `metadata`: what is said of the whole, with hashes; `arrow`: batches as Arrow's record
+//!   batches; `parquet`, `ipc`, `npz`: the files.
 //!
 //! ```no_run
 //! use liftoff_columnar::{Column, Format, Heading, Kind, Table, Value};

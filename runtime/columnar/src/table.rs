@@ -11,8 +11,8 @@ pub(crate) trait Target {
     fn finish(self: Box<Self>) -> io::Result<()>;
 }
 
-/// A table that is being written. Of its rows no more are in memory than are written at once: 1024 to 65536, half a
-/// million entries, some 50 MB with what the formats need beside.
+/// A table that is being written. Of its rows no more are in memory than are written at once: 1024
+/// to 65536, half a million entries, some 50 MB with what the formats need beside.
 pub struct Table<'a> {
     batch: Batch,
     target: Box<dyn Target + 'a>,

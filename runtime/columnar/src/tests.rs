@@ -1,5 +1,5 @@
-//! Rows over several batches, rows that do not fit, files that cannot be written. What files say is read by other programs in the
-//! tests of the command line.
+//! Rows over several batches, rows that do not fit, files that cannot be written. What files say is
+//! read by other programs in the tests of the command line.
 
 use crate::{Column, Format, Heading, Kind, Table, Value};
 use std::io::{self, ErrorKind, Write};

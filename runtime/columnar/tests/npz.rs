@@ -10,7 +10,8 @@ use std::io::{self, BufWriter};
 use std::path::Path;
 use std::process::Command;
 
-/// Every third number is missing, every second text; of the texts every eleventh has letters outside the first plane.
+/// Every third number is missing, every second text; of the texts every eleventh has letters
+/// outside the first plane.
 fn write(path: &Path, rows: i64) -> io::Result<()> {
     let columns = [("i", Kind::Integer, None), ("φ̇/2", Kind::Number, Some("rad/s")), ("s", Kind::Text, None)];
     let columns = columns.map(|(name, kind, unit)| Column::new(name, kind, unit));

@@ -1,4 +1,5 @@
-//! A contact set of one degree of freedom on an energy level: with `T = ½ M̂(q) q̇²` and the start q₀, q̇₀
+//! A contact set of one degree of freedom on an energy level: with `T = ½ M̂(q) q̇²` and the start
+//! q₀, q̇₀
 //!
 //! ```text
 //! ½ M̂(q) q̇² + V(q) = ½ M̂(q₀) q̇₀² + V(q₀)

@@ -1,10 +1,12 @@
 //! Lift-off conditions in closed form: when which contact opens, as a formula.
 //!
-//! A contact set of one degree of freedom conserves its energy, `½ M̂(q) q̇² + V(q) = h`; that gives q̇² and q̈ as functions of the
-//! coordinate q, and so every reaction: `N(q; q₀)` is a rational function of sin q and cos q, and its numerator the condition of
-//! lift-off. [`Conditions`] has these for every contact of a set; with exact algebra it finds for which parameters two of them
-//! vanish together, are multiples of each other, or touch zero, and with exact arithmetic where they vanish for given ones.
-//! [`FirstIntegrals`] are what stays constant in a contact set of any number of degrees of freedom.
+//! A contact set of one degree of freedom conserves its energy, `½ M̂(q) q̇² + V(q) = h`; that
+//! gives q̇² and q̈ as functions of the coordinate q, and so every reaction: `N(q; q₀)` is a
+//! rational function of sin q and cos q, and its numerator the condition of lift-off.
+//! [`Conditions`] has these for every contact of a set; with exact algebra it finds for which
+//! parameters two of them vanish together, are multiples of each other, or touch zero, and with
+//! exact arithmetic where they vanish for given ones. [`FirstIntegrals`] are what stays constant in
+//! a contact set of any number of degrees of freedom.
 //!
 //! ```text
 //! Analysis → Level → Form → Condition, Coincidence → Section
@@ -13,8 +15,10 @@
 //!                           numeric
 //! ```
 //!
-//! - `phase`: contact sets by name, and what in them conserves no energy; `level`: the energy level.
-//! - `algebra`: rational functions, greatest common divisors, resultants; `numeric`: real roots with certainty.
+//! - `phase`: contact sets by name, and what in them conserves no energy; `level`: the energy
+//!   level.
+//! - `algebra`: rational functions, greatest common divisors, resultants; `numeric`: real roots
+//!   with certainty.
 //! - `conditions`: from the level to its conditions; `integrals`: first integrals.
 //! - `written`: rational functions as they are written; `statement`: what is said of them.
 
@@ -59,11 +63,12 @@ fn of_phase(analysis: &Analysis, phase: &Phase) -> FirstIntegrals {
     FirstIntegrals { phase: title, set: phase.set, integrals: integrals::find_integrals(analysis, phase) }
 }
 
-/// All that is said of a model: the conditions of every contact set that has some, and its first integrals; of one set where it
-/// is named.
+/// All that is said of a model: the conditions of every contact set that has some, and its first
+/// integrals; of one set where it is named.
 ///
 /// # Errors
-/// As [`Conditions::derive`], of the set that is named, or where none is and a start is given that fits no set.
+/// As [`Conditions::derive`], of the set that is named, or where none is and a start is given that
+/// fits no set.
 pub fn sections(
     analysis: &Analysis,
     supports: Option<&str>,

@@ -106,7 +106,8 @@ impl<'a> Named<'a> {
         }
     }
 
-    /// Whether all that acts beside gravity are springs with constant stiffness and length, and nothing slides.
+    /// Whether all that acts beside gravity are springs with constant stiffness and length, and
+    /// nothing slides.
     pub fn has_springs_only(&self) -> bool {
         let system = &self.analysis.system;
         let constant =

@@ -1,4 +1,5 @@
-//! Polynomials and rational functions as they are written: coefficients collected, low powers first.
+//! Polynomials and rational functions as they are written: coefficients collected, low powers
+//! first.
 
 use std::cmp::Reverse;
 
@@ -64,7 +65,8 @@ impl Written<'_> {
         (class, factor.len(), Reverse(exponents))
     }
 
-    /// A polynomial: Σ coefficient · sines, cosines and coordinates; a positive term leads where there is one.
+    /// A polynomial: Σ coefficient · sines, cosines and coordinates; a positive term leads where
+    /// there is one.
     pub fn sum(&self, polynomial: &Polynomial) -> Math {
         let collected = polynomial.collected(|x| !self.ring.variables[x].is_parameter());
         let mut parts: Vec<(&Exponents, &Polynomial)> = collected.iter().collect();

@@ -6,12 +6,14 @@ use crate::model::{Array, BarSystem, ClosedForm, ContactSet, Form, Phase, PhaseV
 use crate::scalar::dispatch::{ForVector, widest};
 use crate::scalar::{Inside, Lanes, Vector};
 
-/// States side by side: twice as many as a vector holds, as elimination is a chain of operations that wait for one another.
+/// States side by side: twice as many as a vector holds, as elimination is a chain of operations
+/// that wait for one another.
 pub type BatchLanes = Lanes<2>;
 
-/// The right-hand side of a phase in closed form, for [`Side::COUNT`] states side by side, by the widest instructions that the
-/// processor has. The bits of each do not depend on the others; where the program is compiled for the same instructions they are
-/// those of one state alone, but for chains from six bars on, which are computed in another order.
+/// The right-hand side of a phase in closed form, for [`Side::COUNT`] states side by side, by the
+/// widest instructions that the processor has. The bits of each do not depend on the others; where
+/// the program is compiled for the same instructions they are those of one state alone, but for
+/// chains from six bars on, which are computed in another order.
 pub struct Batch<M: BarSystem>(Box<dyn Evaluate<M>>);
 
 trait Evaluate<M: BarSystem>: Send + Sync {
@@ -37,9 +39,10 @@ impl<M: BarSystem> Batch<M> {
         found.map(Self).ok_or_else(|| NoClosedForm { closed: labels() })
     }
 
-    /// Accelerations of the coordinates that the phase keeps, in their order and first; zero after them. `states` are full,
-    /// coordinates, then rates, then the time if the equations depend on it, [`Side::COUNT`] in each, and satisfy the closed
-    /// contacts. Of slices that are not equally long, the rest is left alone.
+    /// Accelerations of the coordinates that the phase keeps, in their order and first; zero after
+    /// them. `states` are full, coordinates, then rates, then the time if the equations depend on
+    /// it, [`Side::COUNT`] in each, and satisfy the closed contacts. Of slices that are not equally
+    /// long, the rest is left alone.
     pub fn reduced_accelerations(
         &self,
         states: &[M::State<BatchLanes>],
@@ -48,7 +51,8 @@ impl<M: BarSystem> Batch<M> {
         self.0.evaluate(states, accelerations);
     }
 
-    /// States side by side; the last is repeated where [`Side::COUNT`] does not divide their number.
+    /// States side by side; the last is repeated where [`Side::COUNT`] does not divide their
+    /// number.
     pub fn pack(states: &[M::State<f64>]) -> Vec<M::State<BatchLanes>> {
         let packed = |chunk: &[M::State<f64>]| {
             let lane = |lane: usize| chunk[lane.min(chunk.len() - 1)].as_ref();

@@ -1,5 +1,5 @@
-//! Motion without events: a stepper and what it steps through, nothing round it. No guard, contact or impact is compiled for
-//! it, and without the standard library nothing is allocated.
+//! Motion without events: a stepper and what it steps through, nothing round it. No guard, contact
+//! or impact is compiled for it, and without the standard library nothing is allocated.
 
 use core::marker::PhantomData;
 
@@ -22,17 +22,20 @@ pub enum FlowError {
     /// A step failed.
     #[error(transparent)]
     Step(#[from] StepError),
-    /// Guides with friction stick and slide in turn, and press to one side or the other: there is no one phase to integrate.
+    /// Guides with friction stick and slide in turn, and press to one side or the other: there is
+    /// no one phase to integrate.
     #[error("guides with friction change what they do on the way; run a `Simulation`")]
     Guides,
 }
 
-/// The full state a `duration` > 0 later with all contacts open, if the model has any: they are not watched. `state` has the
-/// coordinates in the order of the layout, the rates and, where [`Layout::timed`](crate::model::Layout::timed), the time, and satisfies the joints.
+/// The full state a `duration` > 0 later with all contacts open, if the model has any: they are not
+/// watched. `state` has the coordinates in the order of the layout, the rates and, where
+/// [`Layout::timed`](crate::model::Layout::timed), the time, and satisfies the joints.
 ///
-/// The error per step is relative to each entry and, in natural units, absolute, as that of a `Simulation`. Closed forms are
-/// integrated by Taylor's method, unless their equations are somewhere not analytic ([`Layout::kinks`](crate::model::Layout::kinks)),
-/// others by DOP853 with projection.
+/// The error per step is relative to each entry and, in natural units, absolute, as that of a
+/// `Simulation`. Closed forms are integrated by Taylor's method, unless their equations are
+/// somewhere not analytic ([`Layout::kinks`](crate::model::Layout::kinks)), others by DOP853 with
+/// projection.
 ///
 /// # Errors
 /// If the tolerance is none, a guide has friction, or a step fails.

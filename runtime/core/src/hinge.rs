@@ -1,13 +1,15 @@
-//! Motion with friction in hinges: a journal of radius r rubs where the hinge force F presses it on its bearing, `N = |F|`. The
-//! friction forces R of those that slide are loads, which F is affine in,
+//! Motion with friction in hinges: a journal of radius r rubs where the hinge force F presses it on
+//! its bearing, `N = |F|`. The friction forces R of those that slide are loads, which F is affine
+//! in,
 //!
 //! ```text
 //! F_j = F⁰_j + Σ_i Gʲ_i s_i,    s_j = |F_j|,    R_i = −σ_i μ_i s_i
 //! ```
 //!
-//! F⁰ without them, G from a unit of each. Where `Σ_i |Gʲ_i| < 1` for each j, s → |F(s)| is a contraction and the solution the only
-//! one; friction of a journal that is small against its bodies is far from the border. Beyond it there may be several or none
-//! (Painlevé's paradox): the motion is then not a number.
+//! F⁰ without them, G from a unit of each. Where `Σ_i |Gʲ_i| < 1` for each j, s → |F(s)| is a
+//! contraction and the solution the only one; friction of a journal that is small against its
+//! bodies is far from the border. Beyond it there may be several or none (Painlevé's paradox): the
+//! motion is then not a number.
 
 use crate::kernel::slopes;
 use crate::model::{Array, BarSystem, ContactSet, Friction, KernelView, Layout};
@@ -19,8 +21,8 @@ const STEPS: usize = 60;
 /// A component of a force: a quantity by its place, at accelerations and multipliers.
 type Force<'a, S> = dyn Fn(usize, &[S], &[S]) -> S + 'a;
 
-/// Writes the motion of a compiled model as [`KernelView::solve`] does, N and R of its hinges among the multipliers; whether the
-/// multipliers are the only ones.
+/// Writes the motion of a compiled model as [`KernelView::solve`] does, N and R of its hinges among
+/// the multipliers; whether the multipliers are the only ones.
 pub fn solution<M: BarSystem, S: Scalar>(
     constants: &M::Constants<S>,
     set: &ContactSet,

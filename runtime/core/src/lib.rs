@@ -1,9 +1,10 @@
-//! What derived code runs on, and what is the same for every model: without its feature `std` this crate is `no_std` and
-//! allocates nothing.
+//! What derived code runs on, and what is the same for every model: without its feature `std` this
+//! crate is `no_std` and allocates nothing.
 //!
 //! - [`model`]: the traits that the derive implements; a phase, the full equations.
 //! - [`kernel`], [`figure`], [`chain`]: what emitted code calls.
-//! - [`scalar`]: the numbers that emitted code runs on; [`series`]: Taylor series of a phase, order by order.
+//! - [`scalar`]: the numbers that emitted code runs on; [`series`]: Taylor series of a phase, order
+//!   by order.
 //! - [`integrate`]: steppers (Taylor, DOP853, Tsitouras, Radau, Gauss) and what they share.
 //! - [`project`]: back onto the constraints; [`scales`]: natural units.
 //! - [`flow`](fn@flow): a motion without events.

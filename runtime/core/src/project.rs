@@ -1,16 +1,21 @@
-//! Drift removal in the mass metric: the nearest q with g(q, t) = 0, then the nearest u with J u + ∂g/∂t = 0, over the
-//! closed rows; those of rough contacts have no gap, their positions are corrected without slip (Eich-Soellner and Führer, *Numerical Methods in Multibody Dynamics*, 5.3).
+//! Drift removal in the mass metric: the nearest q with g(q, t) = 0, then the nearest u with J u +
+//! ∂g/∂t = 0, over the closed rows; those of rough contacts have no gap, their positions are
+//! corrected without slip (Eich-Soellner and Führer, *Numerical Methods in Multibody Dynamics*,
+//! 5.3).
 
 use crate::model::{Array, BarSystem, ContactSet, KernelView, Layout};
 use crate::scalar::Scalar;
 
-/// Newton corrections of the positions; drift over one step is far below the square root of the roundoff.
+/// Newton corrections of the positions; drift over one step is far below the square root of the
+/// roundoff.
 const CORRECTIONS: usize = 4;
-/// Newton's method leaves less than this part of a drift, and rounding no more than so many units of it.
+/// Newton's method leaves less than this part of a drift, and rounding no more than so many units
+/// of it.
 const LESS: f64 = 0.5;
 const NOISE: f64 = 256.0;
 
-/// Projects a full state of a model; `work` has one entry per coordinate, `length` is the natural one.
+/// Projects a full state of a model; `work` has one entry per coordinate, `length` is the natural
+/// one.
 pub fn project<M: BarSystem, S: Scalar>(
     constants: &M::Constants<S>,
     set: &ContactSet,

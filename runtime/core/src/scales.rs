@@ -1,9 +1,11 @@
-//! Natural scales of a model, from its checked measures: length the largest bar, mass the total, time
-//! √(length / gravity), without gravity √(mass / stiffness) of the stiffest spring. Where there is neither, or where a run
-//! starts so fast, or is struck so hard, that they hardly matter, the time is that of a natural length or of a radian then. A model without
-//! bars has its size from the figure, or else from the pose that it starts from; one that starts at the origin has that by which its
-//! weight stretches the stiffest spring, m g/k, and no more than it flies if that is not lost beside it. From a small pose it may
-//! fly far: then it is as large as it flies, but no larger than its figure, beside which there may be what it meets.
+//! Natural scales of a model, from its checked measures: length the largest bar, mass the total,
+//! time √(length / gravity), without gravity √(mass / stiffness) of the stiffest spring. Where
+//! there is neither, or where a run starts so fast, or is struck so hard, that they hardly matter,
+//! the time is that of a natural length or of a radian then. A model without bars has its size from
+//! the figure, or else from the pose that it starts from; one that starts at the origin has that by
+//! which its weight stretches the stiffest spring, m g/k, and no more than it flies if that is not
+//! lost beside it. From a small pose it may fly far: then it is as large as it flies, but no larger
+//! than its figure, beside which there may be what it meets.
 
 use crate::model::{Coordinate, Layout, Measure, MeasureKind};
 #[cfg(not(feature = "std"))]
@@ -12,7 +14,8 @@ use crate::scalar::Elementary as _;
 /// So many natural lengths or radians in a natural time are swift: the motion has its own time.
 const SWIFT: f64 = 100.0;
 
-/// What flies so many times higher than the pose it starts from is large is as large as it flies, or as its figure.
+/// What flies so many times higher than the pose it starts from is large is as large as it flies,
+/// or as its figure.
 const HIGH: f64 = 1e4;
 
 /// Units in which tolerances are absolute.
@@ -38,7 +41,8 @@ pub struct Scales {
 }
 
 impl Scales {
-    /// The scales that follow from measures, which are not looked into, and from the coordinates of the nominal figure.
+    /// The scales that follow from measures, which are not looked into, and from the coordinates of
+    /// the nominal figure.
     pub fn natural(layout: &Layout, measures: &[Measure], nominal: &[f64]) -> Self {
         let of = |kind| measures.iter().filter(move |m| m.kind == kind).map(|m| m.value);
         let length = of(MeasureKind::Length).fold(0.0, f64::max);

@@ -1,10 +1,11 @@
-//! Planar bar systems with one-sided supports: equations derived at compile time, contacts decided at run time.
+//! Planar bar systems with one-sided supports: equations derived at compile time, contacts decided
+//! at run time.
 //!
-//! Declare a system with the derive macro [`BarSystem`](derive@BarSystem): bars, bodies and particles; hinges, pins, welds,
-//! sliders and drives; supports and threads, smooth or rough, with restitution; springs and dampers, forces and couples.
-//! Prepare a [`Simulation`], read its [`Trajectory`]: events, coordinates, reactions, joint and internal forces as
-//! [`Output`]s. The book, in `liftoff_cli::book`, begins with a
-//! tutorial that does it step by step.
+//! Declare a system with the derive macro [`BarSystem`](derive@BarSystem): bars, bodies and
+//! particles; hinges, pins, welds, sliders and drives; supports and threads, smooth or rough, with
+//! restitution; springs and dampers, forces and couples. Prepare a [`Simulation`], read its
+//! [`Trajectory`]: events, coordinates, reactions, joint and internal forces as [`Output`]s. The
+//! book, in `liftoff_cli::book`, begins with a tutorial that does it step by step.
 //!
 //! ```
 //! use liftoff::prelude::*;
@@ -35,9 +36,10 @@
 //!
 //! # Without the standard library
 //!
-//! Without its default feature `std`, and with `libm`, this crate is `no_std` and allocates nothing: models, their equations,
-//! all steppers but Radau's, and [`flow`](fn@flow), a motion without events. Programs that only flow have no code of guards, contacts
-//! or impacts with `std` either.
+//! Without its default feature `std`, and with `libm`, this crate is `no_std` and allocates
+//! nothing: models, their equations, all steppers but Radau's, and [`flow`](fn@flow), a motion
+//! without events. Programs that only flow have no code of guards, contacts or impacts with `std`
+//! either.
 //!
 //! # What a program meets
 //!
@@ -121,9 +123,10 @@ pub use liftoff_derive::BarSystem;
 #[cfg(feature = "derive")]
 /// Appends the equations of a model to its documentation; stands above `#[derive(BarSystem)]`.
 ///
-/// `cargo doc` then shows energies, mass matrix, forces, gaps and the equations of every phase below what the struct's own
-/// documentation says, set by the browser from MathML. Where the struct is compiled and not documented it does nothing, and
-/// takes no time. Where the crate has another name its path is given: `#[document(my::liftoff)]`.
+/// `cargo doc` then shows energies, mass matrix, forces, gaps and the equations of every phase
+/// below what the struct's own documentation says, set by the browser from MathML. Where the struct
+/// is compiled and not documented it does nothing, and takes no time. Where the crate has another
+/// name its path is given: `#[document(my::liftoff)]`.
 ///
 /// ```
 /// use liftoff::prelude::*;

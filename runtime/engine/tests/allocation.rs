@@ -1,5 +1,5 @@
-//! Stepping allocates nothing: a run ten times as long allocates as often. What steps write is kept on each thread for the next
-//! run, which is not to be noticed.
+//! Stepping allocates nothing: a run ten times as long allocates as often. What steps write is kept
+//! on each thread for the next run, which is not to be noticed.
 
 use allocation_counter::measure;
 use liftoff::method::{Auto, Dop853, Gauss, Method, Radau, Taylor, Tsit5};

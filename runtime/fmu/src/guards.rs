@@ -1,5 +1,5 @@
-//! Event indicators for model exchange: one function of the state for each way in which the contact set may change, positive until
-//! it does.
+//! Event indicators for model exchange: one function of the state for each way in which the contact
+//! set may change, positive until it does.
 //!
 //! | contact | indicator | positive while |
 //! |---|---|---|

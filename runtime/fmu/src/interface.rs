@@ -19,7 +19,8 @@ pub enum Quantity {
     State {
         /// Its place in the state.
         entry: usize,
-        /// Whether its start is what is given; else it follows from what is given of the others, unless it is set.
+        /// Whether its start is what is given; else it follows from what is given of the others,
+        /// unless it is set.
         given: bool,
     },
     /// The derivative of a rate, by the place of the rate in the state.
@@ -158,7 +159,8 @@ impl List {
         Ok(())
     }
 
-    /// Reactions, friction, gaps, energies, joint forces and what else the model has; states of contacts; the count of events.
+    /// Reactions, friction, gaps, energies, joint forces and what else the model has; states of
+    /// contacts; the count of events.
     fn outputs(&mut self, layout: &'static Layout) {
         for (i, contact) in layout.contacts.iter().enumerate() {
             self.push(format!("contact({})", contact.label), Quantity::Contact(i), None);

@@ -1,10 +1,12 @@
-//! Models as functional mock-up units of FMI 3.0: an archive of a description in XML, the model's declaration, and one shared
-//! library, the same for every model, which derives the equations of that declaration when it is instantiated.
+//! Models as functional mock-up units of FMI 3.0: an archive of a description in XML, the model's
+//! declaration, and one shared library, the same for every model, which derives the equations of
+//! that declaration when it is instantiated.
 //!
-//! - `interface`: the variables that importers see, by value reference; `guards`: event indicators; `contact_state`: how a contact
-//!   stands, as an enumeration.
+//! - `interface`: the variables that importers see, by value reference; `guards`: event indicators;
+//!   `contact_state`: how a contact stands, as an enumeration.
 //! - `description`: `modelDescription.xml`.
-//! - `resources`: what the library reads in the unpacked unit, and the token that tells whether both belong together.
+//! - `resources`: what the library reads in the unpacked unit, and the token that tells whether
+//!   both belong together.
 //! - `package`: the archive; `platform`: where the library lies in it. `error`: why there is none.
 
 mod contact_state;

@@ -16,7 +16,8 @@ use zip::write::SimpleFileOptions;
 /// A unit of a model, with the shared library at a path: the bytes of the archive.
 ///
 /// # Errors
-/// A parameter has no value, the default values make no start, or the library is not there or is another.
+/// A parameter has no value, the default values make no start, or the library is not there or is
+/// another.
 pub fn write(model: &Entry, library: &Path) -> Result<Vec<u8>, FmuError> {
     let library = read_library(library)?;
     let resources = Resources::from_model(model);

@@ -17,7 +17,8 @@ pub(crate) fn binary(identifier: &str) -> String {
     format!("{identifier}{DLL_SUFFIX}")
 }
 
-/// Where the library lies if it was built with this program: beside it, or beside its folder, as that of examples.
+/// Where the library lies if it was built with this program: beside it, or beside its folder, as
+/// that of examples.
 pub fn library_beside_program() -> PathBuf {
     let name = format!("{DLL_PREFIX}liftoff_fmi{DLL_SUFFIX}");
     let program = std::env::current_exe().unwrap_or_default();

@@ -1,4 +1,5 @@
-//! What the library reads in the unpacked unit: the declaration as Rust, and what a run of it begins with as TOML.
+//! What the library reads in the unpacked unit: the declaration as Rust, and what a run of it
+//! begins with as TOML.
 
 use crate::error::FmuError;
 use liftoff_studio::RunSpec;
@@ -59,7 +60,8 @@ impl Resources {
         toml::to_string(&self.spec).map_err(|error| FmuError::Model(error.to_string()))
     }
 
-    /// What the description and the library must agree on: a hash of the version, the declaration and the run.
+    /// What the description and the library must agree on: a hash of the version, the declaration
+    /// and the run.
     ///
     /// # Errors
     /// A value of the run is no number.

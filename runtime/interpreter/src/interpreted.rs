@@ -31,7 +31,8 @@ fn on<S: Number>(values: &[f64]) -> Vec<S> {
 }
 
 impl Interpreted {
-    /// What was derived of a declaration. Its names are kept as long as the program runs, once for each declaration.
+    /// What was derived of a declaration. Its names are kept as long as the program runs, once for
+    /// each declaration.
     pub fn from_analysis(analysis: &Analysis) -> Arc<Self> {
         let functions = &analysis.functions;
         let (parameters, contacts) = (analysis.system.parameters.len(), analysis.motion.contacts.len());
@@ -55,7 +56,8 @@ impl Interpreted {
         self.layout
     }
 
-    /// The model with these values of its parameters, in the order of the layout; what is missing is not a number.
+    /// The model with these values of its parameters, in the order of the layout; what is missing
+    /// is not a number.
     pub fn model(self: &Arc<Self>, parameters: &[f64]) -> Model {
         let nominal = self.numbers.nominal(parameters);
         Model {

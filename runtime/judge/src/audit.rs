@@ -1,5 +1,6 @@
-//! What must hold of any finished motion, from the declaration alone: its states are on the constraints, positions have no
-//! jumps, no gap is negative, closed ones stay closed and push, and energy is not gained.
+//! What must hold of any finished motion, from the declaration alone: its states are on the
+//! constraints, positions have no jumps, no gap is negative, closed ones stay closed and push, and
+//! energy is not gained.
 
 use crate::decision;
 use crate::expansion::{Expansion, State};

@@ -1,7 +1,8 @@
 //! A second opinion on motions, from the declaration alone.
 //!
-//! What is judged is told in plain numbers, a [`Record`]; nothing of the engine, its equations or its decisions has a part
-//! here. Of the generator only the resolved declaration is read: names, points, figure, sides.
+//! What is judged is told in plain numbers, a [`Record`]; nothing of the engine, its equations or
+//! its decisions has a part here. Of the generator only the resolved declaration is read: names,
+//! points, figure, sides.
 //!
 //! - [`scene`]: the declaration in maximal coordinates, on a [`tape`] of its own.
 //! - `expansion`: motion as power series in time, order by order from one dense factorisation.
@@ -41,7 +42,8 @@ pub struct Judge {
 const LARGE: f64 = 1e137;
 
 impl Judge {
-    /// The judge of a declaration with values of its parameters; states are told in these coordinates.
+    /// The judge of a declaration with values of its parameters; states are told in these
+    /// coordinates.
     ///
     /// # Errors
     /// The declaration is not understood, or too large; or parameters are so far from one that
@@ -59,8 +61,8 @@ impl Judge {
         motion::follow(&self.scene, task)
     }
 
-    /// The motion of a record by itself, in double-double: start, what is held, done and waited for are those of the record,
-    /// all else is the task's.
+    /// The motion of a record by itself, in double-double: start, what is held, done and waited for
+    /// are those of the record, all else is the task's.
     pub fn repeated(&self, record: &Record, task: Task) -> Motion {
         verdict::repeated(&self.scene, record, task)
     }

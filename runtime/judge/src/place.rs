@@ -15,8 +15,8 @@ fn turns<S: Scalar>(angle: S) -> f64 {
 }
 
 impl<S: Scalar> Scene<S> {
-    /// The maximal state of a public one, nearest to a guess, and by how much the constraints contradict it, in natural
-    /// lengths.
+    /// The maximal state of a public one, nearest to a guess, and by how much the constraints
+    /// contradict it, in natural lengths.
     pub(crate) fn placed(&self, t: S, public: &[S], guess: &[S]) -> (State<S>, f64) {
         let m = self.readings.len();
         let zeros = vec![S::ZERO; self.n()];
@@ -86,7 +86,8 @@ impl<S: Scalar> Scene<S> {
         !row.gradient.is_empty() && row.gradient.iter().all(|(i, _)| self.angles[*i])
     }
 
-    /// The smallest change of positions that satisfies rows, again and again; the largest residual that stays.
+    /// The smallest change of positions that satisfies rows, again and again; the largest residual
+    /// that stays.
     fn newton(&self, state: &mut State<S>, rows: &[&Row], target: impl Fn(usize) -> S, most: usize) -> f64 {
         let mut best = f64::INFINITY;
         for _ in 0..most {

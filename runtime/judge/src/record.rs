@@ -69,7 +69,8 @@ impl Record {
         self.is_barred || self.conditions.iter().any(ends)
     }
 
-    /// How far two states are apart, in natural units relative to the largest entry, or to 1 where all are less.
+    /// How far two states are apart, in natural units relative to the largest entry, or to 1 where
+    /// all are less.
     pub(crate) fn apart(&self, a: &[f64], b: &[f64]) -> f64 {
         let (mut largest, mut apart) = (1.0_f64, 0.0_f64);
         for ((a, b), unit) in a.iter().zip(b).zip(&self.units) {

@@ -1,5 +1,5 @@
-//! The judge against closed forms and numbers of 25 digits that no engine had a part in; more of them are among the tests of
-//! references, which are its motions.
+//! The judge against closed forms and numbers of 25 digits that no engine had a part in; more of
+//! them are among the tests of references, which are its motions.
 
 use liftoff_core::scalar::{DoubleDouble, Real, Scalar};
 use liftoff_judge::{Change, Judge, Motion, Task};
@@ -67,7 +67,8 @@ fn infinitely_many_impacts_come_to_their_end() {
     assert!(motion.end[1].abs().to_f64() < 1e-28);
 }
 
-/// MECHANICS 3, λ = 1/2: C opens first, at 0.465444058966, then A and E at 0.3936146021 and 0.3939232502.
+/// MECHANICS 3, λ = 1/2: C opens first, at 0.465444058966, then A and E at 0.3936146021 and
+/// 0.3939232502.
 #[test]
 fn the_feet_of_the_zigzag_open_one_after_the_other() {
     let text = "#[gravity(g)] #[bar(AB, mass = m2, length = l)] #[bar(BC, mass = m1, length = l)] \
@@ -106,7 +107,8 @@ fn units_do_not_matter() {
     }
 }
 
-/// What ends a motion is found: y = ½ on the way up after the first impact, where the rate jumps and −y' < 0 is no more.
+/// What ends a motion is found: y = ½ on the way up after the first impact, where the rate jumps
+/// and −y' < 0 is no more.
 #[test]
 fn conditions_are_met() {
     use liftoff_judge::{Condition, Expression, Function, Operator, Relation};
@@ -142,7 +144,8 @@ fn conditions_are_met() {
     assert_ne!(change, Change::Stop);
 }
 
-/// Two loops of parallelograms through every position in which all bars are level: φ̇² = φ̇₀² + 7 g (1 − cos φ)/3l.
+/// Two loops of parallelograms through every position in which all bars are level: φ̇² = φ̇₀² + 7 g
+/// (1 − cos φ)/3l.
 #[test]
 fn loops_pass_singular_positions() {
     let text = "#[gravity(g)] #[bar(AB, mass = m, length = l)] #[bar(CD, mass = m, length = l)] \

@@ -107,7 +107,8 @@ fn a_contact_that_pulls_does_not() {
     assert!(matches!(&verdict, Verdict::Disagrees { what, .. } if what.contains("must open")), "{verdict}");
 }
 
-/// Beside an equilibrium an error of 1e-12 at the start changes the lift-off after 3e4 s by some 15 s.
+/// Beside an equilibrium an error of 1e-12 at the start changes the lift-off after 3e4 s by some 15
+/// s.
 #[test]
 fn a_lateness_that_errors_at_the_start_make_is_none() {
     let text = "#[gravity(g)] #[bar(AD, mass = m, length = l)] #[bar(DB, mass = m, length = l)] \

@@ -1,7 +1,8 @@
 //! Processes that were started together and send each other messages.
 //!
 //! - [`Processes`]: what is asked of them.
-//! - [`joined`]: those of the launcher that has started this process, `mpirun` or the like; [`follows`]: whether it is not the first.
+//! - [`joined`]: those of the launcher that has started this process, `mpirun` or the like;
+//!   [`follows`]: whether it is not the first.
 //! - `launched`: whether there is one, by the environment.
 //! - `world`: with feature `mpi`, the processes of MPI.
 
@@ -11,7 +12,8 @@ mod world;
 
 use std::time::Duration;
 
-/// Processes that were started together: each message arrives, and those of one sender in the order in which they were sent.
+/// Processes that were started together: each message arrives, and those of one sender in the order
+/// in which they were sent.
 pub trait Processes: Sync {
     /// The number of this process, from 0.
     fn rank(&self) -> usize;
@@ -19,7 +21,8 @@ pub trait Processes: Sync {
     /// How many there are.
     fn count(&self) -> usize;
 
-    /// How many threads this process may have, so that those that share a machine have one for each of its cores.
+    /// How many threads this process may have, so that those that share a machine have one for each
+    /// of its cores.
     fn threads(&self) -> usize;
 
     /// Sends a message to the process with this number.
@@ -54,7 +57,8 @@ pub fn joined() -> Result<Option<Box<dyn Processes>>, JoinError> {
     launched::by(&|name| std::env::var(name).ok()).map_or(Ok(None), join)
 }
 
-/// Whether this process was started with others and is not the first of them: what all of them find out is told by the first.
+/// Whether this process was started with others and is not the first of them: what all of them find
+/// out is told by the first.
 pub fn follows() -> bool {
     launched::follows(&|name| std::env::var(name).ok())
 }

@@ -4,9 +4,10 @@
 //! M Δu − Jᵀ P = p,    J Δu = −r
 //! ```
 //!
-//! with r = (1 + e) ġ⁻ by Newton's law; by Poisson's r = ġ⁻ first, and then, with p = Jᵀ e Pᶜ, the contacts that act again
-//! at r = ġᶜ or none (`contact::impact` has the laws). A contact with friction that sticks has its tangent among the rows, one that
-//! slides the column J_N − σ μ J_t for J_N, in each stage by itself; one that strikes alone may follow Routh's path instead.
+//! with r = (1 + e) ġ⁻ by Newton's law; by Poisson's r = ġ⁻ first, and then, with p = Jᵀ e Pᶜ, the
+//! contacts that act again at r = ġᶜ or none (`contact::impact` has the laws). A contact with
+//! friction that sticks has its tangent among the rows, one that slides the column J_N − σ μ J_t
+//! for J_N, in each stage by itself; one that strikes alone may follow Routh's path instead.
 
 use crate::Number;
 use crate::friction::{self, modes};
@@ -155,7 +156,8 @@ impl<'a, S: Number> Collision<'a, S> {
     }
 }
 
-/// (∂r/∂q)ᵀ p of a point by symmetric differences of the fourth order, of steps whose fourth power is rounding.
+/// (∂r/∂q)ᵀ p of a point by symmetric differences of the fourth order, of steps whose fourth power
+/// is rounding.
 pub(crate) fn generalised<S: Number>(
     model: &ReplayModel<S>,
     state: &[S],

@@ -14,7 +14,8 @@ pub enum ReplayError {
         /// When they have ended.
         t: f64,
     },
-    /// The run passes a singular position of a loop, where its equations do not tell how it goes on.
+    /// The run passes a singular position of a loop, where its equations do not tell how it goes
+    /// on.
     #[error("a loop passes a singular position near t = {t}: derivatives are found up to there only")]
     Singular {
         /// When.
@@ -44,8 +45,8 @@ pub enum ReplayError {
         /// When.
         t: f64,
     },
-    /// Events at one time that come apart with what is varied, or an event at a given time beside one whose time varies: which of them is
-    /// first depends on the way.
+    /// Events at one time that come apart with what is varied, or an event at a given time beside
+    /// one whose time varies: which of them is first depends on the way.
     #[error("events at t = {t} come apart: what follows has derivatives to one side only")]
     Simultaneous {
         /// When.

@@ -1,18 +1,20 @@
-//! Gragg's method extrapolated (Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*,
-//! 2nd ed., II.9): the midpoint rule (9.13a,b) with n = 2, 4, 6, … substeps of h = H/n,
+//! Gragg's method extrapolated (Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations
+//! I*, 2nd ed., II.9): the midpoint rule (9.13a,b) with n = 2, 4, 6, … substeps of h = H/n,
 //!
 //! ```text
 //! z₁ = z₀ + h f(z₀),    zᵢ₊₁ = zᵢ₋₁ + 2h f(zᵢ),    T₍ⱼ₁₎ = z₍ₙⱼ₎
 //! ```
 //!
-//! has an error in even powers of h, which the scheme of Aitken and Neville (9.10) removes one by one:
+//! has an error in even powers of h, which the scheme of Aitken and Neville (9.10) removes one by
+//! one:
 //!
 //! ```text
 //! T₍ⱼ,ₖ₊₁₎ = T₍ⱼₖ₎ + (T₍ⱼₖ₎ − T₍ⱼ₋₁,ₖ₎) / ((nⱼ/nⱼ₋ₖ)² − 1)
 //! ```
 //!
-//! The number of rows r is the one with the least work per time, `(1 + r²)/H` with the step H that its error asks for, and is looked
-//! for from step to step among its neighbours (the same, II.9, order and step size control).
+//! The number of rows r is the one with the least work per time, `(1 + r²)/H` with the step H that
+//! its error asks for, and is looked for from step to step among its neighbours (the same, II.9,
+//! order and step size control).
 //!
 //! The state is a slice, so that one copy of this code serves every model.
 
@@ -22,10 +24,11 @@ use crate::Number;
 const ROWS: usize = 12;
 /// The fewest rows that an error is read from.
 const FEWEST: usize = 3;
-/// A row whose last two entries differ by this part of the tolerance, by rounding alone, is the last one: short steps, on the way to a
-/// root, need few.
+/// A row whose last two entries differ by this part of the tolerance, by rounding alone, is the
+/// last one: short steps, on the way to a root, need few.
 const ENOUGH: f64 = 1e-9;
-/// A row fewer is taken where it has so much less work, a row more where the last one made it so much less.
+/// A row fewer is taken where it has so much less work, a row more where the last one made it so
+/// much less.
 const FEWER: f64 = 0.8;
 const MORE: f64 = 0.9;
 const SAFETY: f64 = 0.9;
@@ -204,13 +207,15 @@ impl<'a, S: Number> Extrapolation<'a, S> {
     }
 }
 
-/// By how much the step may grow: the difference of the last two entries of the last of so many rows is O(H²ʳ⁻¹).
+/// By how much the step may grow: the difference of the last two entries of the last of so many
+/// rows is O(H²ʳ⁻¹).
 fn growth(error: f64, rows: usize) -> f64 {
     let growth = SAFETY / error.powf(1.0 / (2 * rows - 1) as f64);
     if growth.is_nan() { SMALLEST } else { growth.clamp(SMALLEST, LARGEST) }
 }
 
-/// Growth and rows of the next step, given those of this one and what a row fewer would have grown by.
+/// Growth and rows of the next step, given those of this one and what a row fewer would have grown
+/// by.
 fn following((growth, rows): (f64, usize), before: Option<f64>) -> (f64, usize) {
     let evaluations = |rows: usize| (1 + rows * rows) as f64;
     let work = evaluations(rows) / growth;

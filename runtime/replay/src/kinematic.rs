@@ -5,7 +5,8 @@ use liftoff::__private::expression::{Environment, Function, Operator, Variable};
 use liftoff::Condition;
 use liftoff_core::system::ModelOn;
 
-/// The left side of a condition less its right one at a full state; `None` where it reads time, forces, accelerations or energies.
+/// The left side of a condition less its right one at a full state; `None` where it reads time,
+/// forces, accelerations or energies.
 pub fn difference<S: Number>(condition: &Condition, model: &ModelOn<S>, state: &[S]) -> Option<S> {
     let [left, right] = condition.values(&Kinematic { model, state }).ok()?;
     Some(left - right)

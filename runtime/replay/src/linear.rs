@@ -1,5 +1,5 @@
-//! Linear equations: Gaussian elimination with partial pivoting by rows scaled to their largest entry
-//! (Golub and Van Loan, *Matrix Computations*, 3.4).
+//! Linear equations: Gaussian elimination with partial pivoting by rows scaled to their largest
+//! entry (Golub and Van Loan, *Matrix Computations*, 3.4).
 
 use crate::Number;
 

@@ -2,8 +2,8 @@
 
 use liftoff_core::scalar::{DoubleDouble, Dual4, Scalar};
 
-/// A number with parts whose errors count each by itself: its value, then its derivatives, with respect to variables in units in
-/// which they vary by some 1.
+/// A number with parts whose errors count each by itself: its value, then its derivatives, with
+/// respect to variables in units in which they vary by some 1.
 pub trait Number: Scalar {
     /// How many.
     const PARTS: usize;

@@ -16,8 +16,8 @@ use liftoff_core::system::ModelOn;
 
 /// The first step, in natural times.
 const FIRST: f64 = 0.05;
-/// How far, in natural units relative to the largest, the rates after an impact may be from those of the run, and the state
-/// in which a phase begins from the one before it.
+/// How far, in natural units relative to the largest, the rates after an impact may be from those
+/// of the run, and the state in which a phase begins from the one before it.
 const APART: f64 = 1e-6;
 
 /// A run once more.
@@ -56,7 +56,8 @@ pub fn replay<S: Number>(
 /// Outputs of a run once more, from a start as of [`replay`], as far as anything is read.
 ///
 /// # Errors
-/// The motion cannot be computed once more, an output has no value on these numbers, or the run does not have its moment.
+/// The motion cannot be computed once more, an output has no value on these numbers, or the run
+/// does not have its moment.
 pub fn replay_outputs<S: Number>(
     run: &Trajectory,
     model: ModelOn<S>,
@@ -86,7 +87,8 @@ struct Replay<'a, S: Number> {
     /// Times at which the state is still wanted, and the states at those before.
     wanted: &'a [f64],
     samples: Vec<Vec<S>>,
-    /// What is read, in the order of the run, and the values, in the order in which they were asked for.
+    /// What is read, in the order of the run, and the values, in the order in which they were asked
+    /// for.
     readings: Vec<Located<'a>>,
     values: Vec<S>,
 }
@@ -223,7 +225,8 @@ impl<'a, S: Number> Replay<'a, S> {
         self.run.events().get(self.times.len())
     }
 
-    /// Refuses what happens at a given time together with an event whose time varies: to one side it comes first.
+    /// Refuses what happens at a given time together with an event whose time varies: to one side
+    /// it comes first.
     fn refuse_fixed_beside(&self, guards: &[Guard], t: f64) -> Result<(), ReplayError> {
         let varies = |k: usize| self.t.part(k).abs() > TOGETHER * self.model.time;
         let on_condition = guards.iter().any(|guard| matches!(guard, Guard::Condition(_)));
@@ -296,7 +299,8 @@ impl<'a, S: Number> Replay<'a, S> {
         Ok(())
     }
 
-    /// The rates after a collision: of those that a law of impact allows the ones nearest to the run's.
+    /// The rates after a collision: of those that a law of impact allows the ones nearest to the
+    /// run's.
     fn collide(
         &mut self,
         event: &Event,
@@ -330,7 +334,8 @@ impl<'a, S: Number> Replay<'a, S> {
     }
 }
 
-/// Refuses derivatives through a singular position of a loop, across which the run was continued along its branch.
+/// Refuses derivatives through a singular position of a loop, across which the run was continued
+/// along its branch.
 fn refuse_singular_positions<S: Number>(run: &Trajectory, until: f64) -> Result<(), ReplayError> {
     let passed = |decision: &LoggedDecision| *decision == LoggedDecision::SingularPosition;
     let until = until.min(run.end_time());

@@ -8,11 +8,13 @@ use crate::{Number, ReplayError};
 use liftoff::__private::event::Guard;
 use liftoff::Condition;
 
-/// The first step of the secant method, in natural times: far above rounding, far below the time of any change.
+/// The first step of the secant method, in natural times: far above rounding, far below the time of
+/// any change.
 const PROBE: f64 = 1e-7;
 /// Changes of the root below so many roundings, in natural times, are none.
 const ROUNDING: f64 = 400.0;
-/// Below so many, changes that shrink no more are rounding: that of guards which depend on many numbers.
+/// Below so many, changes that shrink no more are rounding: that of guards which depend on many
+/// numbers.
 const NOISE: f64 = 1e5;
 /// A root further away, in natural times, is another event.
 const FARTHEST: f64 = 0.1;

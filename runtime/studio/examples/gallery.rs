@@ -1,4 +1,5 @@
-//! The pictures of all examples on a page, each with the program that makes it: `target/liftoff/gallery/index.html`.
+//! The pictures of all examples on a page, each with the program that makes it:
+//! `target/liftoff/gallery/index.html`.
 
 use liftoff_studio::html::{escaped, page};
 use std::fmt::Write;

@@ -1,4 +1,5 @@
-//! Reactions, gaps and energies against time: phases are shaded, events marked, an impact makes the energy jump.
+//! Reactions, gaps and energies against time: phases are shaded, events marked, an impact makes the
+//! energy jump.
 
 use liftoff::prelude::*;
 use liftoff_studio::picture::Charts;

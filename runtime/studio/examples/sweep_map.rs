@@ -1,4 +1,5 @@
-//! Which support of Fig. 1b opens first, over the outer bars' part of the mass and the angle it starts from: a map.
+//! Which support of Fig. 1b opens first, over the outer bars' part of the mass and the angle it
+//! starts from: a map.
 
 use liftoff::prelude::*;
 use liftoff_studio::plot::with_theme;

@@ -1,14 +1,17 @@
 //! What is shown of models declared with [`liftoff`], known by their names.
 //!
-//! - [`registry`]: models by name ([`models!`]), what to run of them ([`RunSpec`], [`DefaultRun`]), the dimensions of their
-//!   parameters.
-//! - [`explain`]: equations for people and as sources of other programs, derived again from the declaration; [`source`]: models of a
-//!   file that need not be compiled.
-//! - [`plot`]: charts as SVG; [`picture`]: drawings of models and motions; [`modes`]: the graph of contact sets.
-//! - [`html`]: pages; [`animation`]: a motion as a page that plays it, or runs it again; [`mod@file`]: files written whole or not at all.
-//! - [`work_precision`]: error against run time as a table and a chart; [`checks`]: what can be asked of any model's default
-//!   run, and its page.
-//! - [`sweep`]: many runs over ranges of parameters and starts; [`report`]: all that there is to know of a model on a page.
+//! - [`registry`]: models by name ([`models!`]), what to run of them ([`RunSpec`], [`DefaultRun`]),
+//!   the dimensions of their parameters.
+//! - [`explain`]: equations for people and as sources of other programs, derived again from the
+//!   declaration; [`source`]: models of a file that need not be compiled.
+//! - [`plot`]: charts as SVG; [`picture`]: drawings of models and motions; [`modes`]: the graph of
+//!   contact sets.
+//! - [`html`]: pages; [`animation`]: a motion as a page that plays it, or runs it again;
+//!   [`mod@file`]: files written whole or not at all.
+//! - [`work_precision`]: error against run time as a table and a chart; [`checks`]: what can be
+//!   asked of any model's default run, and its page.
+//! - [`sweep`]: many runs over ranges of parameters and starts; [`report`]: all that there is to
+//!   know of a model on a page.
 
 #[cfg(test)]
 extern crate self as liftoff_studio;

@@ -2,9 +2,10 @@
 //!
 //! - [`reference`](mod@reference): a motion computed once more in double-double, by extrapolation.
 //! - [`precision`]: error against run time, method by method and tolerance by tolerance.
-//! - [`cases`]: cases with the outcome that mechanics, a closed form or another way of computing demands, and verdicts on
-//!   them.
-//! - [`judgement`]: a motion before an independent judge, in maximal coordinates and with contact decisions of its own.
+//! - [`cases`]: cases with the outcome that mechanics, a closed form or another way of computing
+//!   demands, and verdicts on them.
+//! - [`judgement`]: a motion before an independent judge, in maximal coordinates and with contact
+//!   decisions of its own.
 //! - [`motion_error`]: why there is no motion, or only part of one.
 
 pub mod cases;

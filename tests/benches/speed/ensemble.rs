@@ -54,7 +54,8 @@ fn prepared(i: usize, tolerance: f64) -> core::result::Result<Simulation, Member
     Ok(Simulation::new(&model)?.start(pose)?.limit(TIME).tolerance(tolerance))
 }
 
-/// Of the largest error of a state over its largest entry, against the same members at a tolerance of 1e-14.
+/// Of the largest error of a state over its largest entry, against the same members at a tolerance
+/// of 1e-14.
 fn median_error(ends: &[core::result::Result<Member, MemberError>]) -> Result<f64> {
     let sample = || (0..MEMBERS).step_by(SAMPLE);
     let exact = Ensemble::new(MEMBERS / SAMPLE, |k| prepared(k * SAMPLE, 1e-14));

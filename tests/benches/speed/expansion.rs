@@ -16,7 +16,8 @@ pub struct Expansion {
     pub text: String,
     /// Milliseconds.
     pub time: f64,
-    /// Additions, multiplications (fused ones as one), divisions and roots of the accelerations without contacts.
+    /// Additions, multiplications (fused ones as one), divisions and roots of the accelerations
+    /// without contacts.
     pub operations: usize,
 }
 

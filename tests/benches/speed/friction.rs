@@ -1,11 +1,13 @@
-//! Stick and slip of a block on a belt: the run against event code by hand over the same stepper, which knows that there are
-//! two phases, two guards, and that none of them turns within a step.
+//! Stick and slip of a block on a belt: the run against event code by hand over the same stepper,
+//! which knows that there are two phases, two guards, and that none of them turns within a step.
 //!
-//! Of one event at a tolerance of 1e-9, ten steps of Dop853, by counts of instructions: the steps three tenths, two fifths of that
-//! their dense outputs, which the trajectory keeps and event code by hand has of the last step only; the guards, polynomials by these,
-//! a tenth; what is proved of them and the place of the event a fifth; the decision and its record a sixth; the rest beginnings and
-//! ends of phases and the work of friction. By hand a guard is one comparison a step, and all of it an eighth. Taylor's method has
-//! series of its own, half as many steps, and takes three quarters of that.
+//! Of one event at a tolerance of 1e-9, ten steps of Dop853, by counts of instructions: the steps
+//! three tenths, two fifths of that their dense outputs, which the trajectory keeps and event code
+//! by hand has of the last step only; the guards, polynomials by these, a tenth; what is proved of
+//! them and the place of the event a fifth; the decision and its record a sixth; the rest
+//! beginnings and ends of phases and the work of friction. By hand a guard is one comparison a
+//! step, and all of it an eighth. Taylor's method has series of its own, half as many steps, and
+//! takes three quarters of that.
 
 use liftoff::method;
 use liftoff::prelude::*;

@@ -1,4 +1,5 @@
-//! Whole runs of models compiled and interpreted, and how long it takes from a declaration's text to its first result.
+//! Whole runs of models compiled and interpreted, and how long it takes from a declaration's text
+//! to its first result.
 
 use liftoff_compiled::models;
 use liftoff_interpreter::Interpreted;

@@ -1,7 +1,9 @@
-//! What emitted code costs: tables on standard output, `target/liftoff/speed.json`, charts beside it.
+//! What emitted code costs: tables on standard output, `target/liftoff/speed.json`, charts beside
+//! it.
 //!
-//! `cargo bench --bench speed`, or with names of sections: `cargo bench --bench speed -- chain models`. Times are minima over
-//! many short repeats, the variants that are compared taking turns, so that ratios hold on a busy machine too.
+//! `cargo bench --bench speed`, or with names of sections:
+//! `cargo bench --bench speed -- chain models`. Times are minima over many short repeats, the
+//! variants that are compared taking turns, so that ratios hold on a busy machine too.
 
 mod batch;
 mod chain;

@@ -1,4 +1,5 @@
-//! Right-hand sides of declared models, with all contacts open and, where that has a closed form, with all closed.
+//! Right-hand sides of declared models, with all contacts open and, where that has a closed form,
+//! with all closed.
 
 use core::hint::black_box;
 

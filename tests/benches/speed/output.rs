@@ -1,4 +1,5 @@
-//! Tables, and the file that holds all sections: a section that is not measured keeps its last rows.
+//! Tables, and the file that holds all sections: a section that is not measured keeps its last
+//! rows.
 
 use std::fs;
 use std::path::PathBuf;

@@ -1,7 +1,7 @@
 //! The ladder of scenes: what each costs, derived and by hand.
 //!
-//! Operations, machine code and time of the right-hand side; machine code of the whole program and the time to compile it,
-//! all that it depends on ready; what it links of the runtime.
+//! Operations, machine code and time of the right-hand side; machine code of the whole program and
+//! the time to compile it, all that it depends on ready; what it links of the runtime.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -92,7 +92,8 @@ fn row<M: BarSystem, const K: usize>(
     }))
 }
 
-/// Packages that a program needs at run time besides its own: what cargo lists of the runtime, macros left out.
+/// Packages that a program needs at run time besides its own: what cargo lists of the runtime,
+/// macros left out.
 fn dependencies(core: bool) -> Option<usize> {
     let features: &[&str] = if core { &["--no-default-features", "--features", "libm"] } else { &[] };
     let mut tree = std::process::Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));

@@ -1,5 +1,5 @@
-//! A block on a belt that sticks and slips: the run, and event code by hand over the same stepper, which knows that there are two
-//! phases, two guards, and that none of them turns within a step.
+//! A block on a belt that sticks and slips: the run, and event code by hand over the same stepper,
+//! which knows that there are two phases, two guards, and that none of them turns within a step.
 
 use liftoff::prelude::*;
 use liftoff_core::integrate::{Dop853, StepState, Stepper, Tolerance};

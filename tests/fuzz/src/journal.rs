@@ -1,4 +1,5 @@
-//! Journals of a sweep, cut, mutated and arbitrary: a row that is taken from one is a row that was written to it.
+//! Journals of a sweep, cut, mutated and arbitrary: a row that is taken from one is a row that was
+//! written to it.
 
 use std::fmt;
 use std::path::PathBuf;

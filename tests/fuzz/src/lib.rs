@@ -1,7 +1,8 @@
 //! Hostile input from seeds: the same cases on every machine.
 //!
-//! A [`Subject`] draws cases and judges them; a [`worker`] runs a range of seeds in a process of its own, so that a stack
-//! overflow, an abort or a hang is a finding like any other; a [`campaign`] keeps workers busy for a given time.
+//! A [`Subject`] draws cases and judges them; a [`worker`] runs a range of seeds in a process of
+//! its own, so that a stack overflow, an abort or a hang is a finding like any other; a
+//! [`campaign`] keeps workers busy for a given time.
 
 pub mod campaign;
 pub mod declaration;

@@ -25,7 +25,8 @@ struct Fuzz {
 enum Which {
     /// Declarations: valid, mutated, arbitrary, through the derive macro and `explain FILE`
     Declaration(Bounds),
-    /// Runs of all models: random parameters, starts, plans, methods, tolerances, and other ways to the same motion
+    /// Runs of all models: random parameters, starts, plans, methods, tolerances, and other ways to
+    /// the same motion
     Run(Bounds),
     /// Expressions, conditions and formulas
     Expression(Bounds),

@@ -1,4 +1,5 @@
-//! A range of seeds in this process: what is found, and how far it came, in lines on the standard output.
+//! A range of seeds in this process: what is found, and how far it came, in lines on the standard
+//! output.
 
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -101,7 +102,8 @@ fn tell(fates: &mut BTreeMap<&'static str, u64>, reached: u64) -> io::Result<()>
     Line::Reached(reached).write()
 }
 
-/// What this process has computed, where the system tells, in hundredths of a second; the time since its start elsewhere.
+/// What this process has computed, where the system tells, in hundredths of a second; the time
+/// since its start elsewhere.
 fn computed(began: Instant) -> Duration {
     let told = std::fs::read_to_string("/proc/self/stat").ok().and_then(|text| {
         // Behind the program's name: the 14th and 15th word of all.

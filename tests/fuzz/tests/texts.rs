@@ -21,7 +21,8 @@ fn tried(subject: &impl Subject, cases: Range<u64>, expected: &[&str]) {
     assert!(expected.iter().all(|fate| fates.get(fate).is_some_and(|count: &u64| *count > 2)), "{fates:?}");
 }
 
-/// Between the first seeds whose conditions are zero but for rounding: those take longer than a test may.
+/// Between the first seeds whose conditions are zero but for rounding: those take longer than a
+/// test may.
 #[test]
 fn expressions_are_read_or_refused() {
     tried(

@@ -1,5 +1,5 @@
-//! Motions computed where there is no standard library: compiled here, not where they are called, so that a bare-metal build
-//! of this crate has all of their code.
+//! Motions computed where there is no standard library: compiled here, not where they are called,
+//! so that a bare-metal build of this crate has all of their code.
 
 use liftoff::{FlowError, flow};
 

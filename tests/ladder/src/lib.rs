@@ -1,8 +1,9 @@
-//! A ladder of scenes: a free bar, with gravity, a pin, a support, impacts, a spring, a thread. Each is declared, and in
-//! `by_hand` written out as an expert would for that scene alone.
+//! A ladder of scenes: a free bar, with gravity, a pin, a support, impacts, a spring, a thread.
+//! Each is declared, and in `by_hand` written out as an expert would for that scene alone.
 //!
-//! The declarations need no standard library. The programs in `src/bin` run each scene, derived and by hand; what they are
-//! made of is measured by `cargo bench -p liftoff-tests --bench speed` and tested in `tests/symbols.rs`.
+//! The declarations need no standard library. The programs in `src/bin` run each scene, derived and
+//! by hand; what they are made of is measured by `cargo bench -p liftoff-tests --bench speed` and
+//! tested in `tests/symbols.rs`.
 #![cfg_attr(not(feature = "std"), no_std)]
 
 pub mod bare;

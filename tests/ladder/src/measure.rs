@@ -34,7 +34,8 @@ impl Binary {
         Ok(Self { data: fs::read(path)? })
     }
 
-    /// A program of this package, built in release, and how long that took with all that it depends on ready.
+    /// A program of this package, built in release, and how long that took with all that it depends
+    /// on ready.
     pub fn released(name: &str) -> io::Result<(Self, Duration)> {
         cargo(name, &[])?;
         let start = Instant::now();
@@ -66,7 +67,8 @@ impl Binary {
     }
 }
 
-/// Whether a module, `liftoff::event`, has code: it is named as a path, or in the name of an implementation.
+/// Whether a module, `liftoff::event`, has code: it is named as a path, or in the name of an
+/// implementation.
 pub fn has_code(functions: &[Function], module: &str) -> bool {
     let parts = module.split("::").map(|part| format!("{}{part}", part.len()));
     let names = [parts.collect::<String>(), module.replace("::", "..")];

@@ -1,4 +1,5 @@
-//! What is derived against what is written by hand: two ways to the same few dozen operations, hence 1e-12.
+//! What is derived against what is written by hand: two ways to the same few dozen operations,
+//! hence 1e-12.
 
 use falling_pair::FallingPair;
 use liftoff::BarSystem;

@@ -1,5 +1,5 @@
-//! Motion without events, also where there is no standard library (`--no-default-features --features libm`), against closed
-//! forms; the tolerance of ten steps.
+//! Motion without events, also where there is no standard library
+//! (`--no-default-features --features libm`), against closed forms; the tolerance of ten steps.
 
 use liftoff::flow;
 use liftoff_ladder::{FreeBar, GRAVITY, bare};

@@ -4,11 +4,12 @@
 //! cargo run -p liftoff-mutants -- --folder /tmp/mutants [algebra phases contact event simulation] [--sample 60] [--seed 0]
 //! ```
 //!
-//! From the root of the workspace: copies what git tracks to the folder and writes into the files of a core, behind a
-//! switch, a seeded sample of changes: + for −, * for /, < for <=, == for !=, && for ||, and each the other way round; `!`, a minus
-//! sign, a call or an assignment with an operator left out. So one build holds all of them (mutant schemata: Untch, Offutt and
-//! Harrold 1993). Changes that do not compile are drawn anew. A run without a mutant records which tests reach which of
-//! them; then those tests run for each, until one fails or takes five times as long.
+//! From the root of the workspace: copies what git tracks to the folder and writes into the files
+//! of a core, behind a switch, a seeded sample of changes: + for −, * for /, < for <=, == for !=,
+//! && for ||, and each the other way round; `!`, a minus sign, a call or an assignment with an
+//! operator left out. So one build holds all of them (mutant schemata: Untch, Offutt and Harrold
+//! 1993). Changes that do not compile are drawn anew. A run without a mutant records which tests
+//! reach which of them; then those tests run for each, until one fails or takes five times as long.
 
 mod build;
 mod core;

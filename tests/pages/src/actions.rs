@@ -42,8 +42,8 @@ impl Browser {
         self.within(selector, [0.5, 0.5])
     }
 
-    /// A place within the first element of a selector, from its left upper corner in parts of its size, once it has been
-    /// scrolled into sight.
+    /// A place within the first element of a selector, from its left upper corner in parts of its
+    /// size, once it has been scrolled into sight.
     ///
     /// # Errors
     /// There is none; as every command.

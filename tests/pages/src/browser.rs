@@ -131,7 +131,8 @@ impl Browser {
         Ok(entries.iter().map(|entry| entry["message"].as_str().unwrap_or_default().to_owned()).collect())
     }
 
-    /// Addresses that pages from files have asked for since the last call; the browser's own first page asks for much.
+    /// Addresses that pages from files have asked for since the last call; the browser's own first
+    /// page asks for much.
     ///
     /// # Errors
     /// As every command.

@@ -1,6 +1,8 @@
-//! Pages in headless Chromium, driven through ChromeDriver by WebDriver's own protocol (<https://www.w3.org/TR/webdriver2/>).
+//! Pages in headless Chromium, driven through ChromeDriver by WebDriver's own protocol
+//! (<https://www.w3.org/TR/webdriver2/>).
 //!
-//! - `driver`: the ChromeDriver process; `browser`: a window with one page; `actions`: what hands do to it;
+//! - `driver`: the ChromeDriver process; `browser`: a window with one page; `actions`: what hands
+//!   do to it;
 //! - `page`: what every page must satisfy.
 
 mod actions;

@@ -3,8 +3,9 @@
 use crate::{Browser, BrowserError, Screen};
 use std::path::Path;
 
-/// Loads a page on a desk and on a phone, by day and by night: it complains of nothing, asks for nothing but itself, is not
-/// wider than its screen, its text stands out from its ground, its pictures' letters are no dots, and verdicts are in sight.
+/// Loads a page on a desk and on a phone, by day and by night: it complains of nothing, asks for
+/// nothing but itself, is not wider than its screen, its text stands out from its ground, its
+/// pictures' letters are no dots, and verdicts are in sight.
 ///
 /// # Errors
 /// The first of these that does not hold; as every command.
@@ -52,7 +53,8 @@ fn narrow(browser: &Browser) -> Result<Option<String>, BrowserError> {
     Ok(Some(format!("{excess} pixels too wide: {culprit}")))
 }
 
-/// Whether the text has a contrast of less than 7 to its ground (WCAG's AAA), or the scheme is not followed.
+/// Whether the text has a contrast of less than 7 to its ground (WCAG's AAA), or the scheme is not
+/// followed.
 fn legible(browser: &Browser, scheme: &str) -> Result<Option<String>, BrowserError> {
     let luminance = |property: &str| {
         browser.number(&format!(

@@ -1,5 +1,5 @@
-//! Every page that the project makes: those named by `LIFTOFF_PAGES` (files or folders, joined as in `PATH`), by default all
-//! of `target/liftoff`.
+//! Every page that the project makes: those named by `LIFTOFF_PAGES` (files or folders, joined as
+//! in `PATH`), by default all of `target/liftoff`.
 
 use liftoff_pages::{Browser, check};
 use std::env;

@@ -45,8 +45,8 @@ pub fn on_corners(y: &[f64], slope: &mut [f64]) {
     slope[1] = (2.0 * G * (sec2 - cos) - velocity) / inertia;
 }
 
-/// What the corners bear, up to a positive factor: g less the acceleration of the centre of mass, ½ (tan φ − sin φ)
-/// below the corners.
+/// What the corners bear, up to a positive factor: g less the acceleration of the centre of mass, ½
+/// (tan φ − sin φ) below the corners.
 pub fn reaction(y: &[f64]) -> f64 {
     let mut slope = [0.0; 2];
     on_corners(y, &mut slope);
@@ -77,7 +77,8 @@ pub fn meeting(y: &[f64]) -> f64 {
     y[0] - FRAC_PI_2
 }
 
-/// Of the pendulum's final state: largest deviation in natural units, relative to the largest entry.
+/// Of the pendulum's final state: largest deviation in natural units, relative to the largest
+/// entry.
 pub fn state_error(end: &[f64]) -> f64 {
     let units = [1.0, 1.0, 1.0 / TIME, 1.0 / TIME];
     let largest = (0..4).map(|i| (PENDULUM_END[i] / units[i]).abs()).fold(1.0, f64::max);

@@ -1,4 +1,5 @@
-//! Entry 10: two bars hinged at the apex, feet on a smooth floor, φ to the floor, at rest at φ₀ (s = sin φ).
+//! Entry 10: two bars hinged at the apex, feet on a smooth floor, φ to the floor, at rest at φ₀ (s =
+//! sin φ).
 
 use super::ladder::{sine_fall, time_from_rest};
 

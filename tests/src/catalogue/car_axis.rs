@@ -1,7 +1,8 @@
-//! The car axis of the Test Set for IVP Solvers (Mazzia & Magherini, release 2.4, problem `caraxis`).
+//! The car axis of the Test Set for IVP Solvers (Mazzia & Magherini, release 2.4, problem
+//! `caraxis`).
 
-/// The reference as published, by GAMD in quadruple precision: x and y of the chassis' left and right end, then their
-/// rates, at t = 3.
+/// The reference as published, by GAMD in quadruple precision: x and y of the chassis' left and
+/// right end, then their rates, at t = 3.
 pub const PUBLISHED: [f64; 8] = [
     0.049_345_578_427_540_28,
     0.496_989_460_230_171_15,

@@ -1,5 +1,5 @@
-//! Internal forces of a uniform bar that falls about its foot, θ from the vertical, at the part ξ of its length:
-//! balance of the part beyond the section, with θ̈ = (3/2) sin θ.
+//! Internal forces of a uniform bar that falls about its foot, θ from the vertical, at the part ξ
+//! of its length: balance of the part beyond the section, with θ̈ = (3/2) sin θ.
 
 /// Tension: ½(1 − ξ²) θ̇² − (1 − ξ) cos θ.
 pub fn tension(theta: f64, rate: f64, part: f64) -> f64 {

@@ -1,5 +1,6 @@
-//! The compass gait (Goswami, Thuilot and Espiau 1998): two equal legs with a point mass each and a point mass at the hip, by Lagrange's
-//! equations about the foot that stands; at a heel strike by the moments of momentum that keep their values.
+//! The compass gait (Goswami, Thuilot and Espiau 1998): two equal legs with a point mass each and a
+//! point mass at the hip, by Lagrange's equations about the foot that stands; at a heel strike by
+//! the moments of momentum that keep their values.
 
 use crate::numerics::{extrapolated, root};
 use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
@@ -21,8 +22,8 @@ pub struct Compass {
     pub g: f64,
 }
 
-/// Just after a heel strike: the angle of the leg that stands, from the vertical and counter-clockwise from its foot, its rate and
-/// that of the other leg; both feet are on the slope.
+/// Just after a heel strike: the angle of the leg that stands, from the vertical and
+/// counter-clockwise from its foot, its rate and that of the other leg; both feet are on the slope.
 pub type Stride = [f64; 3];
 
 /// Places and velocities by `sin` and `cos` of the angle of a leg, from foot to hip.
@@ -76,11 +77,13 @@ impl Compass {
         [rates[0], rates[1]]
     }
 
-    /// The next stride and the time it takes; nothing if the foot does not come down within two seconds.
+    /// The next stride and the time it takes; nothing if the foot does not come down within two
+    /// seconds.
     pub fn next(&self, [angle, p, q]: Stride) -> Option<(Stride, f64)> {
         const STEP: f64 = 0.01;
         let mut y = [angle, -2.0 * self.slope - angle, p, q];
-        // Both feet are on the slope where this is zero: at the start, where the foot scuffs, and where it comes down ahead.
+        // Both feet are on the slope where this is zero: at the start, where the foot scuffs, and
+        // where it comes down ahead.
         let above = |y: &[f64; 4]| y[0] + y[1] + 2.0 * self.slope;
         let ahead = |y: &[f64; 4], step: f64| extrapolated(|y| self.rates(y), y, step);
         for k in 0..200 {

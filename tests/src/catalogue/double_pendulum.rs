@@ -19,7 +19,8 @@ pub fn modes(length: f64, gravity: f64) -> [f64; 2] {
     [-1.0, 1.0].map(|sign| (3.0 + sign * 6.0 / 7.0_f64.sqrt()) * gravity / length)
 }
 
-/// The table's states (α, β, α̇, β̇) for l = m = ½, g = 1, from rest at (0, π − 0.1), to the 8 digits printed.
+/// The table's states (α, β, α̇, β̇) for l = m = ½, g = 1, from rest at (0, π − 0.1), to the 8
+/// digits printed.
 pub const TABLE: [(f64, [f64; 4]); 2] = [
     (5.0, [-0.37594858, 0.95183977, 1.39101126, 0.33843165]),
     (10.0, [0.46046378, -1.47688764, 0.37824781, 2.23483667]),

@@ -1,4 +1,5 @@
-//! Entry 6: an end of a bar, at θ to a smooth floor and falling at v without spin, strikes with restitution e.
+//! Entry 6: an end of a bar, at θ to a smooth floor and falling at v without spin, strikes with
+//! restitution e.
 
 /// Impulse (1 + e) m v/(1 + 3 cos² θ); level, (1 + e) m v/2 at each end.
 pub fn impulse(e: f64, mass: f64, speed: f64, theta: f64) -> f64 {

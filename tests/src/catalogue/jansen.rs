@@ -8,7 +8,8 @@ const PIVOT: Place = [-38.0, -7.8];
 
 const CRANK: f64 = 15.0;
 
-/// The place at these distances from two others, to the left of the way from the first to the second.
+/// The place at these distances from two others, to the left of the way from the first to the
+/// second.
 fn left(p: Place, from_p: f64, q: Place, from_q: f64) -> Place {
     let step = [q[0] - p[0], q[1] - p[1]];
     let d = step[0].hypot(step[1]);

@@ -1,7 +1,7 @@
 //! Entry 1: a ladder on a smooth floor and wall, θ from the floor, at rest at θ₀ (s = sin θ).
 //!
-//! Against the wall the centre moves on a circle of radius ½ about the corner: θ̇² = 3(s₀ − s), N_wall = −ẍ,
-//! N_floor = 1 + ÿ. It leaves at s = ⅔ s₀ and slides on with v_x = s₀^{3/2}/3.
+//! Against the wall the centre moves on a circle of radius ½ about the corner: θ̇² = 3(s₀ − s),
+//! N_wall = −ẍ, N_floor = 1 + ÿ. It leaves at s = ⅔ s₀ and slides on with v_x = s₀^{3/2}/3.
 
 use crate::numerics::integral;
 
@@ -10,7 +10,8 @@ pub(super) fn sine_fall(a: f64, d: f64) -> f64 {
     2.0 * (a - 0.5 * d).cos() * (0.5 * d).sin()
 }
 
-/// Time from rest at `start` to θ where θ̇² = 3(s₀ − s); θ = θ₀ − u² lifts the singularity of 1/θ̇ at the start.
+/// Time from rest at `start` to θ where θ̇² = 3(s₀ − s); θ = θ₀ − u² lifts the singularity of 1/θ̇
+/// at the start.
 pub(super) fn time_from_rest(start: f64, theta: f64) -> f64 {
     let slow = |u: f64| 2.0 * u / (3.0 * sine_fall(start, u * u)).sqrt();
     integral(slow, 0.0, (start - theta).sqrt())

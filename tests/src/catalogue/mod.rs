@@ -1,5 +1,5 @@
-//! Closed forms and published references, each a function of the angle; m = L = g = 1 unless an argument says
-//! otherwise.
+//! Closed forms and published references, each a function of the angle; m = L = g = 1 unless an
+//! argument says otherwise.
 
 pub mod a_frame;
 pub mod bouncing_ball;

@@ -24,8 +24,8 @@ pub fn reaction(start: f64, theta: f64) -> f64 {
     1.0 - 0.5 * (rate_squared(start, theta) * cos + acceleration(start, theta) * sin)
 }
 
-/// Time from rest to θ: the start lies in a slow, nearly exponential stretch, so θ = a cosh u (√6 u is time to
-/// first order in θ) makes the integrand smooth from the start on.
+/// Time from rest to θ: the start lies in a slow, nearly exponential stretch, so θ = a cosh u (√6 u
+/// is time to first order in θ) makes the integrand smooth from the start on.
 pub fn time(start: f64, theta: f64) -> f64 {
     let slow = |u: f64| {
         let angle = start * u.cosh();

@@ -1,5 +1,5 @@
-//! Entry 13: slider-crank with the crank at φ = ωt: sin ψ = −(r/l) sin φ, x = r cos φ + l cos ψ. The torque that keeps
-//! the crank steady is what changes T = ½ ω² G(φ): ½ ω² G′.
+//! Entry 13: slider-crank with the crank at φ = ωt: sin ψ = −(r/l) sin φ, x = r cos φ + l cos ψ.
+//! The torque that keeps the crank steady is what changes T = ½ ω² G(φ): ½ ω² G′.
 
 /// Masses of crank, rod and piston, lengths of crank and rod.
 #[derive(Clone, Copy, Debug)]

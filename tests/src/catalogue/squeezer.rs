@@ -1,8 +1,10 @@
-//! Entry 13: Andrews' squeezer as published, Hairer & Wanner, Solving Ordinary Differential Equations II, VII.7: seven
-//! angles β, Θ, γ, Φ, δ, Ω, ε with their mass matrix and the six conditions of its loops, twice differentiated.
+//! Entry 13: Andrews' squeezer as published, Hairer & Wanner, Solving Ordinary Differential
+//! Equations II, VII.7: seven angles β, Θ, γ, Φ, δ, Ω, ε with their mass matrix and the six
+//! conditions of its loops, twice differentiated.
 //!
-//! The reference of the Test Set for IVP Solvers (Mazzia & Magherini, release 2.4, problem `andrews`) is off by about
-//! 1e-12 s: these equations, integrated by two methods and at several steps, agree with one another better than that.
+//! The reference of the Test Set for IVP Solvers (Mazzia & Magherini, release 2.4, problem
+//! `andrews`) is off by about 1e-12 s: these equations, integrated by two methods and at several
+//! steps, agree with one another better than that.
 
 use crate::numerics::extrapolated;
 use nalgebra::{SMatrix, SVector};

@@ -1,5 +1,5 @@
-//! Entry 11: two equal bars in line, hinged, struck across at one end by P: momentum and angular momentum of each bar
-//! with equal velocities of the hinge.
+//! Entry 11: two equal bars in line, hinged, struck across at one end by P: momentum and angular
+//! momentum of each bar with equal velocities of the hinge.
 
 /// Impulse of the struck bar on the other, P/4, against the blow.
 pub fn inner_impulse(blow: f64) -> f64 {

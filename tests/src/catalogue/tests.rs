@@ -1,4 +1,5 @@
-//! Numbers computed in 25 digits, printed with 17, from these functions; 1e-14 relative is their rounding.
+//! Numbers computed in 25 digits, printed with 17, from these functions; 1e-14 relative is their
+//! rounding.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -70,7 +71,8 @@ fn double_pendulum_table() {
             state = runge_kutta(field, &state, 5e-4);
         }
         for (computed, printed) in state.iter().zip(printed) {
-            // 8 digits are printed; Runge–Kutta at this step is off by less (halving it moves 1e-10)
+            // 8 digits are printed; Runge–Kutta at this step is off by less (halving it moves
+            // 1e-10)
             assert!((computed - printed).abs() < 7e-9, "{computed} for {printed}");
         }
     }

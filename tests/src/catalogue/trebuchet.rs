@@ -1,5 +1,5 @@
-//! A trebuchet by Lagrange's equations in the angles of beam, chest and sling from hanging down; in the trough the stone's height is
-//! held by a multiplier.
+//! A trebuchet by Lagrange's equations in the angles of beam, chest and sling from hanging down; in
+//! the trough the stone's height is held by a multiplier.
 
 use crate::numerics::{extrapolated, root};
 use nalgebra::{Matrix4, Vector4};

@@ -1,4 +1,5 @@
-//! What the oracle is told: rigid bodies and particles in the plane, what ties them and what acts, in numbers.
+//! What the oracle is told: rigid bodies and particles in the plane, what ties them and what acts,
+//! in numbers.
 
 use nalgebra::Vector2;
 

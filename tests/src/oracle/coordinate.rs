@@ -1,4 +1,5 @@
-//! Generalised coordinates read off a maximal state, so that other descriptions can be compared with it.
+//! Generalised coordinates read off a maximal state, so that other descriptions can be compared
+//! with it.
 
 use nalgebra::Vector2;
 
@@ -36,7 +37,8 @@ impl Coordinate {
 }
 
 impl Assembly {
-    /// A coordinate as a row: its value, its gradient and its second derivative without accelerations.
+    /// A coordinate as a row: its value, its gradient and its second derivative without
+    /// accelerations.
     pub(super) fn reading(&self, state: &State, coordinate: &Coordinate) -> Row {
         match coordinate {
             Coordinate::Angle { terms, offset } => {

@@ -1,5 +1,5 @@
-//! T = ½ q̇ᵀM q̇ and V = −Σ m g·C + Σ ½ k (r − ℓ₀)² + Σ ½ k (Δ − a)², zero for bodies at the origin (loads not
-//! counted); momenta p = Σ m Ċ and L = Σ m C×Ċ + I ω about the origin.
+//! T = ½ q̇ᵀM q̇ and V = −Σ m g·C + Σ ½ k (r − ℓ₀)² + Σ ½ k (Δ − a)², zero for bodies at the origin
+//! (loads not counted); momenta p = Σ m Ċ and L = Σ m C×Ċ + I ω about the origin.
 
 use nalgebra::Vector2;
 

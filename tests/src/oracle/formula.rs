@@ -1,7 +1,7 @@
 //! Expressions of time and motion, evaluated with their first two time derivatives.
 //!
-//! A value is a jet (f, ḟ, f̈); what is read off the motion has no known derivatives here and is given
-//! zeros, so that only functions of time alone (drives) have meaningful ones.
+//! A value is a jet (f, ḟ, f̈); what is read off the motion has no known derivatives here and is
+//! given zeros, so that only functions of time alone (drives) have meaningful ones.
 
 use super::{Assembly, Coordinate, State};
 

@@ -1,4 +1,5 @@
-//! Impulses: M (q̇⁺ − q̇⁻) = P_applied + Jᵀ P, J q̇⁺ + ∂g/∂t = target, over the joints and the acting supports.
+//! Impulses: M (q̇⁺ − q̇⁻) = P_applied + Jᵀ P, J q̇⁺ + ∂g/∂t = target, over the joints and the
+//! acting supports.
 
 use nalgebra::{DVector, Vector2};
 
@@ -21,8 +22,8 @@ pub struct Impact {
 }
 
 impl Assembly {
-    /// Impulses that give the acting supports these gap rates, rough ones no slip, with impulses applied at
-    /// places at the same instant.
+    /// Impulses that give the acting supports these gap rates, rough ones no slip, with impulses
+    /// applied at places at the same instant.
     ///
     /// # Errors
     /// As [`Assembly::solve`].

@@ -1,12 +1,13 @@
 //! Forces inside: of a joint on one of its bodies, and in a section of a uniform bar.
 //!
-//! The part of a bar beyond the section at distance s from the first point, of mass m_p, centre C_p and
-//! inertia I_p, moves as Newton and Euler say under the force F and the couple M of the part before it:
+//! The part of a bar beyond the section at distance s from the first point, of mass m_p, centre C_p
+//! and inertia I_p, moves as Newton and Euler say under the force F and the couple M of the part
+//! before it:
 //!
 //! F + Σ F_k + m_p g = m_p C̈_p,  M + Σ (r_k − S) × F_k + (C_p − S) × m_p (g − C̈_p) = I_p α.
 //!
-//! Along the axis e and its left normal n: normal force N = −F·e (tension positive), shear Q = F·n, bending
-//! moment M counter-clockwise, each of the first part on the part beyond.
+//! Along the axis e and its left normal n: normal force N = −F·e (tension positive), shear Q = F·n,
+//! bending moment M counter-clockwise, each of the first part on the part beyond.
 
 use nalgebra::Vector2;
 
@@ -28,14 +29,15 @@ pub struct Internal {
 }
 
 impl Assembly {
-    /// Force on a body at one of its points: of the joint there, which bears whatever else acts at the point.
+    /// Force on a body at one of its points: of the joint there, which bears whatever else acts at
+    /// the point.
     pub fn joint_force(&self, motion: &Motion, mark: Mark) -> Vector2<f64> {
         let here = |place: &Place| matches!(place, Place::Body(at) if at.body == mark.body && (at.local - mark.local).norm() < SAME);
         motion.actions.iter().filter(|(place, _)| here(place)).map(|(_, force)| force).sum()
     }
 
-    /// Internal forces of a uniform bar at a distance from its first point. Couples are taken to act on the
-    /// part before the section.
+    /// Internal forces of a uniform bar at a distance from its first point. Couples are taken to
+    /// act on the part before the section.
     pub fn internal(&self, state: &State, motion: &Motion, section: Mark) -> Internal {
         let Mark { body, local } = section;
         let bar = &self.bodies[body];

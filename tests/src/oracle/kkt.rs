@@ -5,8 +5,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
-/// Pivots (after balancing to unit rows) below this count as zero: far above rounding (1e-15 times the
-/// dimension), far below what well-posed systems show.
+/// Pivots (after balancing to unit rows) below this count as zero: far above rounding (1e-15 times
+/// the dimension), far below what well-posed systems show.
 const RANK_TOLERANCE: f64 = 1e-11;
 
 /// Why a system has no definite accelerations.

@@ -1,7 +1,9 @@
-//! An independent oracle: planar rigid bodies in maximal coordinates, Newton–Euler with a dense KKT system.
+//! An independent oracle: planar rigid bodies in maximal coordinates, Newton–Euler with a dense KKT
+//! system.
 //!
-//! It shares no code and no formulation with the generator: every body has its own x, y and angle, every
-//! joint, constraint and closed support is a row, and one dense system gives accelerations and all forces.
+//! It shares no code and no formulation with the generator: every body has its own x, y and angle,
+//! every joint, constraint and closed support is a row, and one dense system gives accelerations
+//! and all forces.
 
 mod assembly;
 mod coordinate;

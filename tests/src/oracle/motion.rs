@@ -20,11 +20,13 @@ pub struct Motion {
     pub drives: Vec<f64>,
     /// Reaction of each support along its free normal, tension of a thread; 0 where open.
     pub reactions: Vec<f64>,
-    /// Tangential reaction of each support on the body along [`Assembly::tangent_row`]; 0 where open or smooth.
+    /// Tangential reaction of each support on the body along [`Assembly::tangent_row`]; 0 where
+    /// open or smooth.
     pub tangential: Vec<f64>,
     /// Second derivative of each gap; 0 (to rounding) where closed.
     pub gap_accelerations: Vec<f64>,
-    /// Every force of a joint, support, spring or load at its place; weights and couples are not among these.
+    /// Every force of a joint, support, spring or load at its place; weights and couples are not
+    /// among these.
     pub actions: Vec<(Place, Vector2<f64>)>,
     /// Whether the forces are unique; if not, a least-norm set stands for them.
     pub unique: bool,
@@ -52,8 +54,8 @@ impl Assembly {
         DVector::from_iterator(self.dimension(), bodies.chain(particles))
     }
 
-    /// Accelerations and forces with the supports in `closed` held two-sidedly at g̈ = 0 (and without slip
-    /// where rough) and all others open.
+    /// Accelerations and forces with the supports in `closed` held two-sidedly at g̈ = 0 (and
+    /// without slip where rough) and all others open.
     pub fn solve(&self, state: &State, closed: &[usize]) -> Result<Motion, Unsolvable> {
         let (free, rows) = (self.dimension(), self.rows(state, closed));
         let right = rows.iter().map(|row| -row.bias);

@@ -9,8 +9,8 @@ use super::{Assembly, State};
 const RANK_TOLERANCE: f64 = 1e-9;
 
 impl Assembly {
-    /// The nearby state on all two-sided constraints and on the closed supports (g = 0, ġ = 0); `None` where
-    /// Newton's method does not get there.
+    /// The nearby state on all two-sided constraints and on the closed supports (g = 0, ġ = 0);
+    /// `None` where Newton's method does not get there.
     pub fn settle(&self, mut state: State, closed: &[usize]) -> Option<State> {
         for _ in 0..30 {
             let rows = self.rows(&state, closed);

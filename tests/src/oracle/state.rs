@@ -46,7 +46,8 @@ pub(super) fn axes(state: &State, body: usize) -> [Vector2<f64>; 2] {
 }
 
 impl State {
-    /// Angle of a body from the +x axis, counter-clockwise, of its second point seen from its first.
+    /// Angle of a body from the +x axis, counter-clockwise, of its second point seen from its
+    /// first.
     pub fn angle(&self, body: usize) -> f64 {
         self.positions[3 * body + 2]
     }
@@ -94,9 +95,9 @@ impl Assembly {
         }
     }
 
-    /// The state with these body angles and spins, every body placed from pins and anchors along the hinges,
-    /// at t = 0; free particles are where their anchors are.
-    /// `None` where a body is reached from neither. Pins and hinges that close loops are taken as they fall:
+    /// The state with these body angles and spins, every body placed from pins and anchors along
+    /// the hinges, at t = 0; free particles are where their anchors are. `None` where a body is
+    /// reached from neither. Pins and hinges that close loops are taken as they fall:
     /// [`Assembly::residual`] tells whether they hold, [`Assembly::settle`] makes them.
     pub fn state(&self, angles: &[f64], spins: &[f64], anchors: &[Anchor]) -> Option<State> {
         let zeros = || DVector::zeros(self.dimension());

@@ -22,7 +22,8 @@ pub enum Contact {
         body: usize,
         /// K.
         corner: Vector2<f64>,
-        /// +1 where the bar lies to the left of its axis direction from the corner, −1 on the other side.
+        /// +1 where the bar lies to the left of its axis direction from the corner, −1 on the other
+        /// side.
         side: f64,
     },
     /// gap = ±(|P − O| − R): the point P outside (+) or inside (−) the circle about O of radius R.

@@ -30,7 +30,8 @@ impl FallingPair {
         0.25 * self.m * self.l * self.l * Self::bracket(phi) * rate * rate
     }
 
-    /// (3.2): φ̇² from rest at φ = 0, (4g/l)(1 − cos φ) tan φ over the bracket; 1 − cos φ as 2 sin²(φ/2).
+    /// (3.2): φ̇² from rest at φ = 0, (4g/l)(1 − cos φ) tan φ over the bracket; 1 − cos φ as 2
+    /// sin²(φ/2).
     pub fn rate_squared(&self, phi: f64) -> f64 {
         8.0 * self.g / self.l * (0.5 * phi).sin().powi(2) * phi.tan() / Self::bracket(phi)
     }
@@ -40,8 +41,9 @@ impl FallingPair {
         self.acceleration_at(phi, self.rate_squared(phi).sqrt())
     }
 
-    /// φ̈ at any rate with both corners touching: Lagrange's equation of (3.1) with V = −2 m g (l/2)(tan φ − sin φ),
-    /// B φ̈ + ½ B′ φ̇² = (2g/l)(sec²φ − cos φ), B the bracket, B′ = (4 sec⁴φ − 2 sec φ) tan φ.
+    /// φ̈ at any rate with both corners touching: Lagrange's equation of (3.1) with V = −2 m g
+    /// (l/2)(tan φ − sin φ), B φ̈ + ½ B′ φ̇² = (2g/l)(sec²φ − cos φ), B the bracket, B′ = (4 sec⁴φ
+    /// − 2 sec φ) tan φ.
     pub fn acceleration_at(&self, phi: f64, rate: f64) -> f64 {
         let sec = 1.0 / phi.cos();
         let slope = (4.0 * sec.powi(4) - 2.0 * sec) * phi.tan();
@@ -68,7 +70,8 @@ impl FallingPair {
         self.m * (drop_rate * drop_rate - drop_rate * spin * phi.cos() + spin * spin / 3.0)
     }
 
-    /// (3.6): (φ̈, ÿ) from (2/3) l²φ̈ − ÿ l cos φ = −g l cos φ and 2ÿ − l φ̈ cos φ + l φ̇² sin φ = 2g.
+    /// (3.6): (φ̈, ÿ) from (2/3) l²φ̈ − ÿ l cos φ = −g l cos φ and 2ÿ − l φ̈ cos φ + l φ̇² sin φ =
+    /// 2g.
     pub fn free_accelerations(&self, phi: f64, rate: f64) -> [f64; 2] {
         let (sin, cos) = phi.sin_cos();
         let [a, b, c] = [2.0 / 3.0 * self.l * self.l, -self.l * cos, -self.l * cos];

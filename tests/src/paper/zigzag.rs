@@ -1,4 +1,5 @@
-//! Fig. 1b as published: four bars of length l as an M, feet A, C, E on the floor, all angles equal to φ.
+//! Fig. 1b as published: four bars of length l as an M, feet A, C, E on the floor, all angles equal
+//! to φ.
 //!
 //! Inner bars m₁, outer bars m₂, λ = m₂/(m₁ + m₂); at rest at φ(0). In flight y is the drop of C.
 
@@ -91,7 +92,8 @@ impl Zigzag {
     }
 
     /// (3.21): left minus right sides of Lagrange's equations in flight, both divided by (m₁ + m₂):
-    /// −ÿ cos φ + 2l φ̈(1/3 + 2λ sin²φ) + 4λ l φ̇² sin φ cos φ = −g cos φ and ÿ = g + (l/2)(φ̈ cos φ − φ̇² sin φ).
+    /// −ÿ cos φ + 2l φ̈(1/3 + 2λ sin²φ) + 4λ l φ̇² sin φ cos φ = −g cos φ and ÿ = g + (l/2)(φ̈ cos
+    /// φ − φ̇² sin φ).
     pub fn free_residuals(&self, phi: f64, rate: f64, accelerations: [f64; 2]) -> [f64; 2] {
         let (sin, cos) = phi.sin_cos();
         let [turn, drop] = accelerations;
@@ -116,7 +118,8 @@ impl Zigzag {
         -h * (0.25 + 2.0 * self.lambda()) * sin * cos / self.free_bracket(phi).powi(2)
     }
 
-    /// (3.22): downward acceleration of C in flight, g − (h l/2)(1/3 + 2λ) sin φ/(1/12 + (1/4 + 2λ) sin²φ)².
+    /// (3.22): downward acceleration of C in flight, g − (h l/2)(1/3 + 2λ) sin φ/(1/12 + (1/4 + 2λ)
+    /// sin²φ)².
     pub fn free_drop_acceleration(&self, h: f64, phi: f64) -> f64 {
         let top = 0.5 * h * self.l * (1.0 / 3.0 + 2.0 * self.lambda()) * phi.sin();
         self.g - top / self.free_bracket(phi).powi(2)
@@ -127,7 +130,8 @@ impl Zigzag {
         integral(|angle| 1.0 / self.free_rate(h, angle), start, phi)
     }
 
-    /// Behind (3.22): rise of C at φ in flight that began at `start`: the centre of mass, (l/2) sin φ above C, falls freely.
+    /// Behind (3.22): rise of C at φ in flight that began at `start`: the centre of mass, (l/2) sin
+    /// φ above C, falls freely.
     pub fn rise(&self, h: f64, start: f64, phi: f64) -> f64 {
         let time = self.flight_time(h, start, phi);
         let climb = 0.5 * self.l * start.cos() * self.free_rate(h, start);

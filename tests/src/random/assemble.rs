@@ -74,7 +74,8 @@ fn body(bar: &Bar) -> Body {
     body
 }
 
-/// The uniform triangle with corners at 0, (l, 0) and `third`: I = m Σ|edge|²/36 about the mean of the corners.
+/// The uniform triangle with corners at 0, (l, 0) and `third`: I = m Σ|edge|²/36 about the mean of
+/// the corners.
 fn triangle(body: &mut Body, third: Vector2<f64>, said: bool) {
     let second = Vector2::new(body.length, 0.0);
     body.centre = (second + third) / 3.0;

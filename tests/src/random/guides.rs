@@ -39,7 +39,8 @@ impl Builder<'_> {
         [0, 1].map(|_| self.spec.parameters.signed(self.source, "h"))
     }
 
-    /// Welds of bars that share a point and stand at quarter turns, and of bars that stand upright or level.
+    /// Welds of bars that share a point and stand at quarter turns, and of bars that stand upright
+    /// or level.
     fn welds(&mut self) {
         let bars = self.spec.bars.len();
         for second in 0..bars {
@@ -94,7 +95,8 @@ impl Builder<'_> {
         tied || declared || welded
     }
 
-    /// A bar whose direction is neither declared from a line nor held, so that its turns are counted.
+    /// A bar whose direction is neither declared from a line nor held, so that its turns are
+    /// counted.
     pub(super) fn free_bar(&mut self) -> Option<usize> {
         let bars: Vec<_> = (0..self.spec.bars.len()).filter(|&bar| !self.is_held(bar)).collect();
         (!bars.is_empty()).then(|| self.source.choose(&bars))

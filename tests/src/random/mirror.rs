@@ -1,15 +1,15 @@
 //! Completing a drawn half to a mirror-symmetric whole: images of points on the line `axis = at`.
 //!
-//! Across a vertical line a direction θ goes to π − θ, across a horizontal one to −θ; left and right of a bar
-//! change places, and so do above and below a bar across a horizontal line.
+//! Across a vertical line a direction θ goes to π − θ, across a horizontal one to −θ; left and
+//! right of a bar change places, and so do above and below a bar across a horizontal line.
 
 use super::builder::Builder;
 use super::quantity::Quantity;
 use super::spec::{Bar, Heading, Mirror, Pair, Shape, Spot, SupportSpec};
 
 impl Builder<'_> {
-    /// Now and then decides to reflect what has been drawn: three bars at most, only the root on the line, no
-    /// point on an image.
+    /// Now and then decides to reflect what has been drawn: three bars at most, only the root on
+    /// the line, no point on an image.
     pub(super) fn halve(&mut self) {
         let axis = self.source.below(2);
         let plain = self.spec.bars.len() <= 3 && self.spec.chains.is_empty();

@@ -1,8 +1,9 @@
 //! Random planar bar systems, each written down twice: as a declaration and as the oracle's data.
 //!
-//! A specification (names, expressions with their values, who is hinged to whom) is drawn from a seed; `declare`
-//! writes it in the syntax of the derive macro, `assemble` in numbers. What the generator is to work out, the
-//! sides of contacts, the signs of angles, the values of expressions, is worked out here from the spec.
+//! A specification (names, expressions with their values, who is hinged to whom) is drawn from a
+//! seed; `declare` writes it in the syntax of the derive macro, `assemble` in numbers. What the
+//! generator is to work out, the sides of contacts, the signs of angles, the values of expressions,
+//! is worked out here from the spec.
 
 mod actions;
 mod asked;
@@ -61,7 +62,8 @@ pub struct Sample {
     symmetry: Option<Symmetry>,
 }
 
-/// Pivots below this leave fewer than the digits that comparisons want; such systems are drawn again.
+/// Pivots below this leave fewer than the digits that comparisons want; such systems are drawn
+/// again.
 const LEAST_PIVOT: f64 = 1e-6;
 
 /// The system of a seed out of bars, hinges, pins, masses and straight supports.
@@ -69,8 +71,8 @@ pub fn sample(seed: u64) -> Sample {
     sample_of(seed, Vocabulary::BARS)
 }
 
-/// The system of a seed: one that can move, without redundant joints or idle supports, and with definite
-/// accelerations.
+/// The system of a seed: one that can move, without redundant joints or idle supports, and with
+/// definite accelerations.
 pub fn sample_of(seed: u64, vocabulary: Vocabulary) -> Sample {
     let mut source = Source::new(seed);
     loop {
@@ -154,8 +156,8 @@ impl Sample {
         self.declaration.parse()
     }
 
-    /// A random state on all joints and equal angles: anywhere for trees, near the figure with closed loops.
-    /// `None` where a loop does not close.
+    /// A random state on all joints and equal angles: anywhere for trees, near the figure with
+    /// closed loops. `None` where a loop does not close.
     pub fn state(&self, source: &mut Source) -> Option<State> {
         let spread = if self.loops { 0.4 } else { 3.0 };
         let mut angles: Vec<_> = self.figure.iter().map(|a| a + source.range(-spread, spread)).collect();
@@ -175,7 +177,8 @@ impl Sample {
         if settled { Some(state) } else { self.assembly.settle(state, &[]) }
     }
 
-    /// A coordinate by name: a declared one, `theta_BAR` (direction of a bar), `x_P` or `y_P` (a point).
+    /// A coordinate by name: a declared one, `theta_BAR` (direction of a bar), `x_P` or `y_P` (a
+    /// point).
     pub fn coordinate(&self, name: &str) -> Option<Coordinate> {
         if let Some(declared) = self.declared.get(name) {
             return Some(declared.clone());

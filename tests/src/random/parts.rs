@@ -4,7 +4,8 @@ use super::expression::Expression;
 use super::quantity::Quantity;
 use super::spec::Pair;
 
-/// direction(second) − direction(first), or direction(first) itself, stays what it is in the figure.
+/// direction(second) − direction(first), or direction(first) itself, stays what it is in the
+/// figure.
 #[derive(Clone, Copy, Debug)]
 pub struct Weld {
     pub first: usize,

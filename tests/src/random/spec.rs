@@ -160,7 +160,8 @@ pub enum Gravity {
     Vector(Pair),
 }
 
-/// The line x = at (axis 0) or y = at (axis 1) across which the second half of the bars is the image of the first.
+/// The line x = at (axis 0) or y = at (axis 1) across which the second half of the bars is the
+/// image of the first.
 #[derive(Clone, Debug)]
 pub struct Mirror {
     pub axis: usize,

@@ -44,7 +44,8 @@ impl Symmetry {
         Anchor { at: self.root.into(), position, velocity }
     }
 
-    /// Whether a state is symmetric: Newton's method far from a solution makes rounding errors grow.
+    /// Whether a state is symmetric: Newton's method far from a solution makes rounding errors
+    /// grow.
     pub fn holds(&self, assembly: &Assembly, state: &State) -> bool {
         let (mirror, root) = (&self.mirror, self.root);
         let images = (0..mirror.half).flat_map(|body| {

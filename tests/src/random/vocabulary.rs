@@ -2,7 +2,8 @@
 
 use super::splitmix::Source;
 
-/// Chances of each kind of thing; what has none takes no draws, so that other systems stay as they are.
+/// Chances of each kind of thing; what has none takes no draws, so that other systems stay as they
+/// are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vocabulary {
     /// That a bar is a triangle.

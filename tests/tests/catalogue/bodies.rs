@@ -22,8 +22,9 @@ fn after(event: &Event) -> [f64; 5] {
     RATES.map(|rate| event[rate])
 }
 
-/// Apart, each strikes the next, and the last alone has the rate of the first: equal masses exchange theirs. Where they meet is
-/// d/l off the vertical, which turns lines of centres and takes from rates what is of second order in it.
+/// Apart, each strikes the next, and the last alone has the rate of the first: equal masses
+/// exchange theirs. Where they meet is d/l off the vertical, which turns lines of centres and takes
+/// from rates what is of second order in it.
 #[test]
 fn balls_apart_pass_the_blow_on() {
     let (l, g, raised) = (0.2, 9.81, 0.4_f64);
@@ -38,8 +39,9 @@ fn balls_apart_pass_the_blow_on() {
     }
 }
 
-/// Touching, all are struck at once: what approached is turned back, nothing else, so that of n balls the first comes back with
-/// (2 − n)/n and the others go on with 2/n; momentum and energy are kept by this as by the other.
+/// Touching, all are struck at once: what approached is turned back, nothing else, so that of n
+/// balls the first comes back with (2 − n)/n and the others go on with 2/n; momentum and energy are
+/// kept by this as by the other.
 #[test]
 fn balls_that_touch_are_struck_at_once() {
     let run = run(&cradle(0.0, 1.0), hanging(0.0, 1.5), &["t = 1e-3"]);
@@ -106,8 +108,8 @@ fn newton_and_poisson_agree_on_balls_that_touch() {
     }
 }
 
-/// The first falls about its foot until sin φ = s/h, with ½ I ω² = m g × the fall of its middle; a plastic blow at one height leaves
-/// both half of the rate where the feet do not slip.
+/// The first falls about its foot until sin φ = s/h, with ½ I ω² = m g × the fall of its middle; a
+/// plastic blow at one height leaves both half of the rate where the feet do not slip.
 #[test]
 fn dominoes_halve_their_rate() {
     let (m, w, h, s, g): (f64, f64, f64, f64, f64) = (0.02, 0.008, 0.048, 0.02, 9.81);

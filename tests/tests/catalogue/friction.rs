@@ -15,7 +15,8 @@ fn of_kind(run: &Trajectory, kind: EventKind) -> Vec<&Event> {
     run.events().iter().filter(|event| event.kind == kind).collect()
 }
 
-/// The rod of entry 16 as a thin plate whose first two points are close to each other, and a ball that flies past.
+/// The rod of entry 16 as a thin plate whose first two points are close to each other, and a ball
+/// that flies past.
 #[derive(BarSystem)]
 #[gravity(g)]
 #[body(plate, points(A = (0, 0), B = (w, 0), C = (0, l)), mass = m, inertia = m * l * l / 12, centre = (0, l / 2))]
@@ -38,7 +39,8 @@ fn border(holds: impl Fn(f64) -> bool, [from, to]: [f64; 2]) -> f64 {
     root(|x| if holds(x) { 1.0 } else { -1.0 }, from, to).unwrap()
 }
 
-/// It slips at k x = μₛ m g and sticks again at k x = (2 μ − μₛ) m g, π/ω + (2/ω) atan k w/((μₛ − μ) m g ω) later.
+/// It slips at k x = μₛ m g and sticks again at k x = (2 μ − μₛ) m g, π/ω + (2/ω) atan k w/((μₛ −
+/// μ) m g ω) later.
 #[test]
 fn a_block_on_a_belt_sticks_and_slips() {
     let belt = Belt { m: 1.5, l: 1.0, k: 30.0, mu: 0.2, mu_s: 0.45, w: 0.3, g: 9.81 };
@@ -75,8 +77,8 @@ fn a_block_on_a_belt_sticks_and_slips() {
     assert_eq!(evaluate_output(&run, "mu(P)", 0.5 * slips[0].t), mu_s);
 }
 
-/// On a belt at rest it is the oscillator of entry 18: each amplitude about ∓F/k is less by 2F/k, and the rest comes after
-/// atan(6/13) + 7π at 15 − √205.
+/// On a belt at rest it is the oscillator of entry 18: each amplitude about ∓F/k is less by 2F/k,
+/// and the rest comes after atan(6/13) + 7π at 15 − √205.
 #[test]
 fn the_friction_oscillator_comes_to_rest() {
     let oscillator = Belt { m: 1.0, l: 50.0, k: 1.0, mu: 0.1, mu_s: 0.1, w: 0.0, g: 10.0 };
@@ -146,13 +148,15 @@ fn jams(run: &Trajectory) -> bool {
     run.events().iter().any(|event| event.t == 0.0 && event.note == Some(Note::WithoutCollision))
 }
 
-/// Entry 19: the paradox begins and ends at tan θ = (3 μ ± √(9 μ² − 16))/2, and there is none for μ < 4/3.
+/// Entry 19: the paradox begins and ends at tan θ = (3 μ ± √(9 μ² − 16))/2, and there is none for μ
+/// < 4/3.
 #[test]
 fn painleves_rod_is_in_paradox_between_known_angles() {
     let slid = |mu: f64, theta: f64| {
         let rod = Painleve { m: 1.3, l: 0.7, mu, e: 0.0, g: 9.81 };
         let start = pose(&[("theta", theta), ("x'", -2.0), ("theta'", 0.0)]);
-        // Beside the border the reaction grows beyond what a run can follow; it has begun all the same.
+        // Beside the border the reaction grows beyond what a run can follow; it has begun all the
+        // same.
         prepared(&rod, start, &["t = 1e-6"]).run().unwrap_or_else(|error| error.into_trajectory())
     };
     for mu in [1.4_f64, 2.0] {
@@ -169,8 +173,9 @@ fn painleves_rod_is_in_paradox_between_known_angles() {
     assert_abs_diff_eq!(critical, 4.0 / 3.0, epsilon = 1e-8);
 }
 
-/// Entry 21, for a wheel with a moment of inertia: an impact leaves η = (j + m l² cos 2α)/(j + m l²) of the rate; ω² before it tends to
-/// 4 m g l sin α sin γ/(j + m l²)(1 − η²), differences shrinking by η².
+/// Entry 21, for a wheel with a moment of inertia: an impact leaves η = (j + m l² cos 2α)/(j + m
+/// l²) of the rate; ω² before it tends to 4 m g l sin α sin γ/(j + m l²)(1 − η²), differences
+/// shrinking by η².
 #[test]
 fn a_wheel_without_a_rim_tends_to_its_steady_rate() {
     let (m, l, gamma, g) = (1.2, 0.8, 0.2_f64, 9.81);
@@ -198,8 +203,9 @@ fn a_wheel_without_a_rim_tends_to_its_steady_rate() {
     assert_relative_eq!(before.last().unwrap().powi(2), steady, max_relative = 1e-3);
 }
 
-/// The toy finds its rhythm: wedged below, the sleeve sticks, slips, falls free, and the beak strikes once a turn. No closed form is
-/// known; its turns are equal, and the weight's work of one is what friction and impacts take.
+/// The toy finds its rhythm: wedged below, the sleeve sticks, slips, falls free, and the beak
+/// strikes once a turn. No closed form is known; its turns are equal, and the weight's work of one
+/// is what friction and impacts take.
 #[test]
 fn a_woodpecker_pecks_in_equal_turns() {
     let spec = models().find("woodpecker").unwrap().default_run().limit(3.0);

@@ -55,7 +55,8 @@ struct Balance {
     f: f64,
 }
 
-/// The couple f t moves it as a displaced rest does, a + f t/k − f c/k², with the oscillation that makes up for it.
+/// The couple f t moves it as a displaced rest does, a + f t/k − f c/k², with the oscillation that
+/// makes up for it.
 #[test]
 fn a_balance_under_a_growing_couple() {
     let (m, l, k, a, c, f) = (1.5, 0.8, 4.0, 0.6, 0.3, 0.5);
@@ -216,7 +217,8 @@ struct Plate {
     g: f64,
 }
 
-/// Inertia about the hinge 5/3 m l², centre (3/4, 1/4) l for the elbow; m l²/3 and (1/3, 1/3) l for the plate.
+/// Inertia about the hinge 5/3 m l², centre (3/4, 1/4) l for the elbow; m l²/3 and (1/3, 1/3) l for
+/// the plate.
 #[test]
 fn rigid_pendulums_have_their_periods() {
     let (m, l, g) = (1.2, 0.5, 9.81);
@@ -233,8 +235,8 @@ fn rigid_pendulums_have_their_periods() {
     assert_abs_diff_eq!(4.0 * plate.end_time(), parallelogram::period(square, amplitude), epsilon = CLOSE);
 }
 
-/// The frame comes to rest on its springs: the feet bear the weight in halves and push inwards, every joint's spring
-/// bears the moment of what is beyond.
+/// The frame comes to rest on its springs: the feet bear the weight in halves and push inwards,
+/// every joint's spring bears the moment of what is beyond.
 #[test]
 fn a_walking_frame_comes_to_stand() {
     let (m, l, a, k, c, g) = (10.0, 1.0, 0.75_f64.atan(), 400.0, 20.0, 9.81);

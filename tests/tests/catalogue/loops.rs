@@ -81,9 +81,9 @@ fn the_squeezer_starts_where_published() {
     }
 }
 
-/// Two and a half turns of the crank, against the published equations and against the published numbers. Those are
-/// late by 1e-12 s, as two other integrations of the published equations have it too; at rates of 1e3 and
-/// accelerations of 6e5 that is seen.
+/// Two and a half turns of the crank, against the published equations and against the published
+/// numbers. Those are late by 1e-12 s, as two other integrations of the published equations have it
+/// too; at rates of 1e3 and accelerations of 6e5 that is seen.
 #[test]
 fn the_squeezer_ends_where_published() {
     let model = Squeezer { torque: 0.033, k: 4530.0 };
@@ -118,8 +118,8 @@ fn loops_take_the_tolerance_that_is_asked_for() {
     assert!(2 * steps[0] < steps[1], "{steps:?}");
 }
 
-/// Three seconds over bumps. The published forces are divided by the stiffness; the guide's is positive to its left,
-/// against the axis.
+/// Three seconds over bumps. The published forces are divided by the stiffness; the guide's is
+/// positive to its left, against the axis.
 #[test]
 fn the_car_axis_ends_where_published() {
     let model = CarAxis { m: 10.0, l: 1.0, h: 0.5, k: 1e4, r: 0.1, omega: 10.0, g: 1.0 };
@@ -132,8 +132,8 @@ fn the_car_axis_ends_where_published() {
     assert_relative_eq!(evaluate_output(&run, "slider(L)", 3.0), force, max_relative = 1e-9);
 }
 
-/// Ten seconds, ten passes through the level position, where every loop is singular: angle and rate are those of the
-/// one pendulum that the row of parallelograms is.
+/// Ten seconds, ten passes through the level position, where every loop is singular: angle and rate
+/// are those of the one pendulum that the row of parallelograms is.
 #[test]
 fn a_row_of_loops_passes_its_singular_positions() {
     let model = NFourBar { m: 1.0, l: 1.0, g: 9.81 };

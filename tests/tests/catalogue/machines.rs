@@ -31,7 +31,8 @@ fn stride(step: usize, event: &Event) -> Stride {
     [event[stance], event[&format!("{stance}'")], event[&format!("{swing}'")]]
 }
 
-/// The gait that comes back is the published one, and the walker's, to what errors of a step grow to in six.
+/// The gait that comes back is the published one, and the walker's, to what errors of a step grow
+/// to in six.
 #[test]
 fn a_compass_walks_in_its_published_gait() {
     let theirs = Compass { g: 9.8, ..compass() };
@@ -52,7 +53,8 @@ fn a_compass_walks_in_its_published_gait() {
     }
 }
 
-/// Beside its gait each step is what the equations of a step make of the one before, and they come back to it.
+/// Beside its gait each step is what the equations of a step make of the one before, and they come
+/// back to it.
 #[test]
 fn a_compass_finds_back_to_its_gait() {
     let gait = compass().gait(PUBLISHED).unwrap();
@@ -121,11 +123,13 @@ fn jansens_leg_steps_along_the_ground() {
     let slow = prepared(&JansenLeg { rho, u, omega, g }, Pose::nominal(), &["t = 1"]).run().unwrap();
     let step = 1e-4;
     let moment = rho * u * u * g * (jansen::lift(step) - jansen::lift(-step)) / (2.0 * step);
-    // Central differences are within step² of the third derivative; the crank's rate adds ω² times inertias.
+    // Central differences are within step² of the third derivative; the crank's rate adds ω² times
+    // inertias.
     assert_relative_eq!(evaluate_output(&slow, "drive(phi)", 0.0), moment, max_relative = 1e-6);
 }
 
-/// Each half swing is that of a damped oscillator about 0, or about push/k while the escapement pushes.
+/// Each half swing is that of a damped oscillator about 0, or about push/k while the escapement
+/// pushes.
 #[test]
 fn a_balance_wheel_comes_to_one_swing() {
     let (inertia, k, c, push, first) = (0.5, 20.0, 0.3, 1.5, -0.2);

@@ -8,7 +8,8 @@ use liftoff::prelude::*;
 use liftoff_compiled::*;
 use liftoff_tests::catalogue::{oscillator, ring};
 
-/// Upright, the spring pendulum is a damped oscillator about its stretched length, below, at and above critical damping.
+/// Upright, the spring pendulum is a damped oscillator about its stretched length, below, at and
+/// above critical damping.
 #[test]
 fn a_mass_on_a_spring_follows_the_damped_oscillator() {
     let (m, k, l, g): (f64, f64, f64, f64) = (0.8, 20.0, 1.5, 9.81);

@@ -1,5 +1,5 @@
-//! What the generator derives of random systems, by its interpreter, against the oracle: positions, energies,
-//! gaps, accelerations, reactions, forces inside; the full kernel and the closed forms.
+//! What the generator derives of random systems, by its interpreter, against the oracle: positions,
+//! energies, gaps, accelerations, reactions, forces inside; the full kernel and the closed forms.
 
 mod pair;
 mod recursion;
@@ -126,8 +126,8 @@ fn impacts(seeds: Range<u64>, vocabulary: Vocabulary) -> [Tally; 3] {
 
 const ROUGH: Vocabulary = Vocabulary { rough: 0.8, restitution: 0.6, ..Vocabulary::ALL };
 
-/// Of each kind at most: smooth contacts and images are refused at singular positions alone, of rough ones every
-/// tenth slips too fast to stick.
+/// Of each kind at most: smooth contacts and images are refused at singular positions alone, of
+/// rough ones every tenth slips too fast to stick.
 const REFUSED: [f64; 3] = [1e-3, 0.1, 1e-3];
 /// Undetermined by the masses, or too near to that for a comparison.
 const UNDETERMINED: f64 = 0.02;

@@ -17,7 +17,8 @@ fn by_recursion(pair: Pair) -> Option<Pair> {
     Some(Pair { analysis: Analysis { functions, ..pair.analysis.clone() }, ..pair })
 }
 
-/// Points, energies, gaps, joint forces and momenta, M and f with a random contact set, and the free accelerations.
+/// Points, energies, gaps, joint forces and momenta, M and f with a random contact set, and the
+/// free accelerations.
 fn trees(seeds: core::ops::Range<u64>, vocabulary: Vocabulary) -> [usize; 2] {
     let (mut compared, mut free) = (0, 0);
     for seed in seeds {
@@ -35,8 +36,9 @@ fn trees(seeds: core::ops::Range<u64>, vocabulary: Vocabulary) -> [usize; 2] {
     [compared, free]
 }
 
-/// Motions that joints and random contacts hold, of every system that a tree underlies, with free points and joints, from the
-/// leaves and by entries; how many of each were compared, how many had joints, and how many had contacts.
+/// Motions that joints and random contacts hold, of every system that a tree underlies, with free
+/// points and joints, from the leaves and by entries; how many of each were compared, how many had
+/// joints, and how many had contacts.
 fn held(seeds: core::ops::Range<u64>, vocabulary: Vocabulary) -> [usize; 3] {
     let mut compared = [0; 3];
     for seed in seeds {

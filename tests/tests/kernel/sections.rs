@@ -15,7 +15,8 @@ fn close(computed: f64, expected: f64) {
     assert!((computed - expected).abs() < 1e-12, "{computed} for {expected}");
 }
 
-/// A free bar pulled at its end B, with a particle at P: what is before the section is drawn along, n = a (m s/l + M).
+/// A free bar pulled at its end B, with a particle at P: what is before the section is drawn along,
+/// n = a (m s/l + M).
 #[test]
 fn of_a_bar_that_is_pulled() {
     let bar = |at: &str, field: &str| {
@@ -39,7 +40,8 @@ fn of_a_bar_that_is_pulled() {
     }
 }
 
-/// A bar that turns about a pin at P, another hung from it at Q: n = ω² Σ m r beyond the section, seen from the pin.
+/// A bar that turns about a pin at P, another hung from it at Q: n = ω² Σ m r beyond the section,
+/// seen from the pin.
 #[test]
 fn of_a_bar_that_turns() {
     let declaration = "#[bar(AB, mass = m, length = l)] #[point(P = AB, at = p)] #[pin(P = (0, 0))]

@@ -107,7 +107,8 @@ fn random_formulas() {
     }
 }
 
-/// The symbols of a model's formulas with values, and as they are printed; derived constants are printed as what they are.
+/// The symbols of a model's formulas with values, and as they are printed; derived constants are
+/// printed as what they are.
 fn symbols(
     analysis: &Analysis,
     all: &BTreeSet<Symbol>,
@@ -189,7 +190,8 @@ fn equations_of_models_and_of_random_systems() {
     assert!(seen > 3000, "{seen}");
 }
 
-/// Three bars over two corners, mirrored; masses and lengths of the outer ones, then of the middle one.
+/// Three bars over two corners, mirrored; masses and lengths of the outer ones, then of the middle
+/// one.
 fn three_bars([a, b, c, d]: [usize; 4]) -> String {
     format!(
         "#[gravity(g)] #[bar(AC, mass = {a} * m, length = {b} * l)] #[bar(CD, mass = {c} * m, length = {d} * l)]
@@ -201,7 +203,8 @@ fn three_bars([a, b, c, d]: [usize; 4]) -> String {
     )
 }
 
-/// q̇², q̈ and the reactions of a phase with one degree of freedom that began at rest where q is `from`, from its equations.
+/// q̇², q̈ and the reactions of a phase with one degree of freedom that began at rest where q is
+/// `from`, from its equations.
 fn motion(analysis: &Analysis, phase: &Phase, values: &[(Symbol, f64)], from: f64) -> Vec<f64> {
     let [kept] = phase.kept[..] else { panic!("one coordinate") };
     let at = |quotient: &Quotient, place: Option<f64>, [rate, acceleration]: [f64; 2]| {
@@ -226,7 +229,8 @@ fn motion(analysis: &Analysis, phase: &Phase, values: &[(Symbol, f64)], from: f6
     [squared, acceleration].into_iter().chain(reactions).collect()
 }
 
-/// Conditions of a start at rest, anywhere or at a given place, which has the formulas without the symbol of the start.
+/// Conditions of a start at rest, anywhere or at a given place, which has the formulas without the
+/// symbol of the start.
 fn check_conditions(analysis: &Analysis, at: Option<f64>, source: &mut Source, seen: &mut usize) {
     let writer = TextWriter::new(analysis);
     for phase in analysis.phases.iter().filter(|phase| phase.kept.len() == 1) {

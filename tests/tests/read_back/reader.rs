@@ -1,6 +1,6 @@
-//! Reads printed formulas with numbers in place of their symbols, as one would read them aloud: from the left, a power
-//! before a product, a product before a sum; below a stroke stands one factor, behind a function one symbol, a multiple
-//! of one, or what has brackets.
+//! Reads printed formulas with numbers in place of their symbols, as one would read them aloud:
+//! from the left, a power before a product, a product before a sum; below a stroke stands one
+//! factor, behind a function one symbol, a multiple of one, or what has brackets.
 
 use std::iter::Peekable;
 use std::vec::IntoIter;

@@ -1,4 +1,5 @@
-//! Hand-built assemblies of the systems with closed forms. Uniform bars; m = l = g = 1 where nothing is given.
+//! Hand-built assemblies of the systems with closed forms. Uniform bars; m = l = g = 1 where
+//! nothing is given.
 
 use std::f64::consts::PI;
 
@@ -60,7 +61,8 @@ pub fn level_rod(offset: f64) -> (Assembly, State) {
     (assembly, state)
 }
 
-/// A bar at θ to the floor with its first point on it, moving so that its centre has no horizontal velocity.
+/// A bar at θ to the floor with its first point on it, moving so that its centre has no horizontal
+/// velocity.
 pub fn bar_over_floor(theta: f64, rate: f64) -> (Assembly, State) {
     let mut assembly = chain(&[1.0], 1.0, 1.0);
     assembly.supports = vec![floor("A", Mark::along(0, 0.0))];
@@ -124,7 +126,8 @@ pub fn tie_all(assembly: &mut Assembly) {
     assembly.ties = ties.collect();
 }
 
-/// Classical Runge–Kutta from `state` until `guard` falls through zero, the last step shortened onto it.
+/// Classical Runge–Kutta from `state` until `guard` falls through zero, the last step shortened
+/// onto it.
 pub fn march(
     assembly: &Assembly,
     mut state: State,

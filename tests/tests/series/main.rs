@@ -1,5 +1,6 @@
-//! Emitted Taylor series of random systems: the tokens themselves, evaluated as they stand, against the program, whose
-//! operations know nothing of series. The program is compared with the oracle elsewhere.
+//! Emitted Taylor series of random systems: the tokens themselves, evaluated as they stand, against
+//! the program, whose operations know nothing of series. The program is compared with the oracle
+//! elsewhere.
 
 mod emitted;
 mod program;
@@ -14,8 +15,8 @@ use liftoff_tests::random::{Source, Vocabulary, sample_of};
 use proc_macro2::TokenStream;
 use syn::{ImplItem, Item, ItemImpl, Type};
 
-/// Both sides lose digits where a divisor is small or a form is near its pivots; a system where more than half of
-/// 16 are lost is passed over, of the others coefficients agree to what is left.
+/// Both sides lose digits where a divisor is small or a form is near its pivots; a system where
+/// more than half of 16 are lost is passed over, of the others coefficients agree to what is left.
 const TOLERANCE: f64 = 1e-8;
 
 /// The bodies of a model's emitted functions.
@@ -50,8 +51,8 @@ fn emitted(tokens: TokenStream) -> Emitted {
     Emitted { constants: constants.expect("constants"), orders }
 }
 
-/// The worst error of any coefficient relative to the largest of its kind and order or a lower one; `None` where some
-/// are no numbers or grow beyond what can be compared.
+/// The worst error of any coefficient relative to the largest of its kind and order or a lower one;
+/// `None` where some are no numbers or grow beyond what can be compared.
 fn error(computed: &[Series], expected: &[Series]) -> Option<f64> {
     assert_eq!(computed.len(), expected.len());
     let (mut worst, mut size) = (0.0_f64, 1.0_f64);

@@ -31,7 +31,8 @@ fn evaluate(program: &Program, outputs: &[Id], input: &dyn Fn(Symbol) -> Series)
     outputs.iter().map(|id| values[id.index()]).collect()
 }
 
-/// Rates of the reduced state, reactions, gaps (zero where closed) and feet, as `PhaseSeries` gives them.
+/// Rates of the reduced state, reactions, gaps (zero where closed) and feet, as `PhaseSeries` gives
+/// them.
 pub fn terms(
     analysis: &Analysis,
     phase: &PhaseFunctions,

@@ -4,7 +4,8 @@ use super::super::{Series, Symbol};
 use super::random::*;
 use proptest::prelude::*;
 
-/// The motion whose coordinates and their derivatives have the values of a point at t = 0, to the order of a step.
+/// The motion whose coordinates and their derivatives have the values of a point at t = 0, to the
+/// order of a step.
 fn moved(value: &impl Fn(Symbol) -> f64, t: f64) -> impl Fn(Symbol) -> f64 {
     move |s| match s.derivative() {
         Some(rate) => {
@@ -26,7 +27,8 @@ proptest! {
         prop_assert_eq!(a.pow(0), Series::one());
     }
 
-    /// The truncation t² f⃛/6 and the rounding ε f/t, of exponents up to three and frequencies up to twenty.
+    /// The truncation t² f⃛/6 and the rounding ε f/t, of exponents up to three and frequencies up
+    /// to twenty.
     #[test]
     fn the_rate_is_that_of_a_motion(a in series(), seed in 0..1000_u32) {
         let (value, t) = (point(seed), 1e-5);
@@ -51,7 +53,8 @@ proptest! {
         prop_assert_eq!(a.substitute(Y, &symbol(Y)), a);
     }
 
-    /// Series of one value have one form, whatever way they were made; those of different forms differ somewhere.
+    /// Series of one value have one form, whatever way they were made; those of different forms
+    /// differ somewhere.
     #[test]
     fn the_form_is_that_of_the_value(a in series(), b in series(), seed in 0..1000_u32) {
         let square = |f: &Series| f * f;

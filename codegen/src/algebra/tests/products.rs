@@ -65,7 +65,8 @@ fn sums_stay_where_products_are_not_shorter() {
 
 #[test]
 fn the_square_of_fewer_signs_and_smaller_numbers_is_taken() {
-    // −8 + 6 cos² φ has smaller numbers than −5 + 3 cos 2φ too, but one sign less than the other square.
+    // −8 + 6 cos² φ has smaller numbers than −5 + 3 cos 2φ too, but one sign less than the other
+    // square.
     assert_eq!(text(&(Series::integer(-5) + doubled().scale(3.into()))), "−2 (1 + 3 sin² φ)");
     // Against 5 m + 5 l + (m − 3 l) cos 2φ: sums 3 + 1 + 1 + 3 of sin², 2 + 4 + 1 + 3 of cos².
     let (m, l) = (symbol(M), symbol(L));

@@ -32,7 +32,8 @@ fn every_variable_has_a_value_of_its_own() {
     }
 }
 
-/// (1 + l³) (2 + cos 2φ) does not divide 1 + l³, but does so where z = exp(iφ) is a number: x = z of degrees −2 to 2 tells.
+/// (1 + l³) (2 + cos 2φ) does not divide 1 + l³, but does so where z = exp(iφ) is a number: x = z
+/// of degrees −2 to 2 tells.
 #[test]
 fn the_image_is_one_in_the_widest_variable() {
     let cube = Series::one() + symbol(L).pow(3);
@@ -58,8 +59,8 @@ fn numbers_that_the_prime_divides_refute_nothing() {
     assert!(!refutes(&one, &(&p * &d)));
 }
 
-/// (y²⁰⁰⁰ + 1) / (y¹⁰⁰⁰ + 1): 1001 steps of 1001 coefficients, each of which is less than an operation on terms, but not for
-/// nothing.
+/// (y²⁰⁰⁰ + 1) / (y¹⁰⁰⁰ + 1): 1001 steps of 1001 coefficients, each of which is less than an
+/// operation on terms, but not for nothing.
 #[test]
 fn long_divisions_are_work() {
     let [n, d] = [2000, 1000].map(|k| symbol(Y).pow(k) + Series::one());

@@ -10,8 +10,8 @@ pub(super) const PRODUCT: u8 = u8::MAX;
 pub trait SymbolNames {
     /// Parameter `index`, as it is written.
     fn parameter(&self, index: u16) -> Math;
-    /// Where parameter `index` stands among the parameters of a product: numbers, masses, `g` and what else has time in it,
-    /// lengths.
+    /// Where parameter `index` stands among the parameters of a product: numbers, masses, `g` and
+    /// what else has time in it, lengths.
     fn rank_parameter(&self, _index: u16) -> u8 {
         0
     }
@@ -29,7 +29,8 @@ pub trait SymbolNames {
     }
 }
 
-/// A name as its letter or word, and what stands lowered beside it: `phi_inner` as φ and inner, `m1` as m and 1.
+/// A name as its letter or word, and what stands lowered beside it: `phi_inner` as φ and inner,
+/// `m1` as m and 1.
 pub fn lettered(name: &str) -> [String; 2] {
     Name::new(name).lettered()
 }

@@ -1,5 +1,5 @@
-//! Products of two waves where they are shorter than the sums that series have: `1 − cos 2φ = 2 sin² φ`,
-//! `cos(φ − ψ) − cos(φ + ψ) = 2 sin φ sin ψ`.
+//! Products of two waves where they are shorter than the sums that series have:
+//! `1 − cos 2φ = 2 sin² φ`, `cos(φ − ψ) − cos(φ + ψ) = 2 sin φ sin ψ`.
 //!
 //! With `a = ½ (α + β)` and `b = ½ (α − β)`
 //!
@@ -27,7 +27,8 @@ pub struct Shorthand<'a> {
     pub(in crate::algebra) products: Vec<[Wave; 2]>,
 }
 
-/// Coefficients, made of parameters, of the waves that one monomial of coordinates and rates is multiplied by.
+/// Coefficients, made of parameters, of the waves that one monomial of coordinates and rates is
+/// multiplied by.
 type Waves = BTreeMap<Wave, Series>;
 
 impl<'a> Shorthand<'a> {
@@ -186,7 +187,8 @@ fn product((alpha, p): (&Wave, &Series), (beta, q): (&Wave, &Series)) -> Option<
     Some(WavePair { pair: [alpha.clone(), beta.clone()], products, saves: (saves, 0, 0) })
 }
 
-/// Terms, signs among them, and the sum of their numbers over the greatest that they have in common.
+/// Terms, signs among them, and the sum of their numbers over the greatest that they have in
+/// common.
 fn measure(parts: [&Series; 2]) -> (usize, i128, i128) {
     let numbers: Vec<Rational> = parts.iter().flat_map(|part| part.terms().map(|(_, c)| c)).collect();
     let negative = numbers.iter().filter(|c| c.is_negative()).count();

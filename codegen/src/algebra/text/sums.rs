@@ -1,5 +1,6 @@
-//! Sums and quotients as they are written, and the order of terms in them: highest derivatives first, then by
-//! monomial, constants before waves, low multiples first; a positive term leads where there is one.
+//! Sums and quotients as they are written, and the order of terms in them: highest derivatives
+//! first, then by monomial, constants before waves, low multiples first; a positive term leads
+//! where there is one.
 
 use super::super::{Powers, Quotient, Rational, Series, Symbol, Term};
 use super::names::{PRODUCT, SymbolNames};
@@ -88,7 +89,8 @@ impl Quotient {
     }
 }
 
-/// Degrees in accelerations (and beyond), rates, coordinates; monomial, product of waves; multiple of the wave.
+/// Degrees in accelerations (and beyond), rates, coordinates; monomial, product of waves; multiple
+/// of the wave.
 pub type Rank = (Reverse<[i32; 3]>, Reverse<Powers>, Powers, i32, Reverse<Powers>, bool);
 
 /// The place of a term in a sum.

@@ -40,7 +40,8 @@ fn there_are_none_if_none_are_wanted() {
     assert_eq!(emitted(&ladder), "");
 }
 
-/// A coordinate `a` has the constant `A`, a coordinate `layout` none: the trait has one of that name.
+/// A coordinate `a` has the constant `A`, a coordinate `layout` none: the trait has one of that
+/// name.
 #[test]
 fn of_names_with_one_constant_the_first_has_it() {
     let text = emitted(

@@ -1,5 +1,5 @@
-//! The Taylor series of a closed form, and of the full equations: one function that serves every order, `PhaseSeries::order` and
-//! `KernelSeries::order`.
+//! The Taylor series of a closed form, and of the full equations: one function that serves every
+//! order, `PhaseSeries::order` and `KernelSeries::order`.
 
 mod waves;
 mod writer;

@@ -1,4 +1,5 @@
-//! Sines and cosines: by their recurrence whatever the program makes them of, which is where their values come from.
+//! Sines and cosines: by their recurrence whatever the program makes them of, which is where their
+//! values come from.
 
 use proc_macro2::{Literal, TokenStream};
 
@@ -31,7 +32,8 @@ impl SeriesWriter<'_> {
         }
     }
 
-    /// What is made by addition theorems: its value is, its coefficients are those of a sine and cosine.
+    /// What is made by addition theorems: its value is, its coefficients are those of a sine and
+    /// cosine.
     pub(super) fn wave(&mut self, id: Id, part: Part, angle: &[(Id, i16)], (sin, cos): (Id, Id)) {
         let [sine, cosine] = match self.waves.get(angle) {
             Some(known) => known.clone(),

@@ -1,5 +1,5 @@
-//! Operations on Taylor coefficients as Rust: linear ones are plain arithmetic, the others are calls that take a column
-//! of the tape.
+//! Operations on Taylor coefficients as Rust: linear ones are plain arithmetic, the others are
+//! calls that take a column of the tape.
 
 use std::collections::{BTreeMap, BTreeSet};
 

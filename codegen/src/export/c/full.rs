@@ -76,7 +76,8 @@ fn path_places(n: usize) -> Vec<String> {
     [vectors("reach"), vectors("moment"), (0..n).map(|i| format!("own[{i}]")).collect()].concat()
 }
 
-/// M of a long tree: `M_jj` its own, `M_ij = e·s` of a coordinate and one that carries it, e of the child of i on the way to j.
+/// M of a long tree: `M_jj` its own, `M_ij = e·s` of a coordinate and one that carries it, e of the
+/// child of i on the way to j.
 fn by_paths(paths: &Paths) -> [String; 2] {
     let parents =
         paths.parents.iter().map(|parent| parent.map_or_else(|| "-1".to_owned(), |i| i.to_string()));

@@ -1,15 +1,19 @@
-//! The equations as a library of C99: a header, a source and a makefile, which need nothing but the mathematical functions of C.
+//! The equations as a library of C99: a header, a source and a makefile, which need nothing but the
+//! mathematical functions of C.
 //!
 //! ```text
 //! [ M  −Jᵀ ] [ a ]   [  f ]
 //! [ J   0  ] [ λ ] = [ −b ]        f = Q − h, over the rows that hold
 //! ```
 //!
-//! - `statements`: operations as statements, a fold over the program; `names`: identifiers of parameters, states and constants.
-//! - `source`: all of the source: `constants`, what parameters alone determine; `function`: a function of a state; `full`: the
-//!   equations of the full state; `phases`: functions for each contact set in closed form.
+//! - `statements`: operations as statements, a fold over the program; `names`: identifiers of
+//!   parameters, states and constants.
+//! - `source`: all of the source: `constants`, what parameters alone determine; `function`: a
+//!   function of a state; `full`: the equations of the full state; `phases`: functions for each
+//!   contact set in closed form.
 //! - `header`: what the library has, with units; `text`: comments, strings and lists.
-//! - `solve.c`: the equations of any contact set by elimination, whatever the model; `hinges.c`: with friction in hinges.
+//! - `solve.c`: the equations of any contact set by elimination, whatever the model; `hinges.c`:
+//!   with friction in hinges.
 
 mod constants;
 mod full;

@@ -48,7 +48,8 @@ impl Library<'_> {
             derivative: Some(format!("{name}_derivative")),
             around: [String::new(), behind],
         };
-        // What stands for what else a state has: 1 of the time, 0 of switches; the same in the whole state.
+        // What stands for what else a state has: 1 of the time, 0 of switches; the same in the
+        // whole state.
         let slope = |symbol| if symbol == Symbol::Time { "1.0" } else { "0.0" };
         let slopes = motion.carried().map(slope).enumerate();
         let slopes =

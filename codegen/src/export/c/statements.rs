@@ -1,5 +1,5 @@
-//! Operations as statements of C99: a variable for what is named or used twice, nested expressions for the rest. Every operation
-//! is done as the program has it, in its order.
+//! Operations as statements of C99: a variable for what is named or used twice, nested expressions
+//! for the rest. Every operation is done as the program has it, in its order.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -102,7 +102,8 @@ impl CWriter<'_> {
     }
 
     fn expression(&self, operation: Operation) -> (String, Level) {
-        // Equal operators are read from the left, so only what stands on the right is bracketed where it is on their level.
+        // Equal operators are read from the left, so only what stands on the right is bracketed
+        // where it is on their level.
         let (left, right) = (|id, level| self.operand(id, level), |id, above| self.operand(id, above));
         match operation {
             Operation::Add(a, b) => {
@@ -138,7 +139,8 @@ impl CWriter<'_> {
     }
 }
 
-/// An exact number: a quotient of whole numbers where both are `double`s, which is rounded once as its decimal would be.
+/// An exact number: a quotient of whole numbers where both are `double`s, which is rounded once as
+/// its decimal would be.
 fn ratio(value: Rational) -> (String, Level) {
     let (p, q) = (value.numerator(), value.denominator());
     let exact = p.abs() <= EXACT && q <= EXACT;

@@ -14,7 +14,8 @@ use crate::text::written_out;
 use names::names;
 use std::collections::BTreeSet;
 
-/// What every module has, whatever the model: types of rows and contact sets, the equations of any contact set.
+/// What every module has, whatever the model: types of rows and contact sets, the equations of any
+/// contact set.
 const COMMON: &str = include_str!("common.py");
 
 /// The module.

@@ -107,7 +107,8 @@ impl<'a> TreeGeometry<'a> {
             .unzip()
     }
 
-    /// a and α of each branch, from the ground outwards: `a' = a + α e⊥ − ω² e`, α by `turn` from the branch and its a.
+    /// a and α of each branch, from the ground outwards: `a' = a + α e⊥ − ω² e`, α by `turn` from
+    /// the branch and its a.
     pub fn outwards(
         &self,
         lowering: &mut Lowering,

@@ -1,5 +1,5 @@
-//! Inverse dynamics: the force that drives each body at the point it turns about, and the couple that would have to, at
-//! given accelerations,
+//! Inverse dynamics: the force that drives each body at the point it turns about, and the couple
+//! that would have to, at given accelerations,
 //!
 //! `F = m a + α p⊥ − ω² p − f + Σ F'`, `Q = I α + p⊥ · a − c + Σ e⊥ · F'`,
 //!

@@ -1,5 +1,6 @@
-//! The mass matrix of a tree by paths: where body i carries body j, `M_ij = e_i · s_j`, e_i the reach of i towards j and
-//! `s_j = p_j + Σ m' e'` the first moment of j with what it carries put where it begins; `M_jj = I_j + Σ m' |e'|²`.
+//! The mass matrix of a tree by paths: where body i carries body j, `M_ij = e_i · s_j`, e_i the
+//! reach of i towards j and `s_j = p_j + Σ m' e'` the first moment of j with what it carries put
+//! where it begins; `M_jj = I_j + Σ m' |e'|²`.
 
 use super::geometry::{TreeGeometry, signed};
 use super::vector::Vector;

@@ -1,8 +1,8 @@
-//! Accelerations by elimination from the leaves, as in Featherstone's articulated bodies (*Rigid Body Dynamics Algorithms*,
-//! 2008, §7.2), here of the pairs (α, F) of a plane tree.
+//! Accelerations by elimination from the leaves, as in Featherstone's articulated bodies (*Rigid
+//! Body Dynamics Algorithms*, 2008, §7.2), here of the pairs (α, F) of a plane tree.
 //!
-//! With `F = A a + d` the force that drives a body at the point it turns about, those of the bodies that it carries
-//! eliminated, its balance of forces and couples is
+//! With `F = A a + d` the force that drives a body at the point it turns about, those of the bodies
+//! that it carries eliminated, its balance of forces and couples is
 //!
 //! ```text
 //! F = B a + b α + r,   0 = J α + b · a + τ,
@@ -10,8 +10,8 @@
 //! r = −f − ω² p + Σ (d − ω² A e),   τ = −c + Σ e⊥ · (d − ω² A e),
 //! ```
 //!
-//! with the sums over the carried bodies, f and c the loads. Then `α = −(b · a + τ)/J`, `A = B − b bᵀ/J`, `d = r − b τ/J`.
-//! At a free point that a force s drives, `Σ A a + Σ d = s`.
+//! with the sums over the carried bodies, f and c the loads. Then `α = −(b · a + τ)/J`,
+//! `A = B − b bᵀ/J`, `d = r − b τ/J`. At a free point that a force s drives, `Σ A a + Σ d = s`.
 
 use super::factors::{Factor, Factors, times_add};
 use super::geometry::{TreeGeometry, signed};
@@ -39,7 +39,8 @@ struct Bias {
     rho: Id,
 }
 
-/// The accelerations of a tree's coordinates, then what unit values of the generalised forces do to them.
+/// The accelerations of a tree's coordinates, then what unit values of the generalised forces do to
+/// them.
 pub fn accelerations(
     program: &mut Program,
     system: &System,

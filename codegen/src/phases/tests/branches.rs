@@ -41,7 +41,8 @@ fn is_turned(a: f64, b: f64) -> bool {
     ((a - b) / (2.0 * PI) - ((a - b) / (2.0 * PI)).round()).abs() < 1e-12
 }
 
-/// c sin φ ± c sin(ψ + γ), c cos φ ± c cos(ψ + γ): two solutions each, of which the figure tells one.
+/// c sin φ ± c sin(ψ + γ), c cos φ ± c cos(ψ + γ): two solutions each, of which the figure tells
+/// one.
 #[test]
 fn equal_waves_give_the_angle_of_the_figure() {
     let system = system();
@@ -114,7 +115,8 @@ fn angles_outside_waves_are_equated() {
     assert!(of(&(Series::symbol(Symbol::rate(0)) - &psi)).is_none() && of(&(&psi - Series::one())).is_none());
 }
 
-/// Of φ = 0 and ψ = 0 the one that is nearer in all figures; where their distances from zero differ by less than 1e-9, both.
+/// Of φ = 0 and ψ = 0 the one that is nearer in all figures; where their distances from zero differ
+/// by less than 1e-9, both.
 #[test]
 fn the_branch_is_the_one_near_in_every_figure() {
     let [a, b] = [angle(1, 0), angle(0, 1)];

@@ -1,5 +1,5 @@
-//! With `u = G u_k`, `a = G a_k + β` and `r = M a + h − Q − J_tᵀ R`: closed rows stay closed, `Gᵀ r = M̂ a_k + ĥ − Q̂`,
-//! `J_eᵀ λ = r_e`, `T = ½ uᵀ M u`.
+//! With `u = G u_k`, `a = G a_k + β` and `r = M a + h − Q − J_tᵀ R`: closed rows stay closed,
+//! `Gᵀ r = M̂ a_k + ĥ − Q̂`, `J_eᵀ λ = r_e`, `T = ½ uᵀ M u`.
 
 use super::super::{CoordinateValue, Phase, rows};
 use crate::Analysis;

@@ -46,7 +46,8 @@ fn where_nothing_is_eliminated_expressions_may_be_long() {
     const { assert!(256 > TERMS) };
 }
 
-/// p q + r = 0: a moving pivot may be small, a sum of parameters and a wave too, a product of parameters not.
+/// p q + r = 0: a moving pivot may be small, a sum of parameters and a wave too, a product of
+/// parameters not.
 #[test]
 fn pivots_that_may_vanish_are_reported() {
     let [x, q] = [0, 1].map(Symbol::coordinate);

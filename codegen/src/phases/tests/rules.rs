@@ -136,8 +136,8 @@ fn sets_with_own_code_are_as_many_as_declared() {
     }
 }
 
-/// (l cos φ + m) q + r = 0 where l = 2, m = 3, φ = 1: the pivot has two terms, and (l cos φ + m) / (l + m) of its largest
-/// value; m q + r = 0 is better.
+/// (l cos φ + m) q + r = 0 where l = 2, m = 3, φ = 1: the pivot has two terms, and (l cos φ + m) /
+/// (l + m) of its largest value; m q + r = 0 is better.
 #[test]
 fn pivots_cost_what_they_may_lose() {
     let [m, l, q, r] =
@@ -155,7 +155,8 @@ fn pivots_cost_what_they_may_lose() {
     assert_eq!((pivot, cost), (None, (0, 0.0)));
 }
 
-/// x sin γ + y cos γ = 0: on a gentle slope x is no number or loses its digits, and where the slope is steep y does.
+/// x sin γ + y cos γ = 0: on a gentle slope x is no number or loses its digits, and where the slope
+/// is steep y does.
 #[test]
 fn a_gentle_slope_determines_the_height() {
     let slope = analysis(
@@ -169,8 +170,8 @@ fn a_gentle_slope_determines_the_height() {
     assert_eq!(slides.pivots, [Series::cos(&Angle::from_symbol(Symbol::parameter(1)))]);
 }
 
-/// Of a chain from the joint of a pair on two corners: with five links the reaction of both corners has more than 200 terms,
-/// with six that of one corner too.
+/// Of a chain from the joint of a pair on two corners: with five links the reaction of both corners
+/// has more than 200 terms, with six that of one corner too.
 #[test]
 fn long_expressions_are_left_to_the_projected_form() {
     let sets = |links: usize| {

@@ -1,4 +1,5 @@
-//! Where a body lies. With complex numbers, w = w₀ + u (z − z₀), z along and across the body, u its direction.
+//! Where a body lies. With complex numbers, w = w₀ + u (z − z₀), z along and across the body, u its
+//! direction.
 
 use super::{Place, Scope};
 use crate::algebra::Series;
@@ -22,7 +23,8 @@ impl Frame {
         Some(Self { w: w0.clone(), z: z0.clone(), turn })
     }
 
-    /// The direction of a body in which its point `to` lies from `from` along a unit vector; `None` if they are one.
+    /// The direction of a body in which its point `to` lies from `from` along a unit vector; `None`
+    /// if they are one.
     pub fn pointing(scope: &mut Scope, from: &Place, to: &Place, along: Place) -> Option<Place> {
         let z = minus(to, from);
         let norm = scope.norm(&z);

@@ -1,6 +1,6 @@
-//! What the figure settles: one of several alternatives, by lengths of the figure that are not negative. An alternative
-//! that holds at every sample is taken, and its lengths are checked again with a model's own parameters, unless they
-//! cannot be negative.
+//! What the figure settles: one of several alternatives, by lengths of the figure that are not
+//! negative. An alternative that holds at every sample is taken, and its lengths are checked again
+//! with a model's own parameters, unless they cannot be negative.
 
 use super::{Figure, NEAR, Place, SAMPLES};
 use crate::algebra::{Series, Symbol};
@@ -25,8 +25,8 @@ pub(in crate::system) struct Heading {
 }
 
 impl Figure {
-    /// The alternative whose lengths are nowhere negative; where the samples differ, that of the first sample, if it has
-    /// only one.
+    /// The alternative whose lengths are nowhere negative; where the samples differ, that of the
+    /// first sample, if it has only one.
     pub fn decide(&self, scope: &Scope, alternatives: &[Vec<Series>]) -> Verdict {
         let first = hold(&self.now(scope, 1), alternatives);
         match (&self.everywhere(scope, alternatives)[..], &first[..]) {
@@ -41,7 +41,8 @@ impl Figure {
         hold(&self.now(scope, SAMPLES), alternatives)
     }
 
-    /// The first samples with the constants derived by now, where all are numbers, and what is near to zero there.
+    /// The first samples with the constants derived by now, where all are numbers, and what is near
+    /// to zero there.
     fn now(&self, scope: &Scope, count: usize) -> Vec<(ParameterValues, f64)> {
         let (fields, constants) = (scope.description.fields.len(), scope.constants.definitions());
         let samples = self.samples.iter();
@@ -99,7 +100,8 @@ fn hold(samples: &[(ParameterValues, f64)], alternatives: &[Vec<Series>]) -> Vec
 }
 
 impl System {
-    /// That a body has its direction, in quarter turns, if a model's parameters might say otherwise.
+    /// That a body has its direction, in quarter turns, if a model's parameters might say
+    /// otherwise.
     pub fn settled_direction(&self, body: usize, quarters: i64) -> Option<Settled> {
         let Body { from, to, ref name, ref length, .. } = self.bodies[body];
         let minus = |[a, b]: &Place, [c, d]: &Place| [a - c, b - d];

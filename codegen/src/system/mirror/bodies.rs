@@ -1,5 +1,6 @@
-//! Bodies against their mirror images: points, mass, length, inertia, centre of mass. The frame of an image is the
-//! reflection of the body's, or that turned by half a turn, as for a bar that is named from its other end.
+//! Bodies against their mirror images: points, mass, length, inertia, centre of mass. The frame of
+//! an image is the reflection of the body's, or that turned by half a turn, as for a bar that is
+//! named from its other end.
 
 use std::collections::BTreeSet;
 
@@ -90,8 +91,8 @@ fn compare(scope: &mut Scope, pairing: &Pairing, body: usize, image: usize, turn
     let (of_a, of_b) = (values(a), values(b));
     let mut differ: Vec<&str> = Vec::new();
     for (what, (x, y)) in ["mass", "length", "inertia"].into_iter().zip(of_a.iter().zip(&of_b)) {
-        // A uniform bar's inertia follows from the other two: one difference is told once.
-        // Of other bodies the length is no more than the distance of two of the points compared below.
+        // A uniform bar's inertia follows from the other two: one difference is told once. Of other
+        // bodies the length is no more than the distance of two of the points compared below.
         let follows = what == "inertia" && !differ.is_empty() || what == "length" && !bar;
         if !follows && !pairing.same(x, y) {
             differ.push(what);
@@ -123,7 +124,8 @@ fn compare(scope: &mut Scope, pairing: &Pairing, body: usize, image: usize, turn
     }
 }
 
-/// Where on the image what is here on the body must be: by its distance from the body's first point.
+/// Where on the image what is here on the body must be: by its distance from the body's first
+/// point.
 fn reflected(
     pairing: &Pairing,
     [body, image]: [usize; 2],

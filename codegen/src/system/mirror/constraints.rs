@@ -1,5 +1,6 @@
-//! Welds, sliders and drives against their mirror images. Where the image of direction δ is H − δ, a weld by a has
-//! the image H' − H − a, a drive by f the image H − f; across the mirror x = c the image of x is 2c − x.
+//! Welds, sliders and drives against their mirror images. Where the image of direction δ is H − δ,
+//! a weld by a has the image H' − H − a, a drive by f the image H − f; across the mirror x = c the
+//! image of x is 2c − x.
 
 use proc_macro2::Span;
 

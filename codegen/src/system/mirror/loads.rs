@@ -1,6 +1,7 @@
-//! Springs and applied loads against their mirror images. A couple c has the image −c; of a force the component
-//! across the mirror changes its sign, and so does, of one along and across a bar, the component along the bar
-//! if the image of the bar is named from its other end, else the component across it.
+//! Springs and applied loads against their mirror images. A couple c has the image −c; of a force
+//! the component across the mirror changes its sign, and so does, of one along and across a bar,
+//! the component along the bar if the image of the bar is named from its other end, else the
+//! component across it.
 
 use proc_macro2::Span;
 

@@ -1,8 +1,8 @@
-//! Mirror symmetry in a line x = a or y = a: which point, bar and support is the image of which, and that images
-//! agree in everything that matters.
+//! Mirror symmetry in a line x = a or y = a: which point, bar and support is the image of which,
+//! and that images agree in everything that matters.
 //!
-//! Reflection in x = a takes a direction δ to π − δ, in y = a to −δ. A left normal becomes the right one of
-//! the image; if the image is described from its other end, the left one again.
+//! Reflection in x = a takes a direction δ to π − δ, in y = a to −δ. A left normal becomes the
+//! right one of the image; if the image is described from its other end, the left one again.
 
 mod bodies;
 mod constraints;

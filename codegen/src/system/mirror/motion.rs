@@ -1,5 +1,5 @@
-//! Expressions of a symmetric motion: equal if they agree at some instants of motions that are symmetric and
-//! otherwise generic.
+//! Expressions of a symmetric motion: equal if they agree at some instants of motions that are
+//! symmetric and otherwise generic.
 
 use core::f64::consts::{PI, TAU};
 

@@ -1,5 +1,6 @@
-//! Supports against their mirror images. A line of direction δ with its normal at δ + π/2 is reflected in x = a to
-//! the direction −δ, in y = a to π − δ, so that the free side stays the normal's.
+//! Supports against their mirror images. A line of direction δ with its normal at δ + π/2 is
+//! reflected in x = a to the direction −δ, in y = a to π − δ, so that the free side stays the
+//! normal's.
 
 use super::{Images, Pairing, motion};
 use crate::algebra::{Angle, Series};
@@ -52,8 +53,8 @@ fn manners(scope: &mut Scope, pairing: &Pairing, a: &Support, b: &Support) {
     }
 }
 
-/// Reports in what the friction of two images differs. They slip alike; their surfaces move oppositely along tangents that a mirror
-/// turns.
+/// Reports in what the friction of two images differs. They slip alike; their surfaces move
+/// oppositely along tangents that a mirror turns.
 pub(super) fn frictions(scope: &mut Scope, images: &Images, pairs: &[usize]) {
     let supports = &images.parts.supports;
     for (i, &image) in pairs.iter().enumerate().filter(|(i, image)| *i <= **image) {

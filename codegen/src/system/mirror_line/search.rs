@@ -1,5 +1,5 @@
-//! Images of points: a point whose place is known maps to the point at the mirror image of that place; the rest
-//! follow from the bars that join them, if they follow uniquely.
+//! Images of points: a point whose place is known maps to the point at the mirror image of that
+//! place; the rest follow from the bars that join them, if they follow uniquely.
 
 use super::super::bodies::Structure;
 use super::super::names::ParameterNames;
@@ -9,7 +9,8 @@ use crate::algebra::Series;
 
 type Places = [Option<[Series; 2]>];
 
-/// Assignments tried before a figure counts as ambiguous; each costs about the number of points squared.
+/// Assignments tried before a figure counts as ambiguous; each costs about the number of points
+/// squared.
 const TRIES: usize = 10_000;
 
 /// The image of each point.

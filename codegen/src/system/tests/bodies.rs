@@ -14,7 +14,8 @@ fn a_uniform_triangle_has_its_centre_at_the_mean_of_its_corners() {
     let system = resolve(&format!("{HULL} #[figure(A = (0, 0), B = (l, 0))]")).unwrap();
     let hull = &system.bodies[0];
     assert_eq!(hull.centre.each_ref().map(|c| text(&system, c)), ["⅓ l", "⅓ a"]);
-    // Sides l, a and √(l² + a²), so I = m (l² + a²)/18; by parallel axes from the corner's m (l² + a²)/6.
+    // Sides l, a and √(l² + a²), so I = m (l² + a²)/18; by parallel axes from the corner's m (l² +
+    // a²)/6.
     let [m, l, g, a] = [1.3, 0.7, 9.81, 0.4];
     let inertia = system.parameter_value(&hull.inertia, &[m, l, g, a]);
     assert!((inertia - m * (l * l + a * a) * (1.0 / 6.0 - 1.0 / 9.0)).abs() < 1e-15);

@@ -204,7 +204,8 @@ fn circles_and_slots_keep_points_on_their_sides() {
             _ => panic!(),
         })
         .collect();
-    // Up the y axis the left is −x: the lower line lies to the right of the middle, free towards the left.
+    // Up the y axis the left is −x: the lower line lies to the right of the middle, free towards
+    // the left.
     assert_eq!(lines, [(1, ["½ (2 l + a)".into(), "0".into()]), (3, ["½ (2 l − a)".into(), "0".into()])]);
 }
 

@@ -70,7 +70,8 @@ fn mistakes_are_reported() {
     }
 }
 
-/// A drive on a condition is a contact that holds both ways, with the row of the joint that it would be without.
+/// A drive on a condition is a contact that holds both ways, with the row of the joint that it
+/// would be without.
 #[test]
 fn drives_on_conditions_are_contacts() {
     let drive = "#[drive(along(P, AB) = a + m * t, while(\"t > 1\"))]";
@@ -97,7 +98,8 @@ fn drives_on_conditions_have_no_images() {
     assert_eq!(told, [expected]);
 }
 
-/// A distance across the mirror is its own image; along a bar that is named from its other end what is left of it is driven.
+/// A distance across the mirror is its own image; along a bar that is named from its other end what
+/// is left of it is driven.
 #[test]
 fn images_are_driven_alike() {
     let pair = "#[bar(AD, mass = m, length = l)] #[bar(DB, mass = m, length = l)] #[particle(P, mass = g)] #[particle(Q, mass = g)] \

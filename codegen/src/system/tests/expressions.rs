@@ -1,4 +1,5 @@
-//! Expressions against the same arithmetic in `f64`: a dozen operations, so a few units in the last place.
+//! Expressions against the same arithmetic in `f64`: a dozen operations, so a few units in the last
+//! place.
 
 use super::{resolve, text};
 use crate::algebra::Series;

@@ -184,8 +184,8 @@ fn a_loop_that_cannot_close_is_reported_with_what_it_lacks() {
     assert_eq!(told(&format!("{bars} #[pin(O = (0, 0))] #[figure(A = (1, 0), B = (0, 2))]")), [text]);
 }
 
-/// Both lengths are told of a bar whose ends the figure puts somewhere else with any parameters; one drawn roughly, or with
-/// numbers that fit some parameters, is as good as before.
+/// Both lengths are told of a bar whose ends the figure puts somewhere else with any parameters;
+/// one drawn roughly, or with numbers that fit some parameters, is as good as before.
 #[test]
 fn a_figure_that_contradicts_a_length_is_refused() {
     let told = |figure: &str| {

@@ -1,5 +1,5 @@
-//! Resolution of declarations, and the mistakes that are told. Where each message stands is tested on the
-//! compiler's output, in the workspace's `tests/derive/tests/ui`.
+//! Resolution of declarations, and the mistakes that are told. Where each message stands is tested
+//! on the compiler's output, in the workspace's `tests/derive/tests/ui`.
 
 mod bodies;
 mod constraints;

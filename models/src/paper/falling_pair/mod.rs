@@ -1,4 +1,5 @@
-//! Fig. 1a from its runs: the fall, and the same with the corners held past the zero of their reaction.
+//! Fig. 1a from its runs: the fall, and the same with the corners held past the zero of their
+//! reaction.
 
 pub mod asymmetry;
 mod figures;
@@ -17,7 +18,8 @@ pub(super) use positions::{BARS, ground};
 
 pub(super) const MODEL: &str = "falling-pair";
 
-/// The runs behind the numbers and figures of Fig. 1a: m = l = 1, the paper's g, on the energy level of φ = 0.
+/// The runs behind the numbers and figures of Fig. 1a: m = l = 1, the paper's g, on the energy
+/// level of φ = 0.
 pub struct FallingPairRuns {
     fall: Trajectory,
     held: Trajectory,

@@ -1,4 +1,5 @@
-//! The project in one picture: the pair on its corners and in free fall, and the reaction through its zero.
+//! The project in one picture: the pair on its corners and in free fall, and the reaction through
+//! its zero.
 
 use super::FallingPairRuns;
 use super::positions::BARS;

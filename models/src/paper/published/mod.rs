@@ -86,7 +86,8 @@ impl PublishedRuns {
         self.angle(EventKind::Touch).or_else(|| self.angle(EventKind::Open))
     }
 
-    /// The angle where contact is regained: B and D reach the floor, or the reaction only touched zero.
+    /// The angle where contact is regained: B and D reach the floor, or the reaction only touched
+    /// zero.
     pub fn touch_down(&self) -> Option<f64> {
         self.angle(EventKind::Touch).or_else(|| self.angle(EventKind::Close))
     }

@@ -1,5 +1,5 @@
-//! The symmetric motion of Fig. 1b is unstable: near the upright a difference between left and right grows faster than the fall.
-//! With the feet on the floor, linearised at φ = π/2,
+//! The symmetric motion of Fig. 1b is unstable: near the upright a difference between left and
+//! right grows faster than the fall. With the feet on the floor, linearised at φ = π/2,
 //!
 //! ```text
 //! σₐ/σₛ = √[(1/3 + 2λ)/(1/12 + λ − λ²)]
@@ -88,7 +88,8 @@ pub fn figure(tolerance: f64, ratios: &[Ratio]) -> Result<Option<CaptionedFigure
 mod tests {
     use super::*;
 
-    /// As the book has it: from 0.7 mrad of difference the first opening is at angles 0.23 rad apart.
+    /// As the book has it: from 0.7 mrad of difference the first opening is at angles 0.23 rad
+    /// apart.
     #[test]
     fn the_symmetric_motion_is_not_what_a_small_difference_leads_to() {
         let run = run(1e-13).expect("a motion");
@@ -99,7 +100,8 @@ mod tests {
         }
     }
 
-    /// From rest a small departure grows as cosh σt: the symmetric one at 1e-4 of the upright, the antisymmetric one at 1e-6.
+    /// From rest a small departure grows as cosh σt: the symmetric one at 1e-4 of the upright, the
+    /// antisymmetric one at 1e-6.
     #[test]
     fn differences_grow_as_linearised() {
         for ratio in [0.25, 0.5, 0.75] {

@@ -46,7 +46,8 @@ impl Run {
         }
     }
 
-    /// What differs, in two sentences; `published` has this run's mass ratio. None without a second opening.
+    /// What differs, in two sentences; `published` has this run's mass ratio. None without a second
+    /// opening.
     pub fn difference(
         &self,
         published: &PublishedRuns,

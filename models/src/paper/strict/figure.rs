@@ -13,8 +13,8 @@ use liftoff_studio::plot::{Axis, Chart, Colour, Curve, Figure, Mark};
 const FROM: f64 = 0.75;
 
 impl Run {
-    /// Reactions one by one and in total; then how far the angles depart from the published one. `published` has this
-    /// run's mass ratio; none if either motion has no flight.
+    /// Reactions one by one and in total; then how far the angles depart from the published one.
+    /// `published` has this run's mass ratio; none if either motion has no flight.
     pub fn figure(&self, published: &PublishedRuns) -> Result<Option<CaptionedFigure>, ReportError> {
         let (Some(first), Some(last)) = (self.openings().next(), self.openings().last()) else {
             return Ok(None);

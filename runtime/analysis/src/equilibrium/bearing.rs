@@ -4,8 +4,8 @@
 //! f + Jᵀ λ = 0,   N ≥ 0,   |R| ≤ μₛ N
 //! ```
 //!
-//! Where rows of J depend on each other, λ = λ₀ + B c with Jᵀ B = 0, and linear programs in c give the least and the largest of each
-//! reaction.
+//! Where rows of J depend on each other, λ = λ₀ + B c with Jᵀ B = 0, and linear programs in c give
+//! the least and the largest of each reaction.
 
 use liftoff_core::model::{ContactKind, ContactSet, QuantityKind, SlipState};
 use liftoff_core::scalar::{DoubleDouble, Real};
@@ -82,7 +82,8 @@ impl Shares {
         let equations = subject.system.equations(state);
         let n = layout.coordinates.len();
         let rows: Vec<usize> = (0..layout.rows()).filter(|&row| layout.is_closed(row, &set)).collect();
-        // Columns of as many entries as there are rows at least, so that all right singular vectors are there.
+        // Columns of as many entries as there are rows at least, so that all right singular vectors
+        // are there.
         let mut matrix = DMatrix::zeros(n.max(rows.len()), rows.len());
         let mut force = DVector::zeros(n.max(rows.len()));
         for (i, coordinate) in layout.coordinates.iter().enumerate() {
@@ -146,7 +147,8 @@ impl Shares {
         self.rows.iter().position(|known| *known == row)
     }
 
-    /// The least and the largest λ of a row, infinite where there is none; nothing if the bounds exclude each other.
+    /// The least and the largest λ of a row, infinite where there is none; nothing if the bounds
+    /// exclude each other.
     fn range(&self, place: usize) -> Option<[f64; 2]> {
         let [least, largest] = [1.0, -1.0].map(|sign| self.extreme(place, sign));
         let rounded = |force: f64| if force.abs() <= self.none { 0.0 } else { force };

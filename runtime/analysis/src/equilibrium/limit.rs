@@ -1,6 +1,8 @@
-//! How far a parameter, a load say, may grow until an equilibrium is lost: it is followed from value to value by steps that are halved where
-//! it is not found, until they are nothing: Newton's method finds what is near only, and one step that fails is no end. At the end some contact bears nothing more, or its friction is at its limit, or a mode begins to grow, or what held
-//! the system has a fold.
+//! How far a parameter, a load say, may grow until an equilibrium is lost: it is followed from
+//! value to value by steps that are halved where it is not found, until they are nothing: Newton's
+//! method finds what is near only, and one step that fails is no end. At the end some contact bears
+//! nothing more, or its friction is at its limit, or a mode begins to grow, or what held the system
+//! has a fold.
 
 use liftoff_core::model::ContactSet;
 use liftoff_core::scalar::{DoubleDouble, Real};
@@ -18,7 +20,8 @@ const MOST: f64 = 1e6;
 /// The last step, in parts of the parameter, or of what is as small beside its first size.
 const WIDTH: f64 = 1e-13;
 const MOST_STEPS: usize = 2000;
-/// A reaction below this part of the largest is lost at the limit, and a friction force nearer to its limit slides.
+/// A reaction below this part of the largest is lost at the limit, and a friction force nearer to
+/// its limit slides.
 const LOST: f64 = 1e-5;
 
 /// The end of an equilibrium.
@@ -47,8 +50,8 @@ pub enum LimitEnd {
     Unfollowed,
 }
 
-/// How far the equilibrium of a subject remains, by `subject` the subject with another value of the parameter, from the value `from`
-/// on in the direction of `to`; none if it remains as far as that.
+/// How far the equilibrium of a subject remains, by `subject` the subject with another value of the
+/// parameter, from the value `from` on in the direction of `to`; none if it remains as far as that.
 ///
 /// # Errors
 /// There is no equilibrium to begin with; another value makes no model.
@@ -131,7 +134,8 @@ impl Begun {
     }
 }
 
-/// How far Newton's method may go in a step, in its own: farther where the system has grown beyond its natural length.
+/// How far Newton's method may go in a step, in its own: farther where the system has grown beyond
+/// its natural length.
 fn reach(subject: &Subject, state: &[DoubleDouble]) -> f64 {
     let lengths =
         subject.layout().coordinates.iter().zip(state).filter(|(coordinate, _)| !coordinate.is_angle);

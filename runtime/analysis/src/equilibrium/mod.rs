@@ -1,4 +1,5 @@
-//! Equilibria: a(q) = 0 in some contact set, with reactions that the contacts can give and gaps that are not negative.
+//! Equilibria: a(q) = 0 in some contact set, with reactions that the contacts can give and gaps
+//! that are not negative.
 
 mod bearing;
 mod limit;
@@ -39,7 +40,8 @@ pub enum Stability {
     Fixed,
     /// They stay small.
     Stable,
-    /// Some neither grow nor return: there are other equilibria beside it, or the next order decides.
+    /// Some neither grow nor return: there are other equilibria beside it, or the next order
+    /// decides.
     Neutral,
     /// So many modes grow.
     Unstable(usize),

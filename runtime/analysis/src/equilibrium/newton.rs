@@ -1,4 +1,5 @@
-//! An equilibrium of one contact set by Newton's method on its tangent space: K δξ = ξ̈, until δξ is lost in double-double.
+//! An equilibrium of one contact set by Newton's method on its tangent space: K δξ = ξ̈, until δξ
+//! is lost in double-double.
 
 use liftoff_core::model::ContactSet;
 use liftoff_core::scalar::DoubleDouble;
@@ -21,7 +22,8 @@ const CLOSINGS: usize = 40;
 /// Contacts are closed within this part of natural lengths.
 const CLOSED: f64 = 1e-13;
 
-/// The state at rest in an equilibrium of these contacts, if one is found from `state` by steps of so many times the farthest.
+/// The state at rest in an equilibrium of these contacts, if one is found from `state` by steps of
+/// so many times the farthest.
 pub(super) fn equilibrium(
     subject: &Subject,
     set: ContactSet,

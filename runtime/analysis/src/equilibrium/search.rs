@@ -49,7 +49,8 @@ pub fn equilibria(subject: &Subject) -> Result<Vec<Equilibrium>, AnalysisError> 
     if found.is_empty() { Err(AnalysisError::NotFound { tried: sets.len() }) } else { Ok(found) }
 }
 
-/// The position of the subject; then it with its angles turned by quarters, all combinations of up to three of them, else each alone.
+/// The position of the subject; then it with its angles turned by quarters, all combinations of up
+/// to three of them, else each alone.
 fn turned(subject: &Subject) -> impl Iterator<Item = Vec<DoubleDouble>> {
     let coordinates = subject.layout().coordinates.iter().enumerate();
     let angles: Vec<usize> = coordinates.filter(|(_, c)| c.is_angle).map(|(i, _)| i).collect();

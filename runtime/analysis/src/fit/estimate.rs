@@ -1,4 +1,5 @@
-//! What the data say of the variables: by the singular values of Ĵ, whose columns are those of J made units,
+//! What the data say of the variables: by the singular values of Ĵ, whose columns are those of J
+//! made units,
 //!
 //! ```text
 //! J = Ĵ N,    Ĵ = U Σ Vᵀ,    (JᵀJ)⁻¹ = N⁻¹ V Σ⁻² Vᵀ N⁻¹
@@ -12,14 +13,17 @@ use crate::numeric::student::two_sided_quantile;
 
 /// The part of estimates that is to lie within their interval.
 const CONFIDENCE: f64 = 0.95;
-/// A variable of its own size that changes what is measured by less than this part of it does not change it: some hundred times the
-/// error of a derivative.
+/// A variable of its own size that changes what is measured by less than this part of it does not
+/// change it: some hundred times the error of a derivative.
 const NO_CHANGE: f64 = 1e-10;
-/// Columns that depend on each other up to this are dependent: the same error, and its square in JᵀJ beside rounding.
+/// Columns that depend on each other up to this are dependent: the same error, and its square in
+/// JᵀJ beside rounding.
 const DEPENDENT: f64 = 1e-7;
-/// Columns of J and residuals whose cosine is below this are orthogonal: a search ends where it is below 1e-5, the root of its tolerance.
+/// Columns of J and residuals whose cosine is below this are orthogonal: a search ends where it is
+/// below 1e-5, the root of its tolerance.
 const ORTHOGONAL: f64 = 1e-3;
-/// A variable of its own size that changes less than this part of what is computed leads nowhere: its derivative vanishes there.
+/// A variable of its own size that changes less than this part of what is computed leads nowhere:
+/// its derivative vanishes there.
 const SLIGHT: f64 = 1e-2;
 /// Residuals below this part of what is measured are those of runs, a thousand times over.
 const RUN_ERROR: f64 = 1e-8;
@@ -62,7 +66,8 @@ pub(super) fn estimates(
     Ok(((0..n).map(estimate).collect(), correlations.collect()))
 }
 
-/// Whether the residuals are more than the errors of runs, and a change of one variable makes them less to first order: there is no minimum.
+/// Whether the residuals are more than the errors of runs, and a change of one variable makes them
+/// less to first order: there is no minimum.
 pub(super) fn is_held_up(fit: &Fit<'_>, best: &Trial, jacobian: &DMatrix<f64>) -> bool {
     let residuals = &best.residuals;
     let norm = residuals.norm();

@@ -1,4 +1,5 @@
-//! Least squares of parameters and starts p to measured values ŷᵢ of standard deviations σᵢ, through the events of a run:
+//! Least squares of parameters and starts p to measured values ŷᵢ of standard deviations σᵢ,
+//! through the events of a run:
 //!
 //! ```text
 //! rᵢ(p) = (yᵢ(p) − ŷᵢ) / σᵢ,    ‖r(p)‖ → min,    J = ∂r/∂p
@@ -7,13 +8,16 @@
 //! pₖ ± t √Cₖₖ                                      t: the 0.975 quantile of Student's distribution of m − n degrees of freedom
 //! ```
 //!
-//! yᵢ is an output at a given time, the time of an event, or an output right behind one. The search is MINPACK's (Moré, *The
-//! Levenberg-Marquardt algorithm: implementation and theory*, Lecture Notes in Mathematics 630, 1978); errors are those of the linear
-//! approximation at its end (Bates and Watts, *Nonlinear Regression Analysis and Its Applications*, 1988, chapter 2). Derivatives are those
-//! of [`Sensitivities`](crate::Sensitivities), for the sequence of events that the run has.
+//! yᵢ is an output at a given time, the time of an event, or an output right behind one. The search
+//! is MINPACK's (Moré, *The Levenberg-Marquardt algorithm: implementation and theory*, Lecture
+//! Notes in Mathematics 630, 1978); errors are those of the linear approximation at its end (Bates
+//! and Watts, *Nonlinear Regression Analysis and Its Applications*, 1988, chapter 2). Derivatives
+//! are those of [`Sensitivities`](crate::Sensitivities), for the sequence of events that the run
+//! has.
 //!
 //! - `datum`: what is measured; `trial`: one run with its residuals and their derivatives.
-//! - `search`: the way to the least sum of squares; `estimate`: what the data say of the variables there.
+//! - `search`: the way to the least sum of squares; `estimate`: what the data say of the variables
+//!   there.
 
 mod datum;
 mod error;
@@ -59,7 +63,8 @@ pub struct Fitted {
     pub norm: f64,
     /// m − n.
     pub freedom: usize,
-    /// s, by which the standard deviations that were given are to be multiplied; none without a degree of freedom.
+    /// s, by which the standard deviations that were given are to be multiplied; none without a
+    /// degree of freedom.
     pub scatter: Option<f64>,
     /// Steps that came nearer.
     pub iterations: usize,

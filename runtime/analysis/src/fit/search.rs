@@ -7,7 +7,8 @@ use super::trial::{Trial, TrialError};
 use super::{Ending, Fit, FitError, Fitted};
 use crate::numeric::least_squares::{self, Limits, Residuals, minimize};
 
-/// Relative changes of the sum of squares and of the variables below this are none: some ten times the error of a run.
+/// Relative changes of the sum of squares and of the variables below this are none: some ten times
+/// the error of a run.
 const NOTHING: f64 = 1e-10;
 /// Runs at most, for each variable and one more.
 const PATIENCE: usize = 60;
@@ -26,12 +27,15 @@ struct Search<'a> {
 }
 
 impl Fit<'_> {
-    /// The values of the variables with the least sum of squares near those that the search begins with.
+    /// The values of the variables with the least sum of squares near those that the search begins
+    /// with.
     ///
-    /// A run that fails, that lacks what was measured, or that has no derivatives counts as too long a step.
+    /// A run that fails, that lacks what was measured, or that has no derivatives counts as too
+    /// long a step.
     ///
     /// # Errors
-    /// There are fewer values than variables; the first run cannot be compared with the data; the data do not determine a variable.
+    /// There are fewer values than variables; the first run cannot be compared with the data; the
+    /// data do not determine a variable.
     pub fn solve(&self) -> Result<Fitted, FitError> {
         let [data, variables] = [self.data.len(), self.variables.len()];
         if variables == 0 {
@@ -123,7 +127,8 @@ impl Residuals for Search<'_> {
     fn jacobian(&mut self) -> Option<DMatrix<f64>> {
         match &self.other {
             None => Some(self.jacobian.clone()),
-            // Nearer than the last step that was taken, but not than one that gained too little to be.
+            // Nearer than the last step that was taken, but not than one that gained too little to
+            // be.
             Some(Ok(trial)) => self.fit.jacobian(trial).ok(),
             Some(Err(_)) => None,
         }

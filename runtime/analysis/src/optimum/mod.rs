@@ -1,5 +1,5 @@
-//! The least or the greatest value of an output over parameters and starts p, between bounds where there are any, through the events
-//! of a run:
+//! The least or the greatest value of an output over parameters and starts p, between bounds where
+//! there are any, through the events of a run:
 //!
 //! ```text
 //! y(p) → min,    ∇y by dual numbers and saltation
@@ -8,11 +8,13 @@
 //! θ ← θ − α H ∇y                          H: from the last steps, α: such that y falls and its slope flattens
 //! ```
 //!
-//! The search is that of Liu and Nocedal (*On the limited memory BFGS method for large scale optimization*, Mathematical Programming 45,
-//! 1989) with the line search of Moré and Thuente (ACM Transactions on Mathematical Software 20, 1994); bounds are those of MINUIT (James
-//! and Roos, Computer Physics Communications 10, 1975).
+//! The search is that of Liu and Nocedal (*On the limited memory BFGS method for large scale
+//! optimization*, Mathematical Programming 45, 1989) with the line search of Moré and Thuente (ACM
+//! Transactions on Mathematical Software 20, 1994); bounds are those of MINUIT (James and Roos,
+//! Computer Physics Communications 10, 1975).
 //!
-//! - `place`: variables between their bounds; `cost`: runs with their values and slopes; `search`: the way to the least value.
+//! - `place`: variables between their bounds; `cost`: runs with their values and slopes; `search`:
+//!   the way to the least value.
 
 mod cost;
 mod place;

@@ -3,9 +3,11 @@
 use super::OptimumError;
 use crate::Variable;
 
-/// A value that begins at a bound is moved inwards by this part of the range: at the bound the slope of θ vanishes.
+/// A value that begins at a bound is moved inwards by this part of the range: at the bound the
+/// slope of θ vanishes.
 const INSIDE: f64 = 0.005;
-/// A variable without bounds that has come so many times its unit, or its first value, goes on without end.
+/// A variable without bounds that has come so many times its unit, or its first value, goes on
+/// without end.
 const FAR: f64 = 1e4;
 /// A variable is at a bound to which it is nearer than this part of its range and of its size.
 const AT: f64 = 1e-6;

@@ -1,5 +1,5 @@
-//! The way to the least value: searches one after the other, each on the scale of the slopes where the last one ended, and
-//! behind it Newton's method on the slopes.
+//! The way to the least value: searches one after the other, each on the scale of the slopes where
+//! the last one ended, and behind it Newton's method on the slopes.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -10,7 +10,8 @@ use crate::numeric::quasi_newton::{self, minimize};
 
 /// Slopes by θ below this part of the steepest one at the start of a search are none.
 const FLAT: f64 = 1e-7;
-/// A search ends at such a part of the flattest slope that counts, the first where Newton's method can go on.
+/// A search ends at such a part of the flattest slope that counts, the first where Newton's method
+/// can go on.
 const BELOW: f64 = 0.3;
 const NEAR: f64 = 1e-4;
 /// Slopes below this part of the output are rounding of runs.
@@ -41,11 +42,12 @@ struct Progress<'a> {
 }
 
 impl Optimum<'_> {
-    /// The best values near those that the search begins with. A run that fails, that does not have the output, or that has no
-    /// derivatives counts as too long a step.
+    /// The best values near those that the search begins with. A run that fails, that does not have
+    /// the output, or that has no derivatives counts as too long a step.
     ///
     /// # Errors
-    /// Nothing is varied; a variable does not begin between its bounds; the first run has no such output or no derivatives.
+    /// Nothing is varied; a variable does not begin between its bounds; the first run has no such
+    /// output or no derivatives.
     pub fn solve(&self) -> Result<Best, OptimumError> {
         if self.variables.is_empty() {
             return Err(OptimumError::NoVariable);
@@ -123,7 +125,8 @@ impl Optimum<'_> {
 }
 
 impl Progress<'_> {
-    /// Searches once from the best point on, until slopes are this part of those at first; whether that has gained next to nothing.
+    /// Searches once from the best point on, until slopes are this part of those at first; whether
+    /// that has gained next to nothing.
     fn once(&mut self, step: f64, flat: f64) -> bool {
         let steepest = self.best.steepest();
         self.steepest = self.steepest.max(steepest);
@@ -146,8 +149,8 @@ impl Progress<'_> {
         settled
     }
 
-    /// Newton's method on the slopes, H from their differences: where the output is flat, its values, which err as runs do, tell less
-    /// than its slopes.
+    /// Newton's method on the slopes, H from their differences: where the output is flat, its
+    /// values, which err as runs do, tell less than its slopes.
     fn polish(&mut self) {
         for _ in 0..POLISHED {
             let Some(point) = self.newton() else { return };

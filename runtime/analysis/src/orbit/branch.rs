@@ -1,5 +1,6 @@
-//! Orbits followed in a parameter p by pseudo-arclength (Keller, *Numerical solution of bifurcation and nonlinear eigenvalue problems*, 1977;
-//! Nayfeh and Balachandran, *Applied Nonlinear Dynamics*, 6.1): with z = (x, p) and t the unit tangent of the branch,
+//! Orbits followed in a parameter p by pseudo-arclength (Keller, *Numerical solution of bifurcation
+//! and nonlinear eigenvalue problems*, 1977; Nayfeh and Balachandran, *Applied Nonlinear Dynamics*,
+//! 6.1): with z = (x, p) and t the unit tangent of the branch,
 //!
 //! ```text
 //! P(x, p) = x + s,    tᵀ (z − z₀ − h t) = 0
@@ -28,7 +29,8 @@ const LARGEST: f64 = 0.05;
 const SMALLEST: f64 = 1e-3;
 /// How closely its end is bracketed.
 const BRACKET: f64 = 1e-10;
-/// Singular values below this, in natural units, are zero: the root of the error of a turn, as of a double multiplier 1.
+/// Singular values below this, in natural units, are zero: the root of the error of a turn, as of a
+/// double multiplier 1.
 const FAMILY: f64 = 1e-6;
 const CORRECTIONS: usize = 12;
 /// Corrections after which steps grow.

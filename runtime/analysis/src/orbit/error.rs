@@ -66,7 +66,8 @@ pub enum OrbitError {
         "the fixed point of the return map is an equilibrium: start farther from it, or choose a section that is crossed one way, `phi > 0`"
     )]
     AtRest,
-    /// Orbits with the same parameters lie side by side, so that none is followed from one parameter to the next.
+    /// Orbits with the same parameters lie side by side, so that none is followed from one
+    /// parameter to the next.
     #[error(
         "the orbit is one of a family with the same parameters, as where energy is conserved: which of them is to be followed is not determined"
     )]

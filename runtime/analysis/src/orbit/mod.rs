@@ -1,16 +1,19 @@
-//! Periodic orbits: fixed points of the map P that takes a state on a section to the next one there,
+//! Periodic orbits: fixed points of the map P that takes a state on a section to the next one
+//! there,
 //!
 //! ```text
 //! P(x*) = x* + s,    (∂P/∂x T − T) ξ = x + s − P(x),  x ← x + T ξ      Newton's method
 //! ∂P/∂x T = T M,     |λ| < 1 of all eigenvalues λ of M                  stable
 //! ```
 //!
-//! with T the tangent directions of the surface of starts ([`surface`]), and s a shift of the coordinates that are said to drift, the
-//! distance of a walker's step, say. λ are the multipliers (Nayfeh and Balachandran, *Applied Nonlinear Dynamics*, 1995, 3.2 and 3.3; through
-//! events Leine and Nijmeijer, *Dynamics and Bifurcations of Non-Smooth Mechanical Systems*, 2004, chapter 9). Derivatives are those of
-//! [`Sensitivities`](crate::Sensitivities).
+//! with T the tangent directions of the surface of starts ([`surface`]), and s a shift of the
+//! coordinates that are said to drift, the distance of a walker's step, say. λ are the multipliers
+//! (Nayfeh and Balachandran, *Applied Nonlinear Dynamics*, 1995, 3.2 and 3.3; through events Leine
+//! and Nijmeijer, *Dynamics and Bifurcations of Non-Smooth Mechanical Systems*, 2004, chapter 9).
+//! Derivatives are those of [`Sensitivities`](crate::Sensitivities).
 //!
-//! - `section`: where a motion is looked at; `surface`: where its starts lie; `turn`: one run with its derivatives.
+//! - `section`: where a motion is looked at; `surface`: where its starts lie; `turn`: one run with
+//!   its derivatives.
 //! - `newton`: the search; `branch`: orbits followed in a parameter.
 
 mod branch;
@@ -63,7 +66,8 @@ pub struct Orbit {
     pub events: Vec<(EventKind, Vec<&'static str>)>,
 }
 
-/// Multipliers as near to the unit circle as this are on it: the error of a turn splits a double one by the root of itself.
+/// Multipliers as near to the unit circle as this are on it: the error of a turn splits a double
+/// one by the root of itself.
 const ON_CIRCLE: f64 = 1e-6;
 
 /// What multipliers say of small deviations.

@@ -7,7 +7,8 @@ use super::surface::{OrbitParameters, Surface, solve};
 use super::turn::{Turn, sequence};
 use super::{Orbit, OrbitError, ReturnMap};
 
-/// A state that comes back to within this, in natural units, is as good as runs at a tolerance of 1e-12 tell.
+/// A state that comes back to within this, in natural units, is as good as runs at a tolerance of
+/// 1e-12 tell.
 pub(super) const FOUND: f64 = 5e-12;
 /// One that stays within this where nothing improves it is found too.
 pub(super) const ACCEPTED: f64 = 1e-9;
@@ -16,7 +17,8 @@ const ITERATIONS: usize = 40;
 const HALVINGS: usize = 8;
 /// A shifted orbit misses by less: the tolerance of runs, grown over a turn.
 const EQUIVARIANT: f64 = 1e-7;
-/// A motion that stays as near to its start, in natural units, is none: a state is found within far less.
+/// A motion that stays as near to its start, in natural units, is none: a state is found within far
+/// less.
 const AT_REST: f64 = 1e-8;
 /// Places of a turn at which it is looked for a motion.
 const LOOKS: u32 = 16;
@@ -48,8 +50,8 @@ impl ReturnMap<'_> {
     /// The periodic orbit near the motion from a state, with these parameters.
     ///
     /// # Errors
-    /// The motion does not come to the section; it has no derivatives; Newton's method finds no fixed point; what is said to
-    /// drift changes the motion.
+    /// The motion does not come to the section; it has no derivatives; Newton's method finds no
+    /// fixed point; what is said to drift changes the motion.
     pub fn orbit(&self, parameters: &[f64], state: &[f64]) -> Result<Orbit, OrbitError> {
         let first = self.follow(parameters, state)?;
         let units = first.scales().state(first.layout())[..state.len()].to_vec();
@@ -97,7 +99,8 @@ impl ReturnMap<'_> {
         Err(self.not_found(&now, ITERATIONS))
     }
 
-    /// The first of the halved steps that comes out better; of what is found already the whole one alone.
+    /// The first of the halved steps that comes out better; of what is found already the whole one
+    /// alone.
     fn improved(&self, at: &OrbitParameters, now: &Attempt, step: &DVector<f64>) -> Option<Attempt> {
         let halvings = if now.residual() <= ACCEPTED { 1 } else { HALVINGS };
         (0..halvings).find_map(|halvings| {
@@ -155,8 +158,9 @@ impl ReturnMap<'_> {
         }
     }
 
-    /// Eigenvalues of M = Tᵀ ∂P/∂x T, the largest first. Where the flow stays on the surface it is a direction of its own, which the
-    /// section ends: its multiplier is zero and none of the orbit's.
+    /// Eigenvalues of M = Tᵀ ∂P/∂x T, the largest first. Where the flow stays on the surface it is
+    /// a direction of its own, which the section ends: its multiplier is zero and none of the
+    /// orbit's.
     pub(super) fn multipliers(&self, found: &Attempt) -> Vec<Complex<f64>> {
         let map = found.surface.basis.transpose() * &found.turn.slopes;
         let mut all: Vec<Complex<f64>> = map.complex_eigenvalues().iter().copied().collect();

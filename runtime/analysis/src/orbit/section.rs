@@ -16,8 +16,8 @@ use super::OrbitError;
 pub enum Section {
     /// An event, and the state behind it.
     Event(EventFilter),
-    /// A condition that becomes true, `phi > 0` for a crossing upward, `phi = 0` for any; of a driven model `t = T`, the period of
-    /// its drive.
+    /// A condition that becomes true, `phi > 0` for a crossing upward, `phi = 0` for any; of a
+    /// driven model `t = T`, the period of its drive.
     Condition(Condition),
 }
 
@@ -53,7 +53,8 @@ impl Section {
         if let Self::Condition(condition) = self { condition.time(parameters) } else { None }
     }
 
-    /// h at a full state of a condition h > 0, h < 0 or h = 0 on positions and rates; events have none, nor do other conditions.
+    /// h at a full state of a condition h > 0, h < 0 or h = 0 on positions and rates; events have
+    /// none, nor do other conditions.
     pub(super) fn height(&self, model: &ModelOn<Dual4>, state: &[Dual4]) -> Option<Dual4> {
         if let Self::Condition(condition) = self { difference(condition, model, state) } else { None }
     }

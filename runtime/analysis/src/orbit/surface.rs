@@ -1,11 +1,12 @@
-//! The surface that starts on a section lie on: joints and touching contacts hold positions, joints and closed contacts rates too,
+//! The surface that starts on a section lie on: joints and touching contacts hold positions, joints
+//! and closed contacts rates too,
 //!
 //! ```text
 //! c(x, p) = 0:   g = 0,   ġ = J u + ∂g/∂t = 0,   v = 0 of what sticks,   h = 0 of a section h > 0, h < 0 or h = 0
 //! ```
 //!
-//! with x = (q, u) in natural units. Its tangent space is spanned by T with ∂c/∂x T = 0 and Tᵀ T = 1, what drifts left out; with a
-//! parameter it moves by −(∂c/∂x)⁺ ∂c/∂p.
+//! with x = (q, u) in natural units. Its tangent space is spanned by T with ∂c/∂x T = 0 and Tᵀ T =
+//! 1, what drifts left out; with a parameter it moves by −(∂c/∂x)⁺ ∂c/∂p.
 
 use liftoff::Scales;
 use liftoff_core::model::Layout;
@@ -52,8 +53,9 @@ impl Surface {
 }
 
 impl ReturnMap<'_> {
-    /// The surface through the point nearest to a state, with what touches there, or after a step from another with what touched
-    /// there: along its tangent contacts stay closed to first order only.
+    /// The surface through the point nearest to a state, with what touches there, or after a step
+    /// from another with what touched there: along its tangent contacts stay closed to first order
+    /// only.
     pub(super) fn surface(
         &self,
         at: &OrbitParameters,

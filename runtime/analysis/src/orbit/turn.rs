@@ -10,7 +10,8 @@ use crate::sensitivity::{Direction, WIDTH, along};
 
 /// A run this short, in natural times, has met the section where it started.
 const AT_ONCE: f64 = 1e-6;
-/// A motion in this time, in natural times, is far below what a state may miss itself by, and above rounding.
+/// A motion in this time, in natural times, is far below what a state may miss itself by, and above
+/// rounding.
 const MOMENT: f64 = 1e-14;
 /// Half the span of differences, in natural units: their error is its square.
 const SPAN: f64 = 1e-5;
@@ -52,7 +53,8 @@ impl ReturnMap<'_> {
         Err(OrbitError::NoStart { section: self.section.to_string() })
     }
 
-    /// The state a moment after a condition was met: at exactly 0, `phi > 0` does not hold yet, and is met at once.
+    /// The state a moment after a condition was met: at exactly 0, `phi > 0` does not hold yet, and
+    /// is met at once.
     fn beyond(&self, parameters: &[f64], run: &Trajectory) -> Result<Vec<f64>, OrbitError> {
         let simulation = (self.simulate)(parameters, &run.final_state()).map_err(OrbitError::Run)?;
         let run = simulation.limit(MOMENT * run.scales().time).run();

@@ -1,14 +1,15 @@
-//! Derivatives of starts by differences (Fornberg, Mathematics of Computation 51, 1988), of the fourth order where there are
-//! starts on both sides:
+//! Derivatives of starts by differences (Fornberg, Mathematics of Computation 51, 1988), of the
+//! fourth order where there are starts on both sides:
 //!
 //! ```text
 //! 12 h x′ = 8 (x₁ − x₋₁) − (x₂ − x₋₂)
 //! 60 h x′ = −147 x₀ + 360 x₁ − 450 x₂ + 400 x₃ − 225 x₄ + 72 x₅ − 10 x₆     where there is nothing on one side
 //! ```
 //!
-//! Beside a dead centre, a turning point of the energy or a kink of the start these steps are too long. So they are shortened until
-//! the difference of the second order is the same within four digits; on one side, that with a shorter step, which is taken. The
-//! error of what is taken is of the square of that at most.
+//! Beside a dead centre, a turning point of the energy or a kink of the start these steps are too
+//! long. So they are shortened until the difference of the second order is the same within four
+//! digits; on one side, that with a shorter step, which is taken. The error of what is taken is of
+//! the square of that at most.
 
 /// First steps, in units of the variable: the error of the order is rounding.
 const STEP: f64 = 3e-4;
@@ -17,10 +18,12 @@ const ONE_SIDED_STEP: f64 = 1e-3;
 const SHORTER: f64 = 0.125;
 const TIMES: i32 = 6;
 const ONE_SIDED: [f64; 7] = [-147.0, 360.0, -450.0, 400.0, -225.0, 72.0, -10.0];
-/// Two slopes are the same within this part of themselves, and of natural units for one of the variable.
+/// Two slopes are the same within this part of themselves, and of natural units for one of the
+/// variable.
 const SAME: f64 = 1e-4;
 const SLIGHT: f64 = 1e-7;
-/// Slopes to both sides differ by more than twice this part of themselves at a kink, or if the step is too long.
+/// Slopes to both sides differ by more than twice this part of themselves at a kink, or if the step
+/// is too long.
 const BENT: f64 = 0.05;
 /// Roundings by which entries of starts differ that do not depend on a variable.
 const ROUNDED: f64 = 8.0 * f64::EPSILON;
@@ -98,7 +101,8 @@ impl<F: Fn(f64) -> Result<Vec<f64>, String>> Differences<'_, F> {
     }
 }
 
-/// The first slopes that are found; none where the last step finds none; and why, if the last step has no start.
+/// The first slopes that are found; none where the last step finds none; and why, if the last step
+/// has no start.
 fn first_of(
     tried: impl Iterator<Item = Result<Option<Vec<f64>>, String>>,
 ) -> Result<Option<Vec<f64>>, String> {

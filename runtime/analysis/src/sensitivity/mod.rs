@@ -5,9 +5,10 @@
 //! δy⁺ = ∂R/∂y (δy⁻ + f⁻ δτ) + ∂R/∂p δp − f⁺ δτ            the state at a fixed time behind it, y⁺ = R(y⁻, p)
 //! ```
 //!
-//! (the saltation of Leine and Nijmeijer, *Dynamics and Bifurcations of Non-Smooth Mechanical Systems*, 2004, 7.3). The run is
-//! computed once more on dual numbers, times of events among them, so that both follow from arithmetic; four directions at once.
-//! How the start depends on them is found by differences, since it is solved to rounding.
+//! (the saltation of Leine and Nijmeijer, *Dynamics and Bifurcations of Non-Smooth Mechanical
+//! Systems*, 2004, 7.3). The run is computed once more on dual numbers, times of events among them,
+//! so that both follow from arithmetic; four directions at once. How the start depends on them is
+//! found by differences, since it is solved to rounding.
 
 mod differences;
 mod direction;
@@ -54,8 +55,8 @@ impl Sensitivities {
     /// `start` gives the full state that a run starts in with another value of a variable.
     ///
     /// # Errors
-    /// The run cannot be computed once more; its start cannot be varied; it has events without derivatives, that graze, come
-    /// apart or are infinitely many.
+    /// The run cannot be computed once more; its start cannot be varied; it has events without
+    /// derivatives, that graze, come apart or are infinitely many.
     pub fn compute(
         run: &Trajectory,
         model: impl Fn(&[Dual4]) -> Result<ModelOn<Dual4>, String>,

@@ -2,7 +2,8 @@
 
 use std::io::{self, ErrorKind, Write};
 
-/// An archive that is dropped unfinished writes its end all the same, and complains on the standard error output where it cannot.
+/// An archive that is dropped unfinished writes its end all the same, and complains on the standard
+/// error output where it cannot.
 pub(super) struct Failing<'a> {
     out: &'a mut (dyn Write + Send),
     failed: bool,

@@ -1,10 +1,12 @@
 //! NumPy's NPZ: a ZIP archive with an NPY file for each column, uncompressed.
 //!
-//! An array's length stands before its entries, so rows are kept in a temporary file until all are there. NumPy has no missing
-//! entries: missing numbers are NaN, missing texts empty. What is said of the whole is an array of no dimensions, a text of JSON.
-//! Texts have 32 bits a character, as many characters as the longest of their column.
+//! An array's length stands before its entries, so rows are kept in a temporary file until all are
+//! there. NumPy has no missing entries: missing numbers are NaN, missing texts empty. What is said
+//! of the whole is an array of no dimensions, a text of JSON. Texts have 32 bits a character, as
+//! many characters as the longest of their column.
 //!
-//! The NPY format, version 1.0: <https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html>.
+//! The NPY format, version 1.0:
+//! <https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html>.
 
 mod failing;
 mod spooled;

@@ -1,9 +1,9 @@
-//! Parameters at which conditions change: where two reactions are one up to a factor, where they vanish together, where
-//! one has a double root.
+//! Parameters at which conditions change: where two reactions are one up to a factor, where they
+//! vanish together, where one has a double root.
 //!
-//! N₁ = r N₂ for all positions and starts where all minors `uᵢ wⱼ − uⱼ wᵢ` of the coefficients of `N₁ = u/v`, `N₂ = w/v` vanish:
-//! on the zeros of their greatest common divisor. N₁ and N₂ vanish at one position where their resultant does, N touches
-//! zero where its discriminant does.
+//! N₁ = r N₂ for all positions and starts where all minors `uᵢ wⱼ − uⱼ wᵢ` of the coefficients of
+//! `N₁ = u/v`, `N₂ = w/v` vanish: on the zeros of their greatest common divisor. N₁ and N₂ vanish
+//! at one position where their resultant does, N touches zero where its discriminant does.
 
 use liftoff_codegen::algebra::Symbol;
 use num_integer::Integer;
@@ -13,7 +13,8 @@ use crate::algebra::form::Form;
 use crate::algebra::polynomial::Polynomial;
 use crate::algebra::ring::Ring;
 
-/// Resultants of polynomials of a higher degree in their unknown, taken together, are left out: they are too long to be read.
+/// Resultants of polynomials of a higher degree in their unknown, taken together, are left out:
+/// they are too long to be read.
 const DEGREES: u32 = 12;
 
 /// A factor of more terms is not shown: nobody reads it.
@@ -62,8 +63,8 @@ impl Pair {
     }
 }
 
-/// Factors on whose zeros a condition touches zero, or has a root where the other of sine and cosine vanishes, which is double too;
-/// `None` where that is too long.
+/// Factors on whose zeros a condition touches zero, or has a root where the other of sine and
+/// cosine vanishes, which is double too; `None` where that is too long.
 pub(crate) fn double_roots(
     ring: &Ring,
     coordinate: Symbol,
@@ -98,7 +99,8 @@ fn deciding(ring: &Ring, polynomial: &Polynomial) -> Vec<Polynomial> {
     factors.filter(|factor| !ring.is_definite(factor)).collect()
 }
 
-/// The numerators of both over one denominator, without squares of cosines, so that equal functions are equal polynomials.
+/// The numerators of both over one denominator, without squares of cosines, so that equal functions
+/// are equal polynomials.
 fn over_one_denominator(ring: &Ring, [one, other]: [&Form; 2]) -> [Polynomial; 2] {
     let ([u, below], [w, under]) = (one.expanded(ring), other.expanded(ring));
     let common = below.gcd(&under);
@@ -134,8 +136,8 @@ fn ratio(ring: &Ring, u: &Polynomial, w: &Polynomial) -> Option<[Polynomial; 2]>
     Some([over(above)?, over(below)?])
 }
 
-/// A parameter in which a factor is linear with a coefficient that is a number, and its value on the zeros: numerator and
-/// denominator.
+/// A parameter in which a factor is linear with a coefficient that is a number, and its value on
+/// the zeros: numerator and denominator.
 pub(crate) fn solved(ring: &Ring, factor: &Polynomial) -> Option<(usize, [Polynomial; 2])> {
     let linear = |&at: &usize| {
         ring.variables[at].is_parameter()

@@ -34,7 +34,8 @@ impl Form {
         form.signed(ring)
     }
 
-    /// With the sign of a negative number in a sum, if there is one of odd power: `3 (sin q₀ − sin q)`.
+    /// With the sign of a negative number in a sum, if there is one of odd power:
+    /// `3 (sin q₀ − sin q)`.
     fn signed(mut self, ring: &Ring) -> Self {
         let sums = self.above.iter_mut().filter(|(factor, k)| k % 2 == 1 && factor.len() > 1);
         let varying =
@@ -68,8 +69,8 @@ impl Form {
         self.number.is_zero()
     }
 
-    /// The factors of the numerator that can vanish while the motion goes on: those that depend on the coordinate and have
-    /// not one sign for all positive parameters.
+    /// The factors of the numerator that can vanish while the motion goes on: those that depend on
+    /// the coordinate and have not one sign for all positive parameters.
     pub fn vanishing(&self, ring: &Ring, coordinate: Symbol) -> Vec<(Polynomial, u32)> {
         let vanishing = self
             .above
@@ -94,7 +95,8 @@ impl Form {
     }
 }
 
-/// Divides out what a numerator has in common with the factors of a denominator; what stays of these.
+/// Divides out what a numerator has in common with the factors of a denominator; what stays of
+/// these.
 fn reduce(numerator: &mut Polynomial, below: Vec<(Polynomial, u32)>) -> Vec<(Polynomial, u32)> {
     let mut kept = Vec::new();
     let mut waiting = below;
@@ -117,8 +119,9 @@ impl Ring {
         variables.filter(|(_, v)| v.symbol() == symbol).any(|(at, _)| polynomial.depends_on(at))
     }
 
-    /// Whether a polynomial provably has one sign, and no zero, as long as the parameters are positive: for every monomial of
-    /// parameters the constant outweighs what sines and cosines within [−1, 1] can take from it.
+    /// Whether a polynomial provably has one sign, and no zero, as long as the parameters are
+    /// positive: for every monomial of parameters the constant outweighs what sines and cosines
+    /// within [−1, 1] can take from it.
     pub fn is_definite(&self, polynomial: &Polynomial) -> bool {
         let classes = polynomial.collected(|x| self.variables[x].is_parameter());
         [1, -1].into_iter().any(|sign| {
@@ -129,7 +132,8 @@ impl Ring {
         })
     }
 
-    /// A lower bound of a polynomial without parameters, or of its opposite; `None` where there is none.
+    /// A lower bound of a polynomial without parameters, or of its opposite; `None` where there is
+    /// none.
     fn least(&self, polynomial: &Polynomial, sign: i32) -> Option<BigInt> {
         polynomial.terms().try_fold(BigInt::zero(), |least, (exponents, c)| {
             let c = c * sign;

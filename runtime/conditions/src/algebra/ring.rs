@@ -1,5 +1,5 @@
-//! Series as polynomials: `cos(k x) + i sin(k x) = (cos x + i sin x)ᵏ` makes of every wave a polynomial in the sine and the
-//! cosine of each symbol in it, between which `sin² + cos² = 1`.
+//! Series as polynomials: `cos(k x) + i sin(k x) = (cos x + i sin x)ᵏ` makes of every wave a
+//! polynomial in the sine and the cosine of each symbol in it, between which `sin² + cos² = 1`.
 
 use std::collections::BTreeSet;
 
@@ -73,7 +73,8 @@ impl Ring {
         self.position(variable).map_or_else(|| self.one(), |at| Polynomial::variable(self.len(), at))
     }
 
-    /// Numerator and denominator of a series; the denominator is a number times a monomial of parameters.
+    /// Numerator and denominator of a series; the denominator is a number times a monomial of
+    /// parameters.
     pub fn fraction(&self, series: &Series) -> [Polynomial; 2] {
         let mut number = BigInt::one();
         let mut below: Exponents = vec![0; self.len()];

@@ -9,13 +9,15 @@ use crate::algebra::ring::{Ring, Variable};
 /// Polynomials in one unknown, which stands at a place of its own.
 pub(crate) struct Unknown {
     pub at: usize,
-    /// Whether it is a sine or a cosine: its values 1 and −1 are each taken once, all others twice in a turn.
+    /// Whether it is a sine or a cosine: its values 1 and −1 are each taken once, all others twice
+    /// in a turn.
     pub folds: bool,
     pub polynomials: Vec<Polynomial>,
 }
 
 impl Ring {
-    /// The same zeros as polynomials in one unknown; `None` where the coordinate stands in them beside its sine or cosine.
+    /// The same zeros as polynomials in one unknown; `None` where the coordinate stands in them
+    /// beside its sine or cosine.
     pub fn in_one_unknown(&self, coordinate: Symbol, polynomials: &[Polynomial]) -> Option<Unknown> {
         let plain = self.position(Variable::Plain(coordinate));
         let has_plain = plain.filter(|&at| polynomials.iter().any(|p| p.depends_on(at)));

@@ -51,9 +51,11 @@ pub struct Condition {
     pub total: Option<Equation>,
     /// `N = …`.
     pub reaction: Equation,
-    /// `0 = …`, without factors that have one sign for all positive parameters; none of a reaction that never vanishes.
+    /// `0 = …`, without factors that have one sign for all positive parameters; none of a reaction
+    /// that never vanishes.
     pub vanishes: Option<Equation>,
-    /// It has a double root where one of these holds, for positive parameters; `None` where the discriminant is too long.
+    /// It has a double root where one of these holds, for positive parameters; `None` where the
+    /// discriminant is too long.
     pub double: Option<Vec<Equation>>,
 }
 
@@ -62,11 +64,13 @@ pub struct Condition {
 pub struct Coincidence {
     /// The contacts.
     pub labels: [String; 2],
-    /// Where the first of each holds, one reaction is a multiple of the other: `m₁ = 3 m₂`, `N(C) = 3 N(A, E)`.
+    /// Where the first of each holds, one reaction is a multiple of the other: `m₁ = 3 m₂`,
+    /// `N(C) = 3 N(A, E)`.
     pub proportional: Vec<(Equation, Option<Equation>)>,
     /// Whether it is a multiple for all parameters.
     pub always: Option<Equation>,
-    /// Both vanish at one position where one of these holds; `None` where the resultant is too long.
+    /// Both vanish at one position where one of these holds; `None` where the resultant is too
+    /// long.
     pub together: Option<Vec<Equation>>,
 }
 
@@ -74,8 +78,8 @@ impl Conditions {
     /// Those of the contact set with these supports closed, `A, E`.
     ///
     /// # Errors
-    /// No such contact set; more than one degree of freedom; energy that is not conserved; no reaction; a start or parameters
-    /// that it does not have.
+    /// No such contact set; more than one degree of freedom; energy that is not conserved; no
+    /// reaction; a start or parameters that it does not have.
     pub fn derive(analysis: &Analysis, supports: &str, request: &Request) -> Result<Self, ConditionError> {
         Self::of_phase(analysis, crate::phase::find(analysis, supports)?, request)
     }

@@ -111,8 +111,9 @@ fn the_total_reaction_is_that_of_the_paper() {
     });
 }
 
-/// The moments of DE about D: `cos φ N_E = m₂ (½ g cos φ − φ̈ l/12 + (½ cos φ) ÿ + (½ sin φ) ẍ)`, its centre at
-/// `x = 3/2 l cos φ`, `y = ½ l sin φ`; A and E together bear twice as much, and C the rest.
+/// The moments of DE about D: `cos φ N_E = m₂ (½ g cos φ − φ̈ l/12 + (½ cos φ) ÿ + (½ sin φ) ẍ)`,
+/// its centre at `x = 3/2 l cos φ`, `y = ½ l sin φ`; A and E together bear twice as much, and C the
+/// rest.
 #[test]
 fn the_strict_reactions_are_those_of_a_balance_by_hand() {
     with(&frame(false), |functions, letters| {

@@ -1,10 +1,10 @@
 //! First integrals of a contact set.
 //!
 //! - The energy `T + V`, where every force has a potential and nothing depends on time.
-//! - The momentum `p = ξᵀ M q̇` of a displacement ξ of the coordinates that changes neither T nor V: `ṗ = ξᵀ (∂T/∂q + Q) = 0`;
-//!   of one coordinate it is the momentum of a cyclic coordinate.
-//! - The energy about the mass centre along such a displacement with a constant force F, `M̄ = ξᵀ M ξ` constant:
-//!   `T − p²/(2 M̄) + V + F x` with `p = M̄ ẋ`: falls under gravity.
+//! - The momentum `p = ξᵀ M q̇` of a displacement ξ of the coordinates that changes neither T nor
+//!   V: `ṗ = ξᵀ (∂T/∂q + Q) = 0`; of one coordinate it is the momentum of a cyclic coordinate.
+//! - The energy about the mass centre along such a displacement with a constant force F,
+//!   `M̄ = ξᵀ M ξ` constant: `T − p²/(2 M̄) + V + F x` with `p = M̄ ẋ`: falls under gravity.
 
 mod evaluate;
 mod kernel;
@@ -26,7 +26,8 @@ const WORK: u64 = 5_000_000;
 pub enum Kind {
     /// T + V.
     Energy,
-    /// Of coordinates that nothing depends on: their names, with the multiples in which they move together.
+    /// Of coordinates that nothing depends on: their names, with the multiples in which they move
+    /// together.
     Momentum(Vec<(i64, String)>),
     /// That of the motion about the mass centre.
     InternalEnergy,

@@ -1,5 +1,5 @@
-//! Places on the circle by `t = tan ½q` where |q| ≤ ½π and by `cot ½q` beyond, on a line by x and by 1/x beyond 1: both run
-//! within [−1, 1], and a polynomial stays one.
+//! Places on the circle by `t = tan ½q` where |q| ≤ ½π and by `cot ½q` beyond, on a line by x and
+//! by 1/x beyond 1: both run within [−1, 1], and a polynomial stays one.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -80,8 +80,8 @@ pub(crate) struct Charted {
 }
 
 impl Charted {
-    /// With all variables but the coordinate's replaced by their values; `None` where the coordinate stands beside its own
-    /// sine or cosine.
+    /// With all variables but the coordinate's replaced by their values; `None` where the
+    /// coordinate stands beside its own sine or cosine.
     pub fn substitute(
         ring: &Ring,
         values: &Values,

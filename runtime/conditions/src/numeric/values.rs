@@ -61,7 +61,8 @@ impl Values {
         self.coefficients(ring, polynomial, []).into_values().sum()
     }
 
-    /// The coefficients by the powers of some variables, whose values are left open; zero where a variable has no value.
+    /// The coefficients by the powers of some variables, whose values are left open; zero where a
+    /// variable has no value.
     pub fn coefficients<const N: usize>(
         &self,
         ring: &Ring,

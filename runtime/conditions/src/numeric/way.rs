@@ -5,7 +5,8 @@ use core::f64::consts::TAU;
 use super::chart::{Charted, Place};
 use super::zeros::{First, Function};
 
-/// Values nearer than this, relative to 1 or to themselves, are one: three units in the last place of a double.
+/// Values nearer than this, relative to 1 or to themselves, are one: three units in the last place
+/// of a double.
 const ALIKE: f64 = 4.0 * f64::EPSILON;
 
 /// A direction of the motion from its start.
@@ -39,8 +40,8 @@ impl Way<'_> {
         ahead
     }
 
-    /// Where a function that is not negative at the start becomes so: its sign changes at each zero and pole of odd
-    /// multiplicity.
+    /// Where a function that is not negative at the start becomes so: its sign changes at each zero
+    /// and pole of odd multiplicity.
     fn opening(&self, function: &Function) -> Option<(f64, f64)> {
         let side = usize::from(self.rising);
         let mut negative = function.signs_about(self.start)[side] < 0;

@@ -1,4 +1,5 @@
-//! Where reactions vanish for given parameters on a given energy level, and which of them vanishes first.
+//! Where reactions vanish for given parameters on a given energy level, and which of them vanishes
+//! first.
 
 use liftoff_codegen::algebra::Symbol;
 use num_traits::{ToPrimitive, Zero as _};
@@ -55,7 +56,8 @@ pub struct Numbers {
     pub zeros: Vec<(String, Vec<Zero>)>,
     /// Where each is stationary: least, greatest or level.
     pub stationary: Vec<(String, Vec<Stationary>)>,
-    /// What comes first with the coordinate falling, then with it rising; none where the motion does not go.
+    /// What comes first with the coordinate falling, then with it rising; none where the motion
+    /// does not go.
     pub first: [Option<First>; 2],
 }
 

@@ -28,7 +28,8 @@ pub fn declared(source: &str) -> Analysis {
     analyse(item.into_token_stream()).expect("a model")
 }
 
-/// The same frame by its mass ratio λ, the paper's parameter: inner bars `(1 − λ) m`, outer ones `λ m`.
+/// The same frame by its mass ratio λ, the paper's parameter: inner bars `(1 − λ) m`, outer ones
+/// `λ m`.
 pub fn by_ratio(file: &str) -> Analysis {
     let text = source(file)
         .replace("mass = m1", "mass = (1 - lambda) * m")

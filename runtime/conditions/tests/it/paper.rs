@@ -115,8 +115,8 @@ fn strict_first_openings() {
     }
 }
 
-/// `N_C = 6 N_E`: A and E bear half of N(A, E) each, so 3 of it. Found from the coefficients of both; that it happens nowhere else,
-/// from the resultant.
+/// `N_C = 6 N_E`: A and E bear half of N(A, E) each, so 3 of it. Found from the coefficients of
+/// both; that it happens nowhere else, from the resultant.
 #[test]
 fn the_critical_ratio_is_found_by_the_algebra() {
     let told = |model: &Analysis| {

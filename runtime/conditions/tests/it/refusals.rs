@@ -76,7 +76,8 @@ fn of_friction() {
     assert_eq!(sliding, "on A sliding, B sliding: the friction of A, B takes energy");
 }
 
-/// Without a contact set the sets that have nothing are left out; a start that suits none is refused.
+/// Without a contact set the sets that have nothing are left out; a start that suits none is
+/// refused.
 #[test]
 fn of_whole_models() {
     let model = declared(&source("zigzag"));

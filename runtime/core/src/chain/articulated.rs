@@ -1,7 +1,9 @@
-//! The accelerations from the free end and back: a joint feels what hangs from it as a mass that depends on the direction.
+//! The accelerations from the free end and back: a joint feels what hangs from it as a mass that
+//! depends on the direction.
 //!
-//! What hangs from the first end of a bar answers its acceleration a, less g, with the force −(A a + b), per mass of a bar.
-//! From A′ and b′ at its other end, zero beyond the last bar, r = l ω² e and j = J/m + l²/4 follow
+//! What hangs from the first end of a bar answers its acceleration a, less g, with the force −(A a +
+//! b), per mass of a bar. From A′ and b′ at its other end, zero beyond the last bar, r = l ω² e and
+//! j = J/m + l²/4 follow
 //!
 //! ```text
 //! v = ½ l n + A′ l n,     c = j + l n·A′ l n,    b″ = b′ − A′ r,    s = l n·b″
@@ -9,8 +11,9 @@
 //! ω̇ = −(v·a + s)/c,       a′ = a + ω̇ l n − r
 //! ```
 //!
-//! (R. Featherstone, *Rigid Body Dynamics Algorithms*, 2008, ch. 7). These are fewer operations than those of `elimination`, in
-//! one chain twice as long: for many states at once, which hide the waiting; and for small J, of which nothing is divided by.
+//! (R. Featherstone, *Rigid Body Dynamics Algorithms*, 2008, ch. 7). These are fewer operations
+//! than those of `elimination`, in one chain twice as long: for many states at once, which hide the
+//! waiting; and for small J, of which nothing is divided by.
 
 use arrayvec::ArrayVec;
 
@@ -33,7 +36,8 @@ struct Answer<S> {
 }
 
 impl<S: Real> Chain<S> {
-    /// The angular acceleration of each bar, to more digits than [`Self::accelerations`] where J is small beside m l².
+    /// The angular acceleration of each bar, to more digits than [`Self::accelerations`] where J is
+    /// small beside m l².
     #[inline(always)]
     pub fn articulated<const N: usize>(&self, angles: &[S; N], rates: &[S; N]) -> [S; N] {
         let inertia = (self.length * self.length).mul_add(S::ratio(1, 4), self.inertia / self.mass);
@@ -56,7 +60,8 @@ impl<S: Real> Chain<S> {
 }
 
 impl<S: Real> Hanging<S> {
-    /// From what hangs from the other end of a bar with this l e, ω and j to what hangs from the first.
+    /// From what hangs from the other end of a bar with this l e, ω and j to what hangs from the
+    /// first.
     #[inline(always)]
     fn pass(&mut self, along: PlaneVector<S>, rate: S, inertia: S) -> Answer<S> {
         let (half, one) = (S::ratio(1, 2), S::ratio(1, 1));

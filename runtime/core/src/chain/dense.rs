@@ -1,7 +1,8 @@
 //! Mass matrix, forces, energies and positions, by sums along the chain.
 //!
-//! Bar k carries the bars beyond it: with s = (N − k − ½) l the distance times number of bars, k from 0,
-//! `M_kj = m l sⱼ eₖ·eⱼ` for k < j, `M_kk = J + m l² (N − k − 1 + ¼)`, `fₖ = nₖ·(sₖ m g + m l Σⱼ w_kj ω²ⱼ eⱼ)`.
+//! Bar k carries the bars beyond it: with s = (N − k − ½) l the distance times number of bars, k
+//! from 0, `M_kj = m l sⱼ eₖ·eⱼ` for k < j, `M_kk = J + m l² (N − k − 1 + ¼)`,
+//! `fₖ = nₖ·(sₖ m g + m l Σⱼ w_kj ω²ⱼ eⱼ)`.
 
 use super::Chain;
 use super::plane::PlaneVector;

@@ -1,8 +1,10 @@
-//! The forces in the joints: `Dₖ λₖ − Yₖ₋₁ λₖ₋₁ − Yₖ λₖ₊₁ = rₖ`, joints eliminated from the pin and from the free end at once,
-//! which meet in the middle: two chains of operations that wait for their results, each half as long.
+//! The forces in the joints: `Dₖ λₖ − Yₖ₋₁ λₖ₋₁ − Yₖ λₖ₊₁ = rₖ`, joints eliminated from the pin and
+//! from the free end at once, which meet in the middle: two chains of operations that wait for
+//! their results, each half as long.
 //!
-//! Block elimination (G. H. Golub, C. F. Van Loan, *Matrix Computations*, 4th ed., 2013, § 4.5.1): a joint with `X λ = β + Y λ′`
-//! hands `X′ = D′ − Y X⁻¹ Y`, `β′ = r′ + Y X⁻¹ β` to its neighbour, whose λ′ gives its own by `λ = X⁻¹ Y λ′ + X⁻¹ β`.
+//! Block elimination (G. H. Golub, C. F. Van Loan, *Matrix Computations*, 4th ed., 2013, § 4.5.1):
+//! a joint with `X λ = β + Y λ′` hands `X′ = D′ − Y X⁻¹ Y`, `β′ = r′ + Y X⁻¹ β` to its neighbour,
+//! whose λ′ gives its own by `λ = X⁻¹ Y λ′ + X⁻¹ β`.
 
 use super::geometry::Bars;
 use super::joint::{Eliminated, JointCompliance};

@@ -1,4 +1,5 @@
-//! What the equations need of each bar, one array a quantity so that bars are computed side by side.
+//! What the equations need of each bar, one array a quantity so that bars are computed side by
+//! side.
 
 use core::array::from_fn;
 
@@ -8,8 +9,9 @@ use super::plane::{Matrix, PlaneVector, Symmetric};
 use super::two_ended::TwoEnded;
 use crate::scalar::Real;
 
-/// Y, −½ l ω² e and −(m l/2J) n of every bar; of an eliminated joint, X⁻¹Y and X⁻¹β in the place of what its bar has given.
-/// Nothing is filled twice: clearing arrays first would take as long as solving a short chain.
+/// Y, −½ l ω² e and −(m l/2J) n of every bar; of an eliminated joint, X⁻¹Y and X⁻¹β in the place of
+/// what its bar has given. Nothing is filled twice: clearing arrays first would take as long as
+/// solving a short chain.
 pub(super) struct Bars<S, const N: usize> {
     xx: [S; N],
     xy: [S; N],

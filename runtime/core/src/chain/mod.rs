@@ -1,19 +1,22 @@
-//! A chain of equal bars, hinged end to end, its first end pinned: equations of any length by loops.
+//! A chain of equal bars, hinged end to end, its first end pinned: equations of any length by
+//! loops.
 //!
-//! Every angle is measured from one fixed direction, the first axis; e = (cos θ, sin θ) runs along a bar, n = (−sin θ, cos θ)
-//! across it. The centre of mass is at the middle. With λₖ the force on bar k at its first end over the mass of a bar, λ_N = 0,
-//! Newton's and Euler's equations of bar k give the accelerations of its two ends,
+//! Every angle is measured from one fixed direction, the first axis; e = (cos θ, sin θ) runs along
+//! a bar, n = (−sin θ, cos θ) across it. The centre of mass is at the middle. With λₖ the force on
+//! bar k at its first end over the mass of a bar, λ_N = 0, Newton's and Euler's equations of bar k
+//! give the accelerations of its two ends,
 //!
 //! ```text
 //! aₖ   = g + ½ l ω² e + (1 + κ n nᵀ) λₖ − Y λₖ₊₁,    Y = 1 − κ n nᵀ,    κ = m l²/4J
 //! aₖ₊₁ = g − ½ l ω² e − (1 + κ n nᵀ) λₖ₊₁ + Y λₖ,    ω̇ = −(m l/2J) n·(λₖ + λₖ₊₁)
 //! ```
 //!
-//! (R. Featherstone, *Rigid Body Dynamics Algorithms*, 2008, § 7.1: the inverse inertias of a body with two handles).
-//! Neighbours share an end, and the pin rests: a symmetric block-tridiagonal system for the forces, which `elimination`
-//! solves from both ends at once in O(N); of many states side by side `articulated` computes the accelerations from the free end
-//! and back. Both are regular in every position, stretched or folded, as long as J > 0; from both ends as many digits are lost as
-//! J is smaller than m l².
+//! (R. Featherstone, *Rigid Body Dynamics Algorithms*, 2008, § 7.1: the inverse inertias of a body
+//! with two handles). Neighbours share an end, and the pin rests: a symmetric block-tridiagonal
+//! system for the forces, which `elimination` solves from both ends at once in O(N); of many states
+//! side by side `articulated` computes the accelerations from the free end and back. Both are
+//! regular in every position, stretched or folded, as long as J > 0; from both ends as many digits
+//! are lost as J is smaller than m l².
 
 mod articulated;
 mod dense;
@@ -41,7 +44,8 @@ pub struct Chain<S> {
 }
 
 impl<S: Real> Chain<S> {
-    /// `mass`, `length` and `inertia` of one bar, the last about its centre and positive; `gravity` along the two axes.
+    /// `mass`, `length` and `inertia` of one bar, the last about its centre and positive; `gravity`
+    /// along the two axes.
     #[inline(always)]
     pub fn new(mass: S, length: S, inertia: S, gravity: [S; 2]) -> Self {
         let lever = mass * length * S::ratio(1, 2) / inertia;
@@ -66,7 +70,8 @@ impl<S: Real> Chain<S> {
         accelerations
     }
 
-    /// The force on each bar at its first end, along the two axes: of the pin, then of the bar before.
+    /// The force on each bar at its first end, along the two axes: of the pin, then of the bar
+    /// before.
     #[inline]
     pub fn joint_forces<const N: usize>(&self, angles: &[S; N], rates: &[S; N]) -> [[S; 2]; N] {
         let mut forces = [[S::ratio(0, 1); 2]; N];

@@ -1,4 +1,5 @@
-//! The ways to the accelerations against the dense equations; the oracle of the tests crate has no part in either.
+//! The ways to the accelerations against the dense equations; the oracle of the tests crate has no
+//! part in either.
 
 use super::Chain;
 use crate::scalar::{DoubleDouble, Real, Scalar};
@@ -42,7 +43,8 @@ fn residuals<S: Scalar>(spread: f64) -> f64 {
     few.max(residual::<S, 4>(spread)).max(residual::<S, 17>(spread)).max(residual::<S, 64>(spread))
 }
 
-/// The condition of the forces in the joints grows with the square of the number of bars: 64² roundings.
+/// The condition of the forces in the joints grows with the square of the number of bars: 64²
+/// roundings.
 #[test]
 fn solves_the_dense_equations() {
     for spread in [6.0, 0.1] {
@@ -95,7 +97,8 @@ fn rest_bears_the_weight() {
     }
 }
 
-/// T = ½ ωᵀ M ω, and without rates f = −∂V/∂θ; central differences of V err by h²/6 of the third derivative.
+/// T = ½ ωᵀ M ω, and without rates f = −∂V/∂θ; central differences of V err by h²/6 of the third
+/// derivative.
 #[test]
 fn masses_and_forces_follow_from_the_energy() {
     const H: f64 = 1e-5;

@@ -1,4 +1,5 @@
-//! Two numbers side by side, for two eliminations that take the same steps: one vector where the processor has such.
+//! Two numbers side by side, for two eliminations that take the same steps: one vector where the
+//! processor has such.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 

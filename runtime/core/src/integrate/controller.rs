@@ -1,5 +1,5 @@
-//! Step control by error per step with Gustafsson's PI term: h ← h · 0.9 err⁻ᵅ err₋₁ᵝ, α = 1/p − β/5
-//! (Hairer, Nørsett, Wanner I, II.4; Hairer & Wanner II, IV.2).
+//! Step control by error per step with Gustafsson's PI term: h ← h · 0.9 err⁻ᵅ err₋₁ᵝ, α = 1/p −
+//! β/5 (Hairer, Nørsett, Wanner I, II.4; Hairer & Wanner II, IV.2).
 
 #[cfg(not(feature = "std"))]
 use crate::scalar::Elementary as _;

@@ -1,7 +1,7 @@
-//! The motion over one step as a polynomial in θ = (t − t₀)/h, nested:
-//! y(t₀ + θh) = c₀ + w₁(c₁ + w₂(c₂ + w₃(c₃ + …))), with all wₖ = θ (a Taylor series), or with θ and θ̄ = 1 − θ in turn:
-//! Newton's form on the nodes 0, 1, 0, 1, …, in which c₀, c₁, c₂, c₃ make Hermite's cubic and the rest vanishes doubly at
-//! both ends.
+//! The motion over one step as a polynomial in θ = (t − t₀)/h, nested: y(t₀ + θh) = c₀ + w₁(c₁ +
+//! w₂(c₂ + w₃(c₃ + …))), with all wₖ = θ (a Taylor series), or with θ and θ̄ = 1 − θ in turn:
+//! Newton's form on the nodes 0, 1, 0, 1, …, in which c₀, c₁, c₂, c₃ make Hermite's cubic and the
+//! rest vanishes doubly at both ends.
 
 use super::store::{Terms, terms};
 use crate::scalar::Scalar;

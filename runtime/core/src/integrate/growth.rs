@@ -83,8 +83,8 @@ pub(super) fn compute_growth<const N: usize>(jacobian: &[[f64; N]; N], unit: &[f
     growth
 }
 
-/// Where the last block begins whose subdiagonal entries do not vanish: beside the diagonal, or where
-/// that is rounding, as it is of vibrations, beside the entries next to them.
+/// Where the last block begins whose subdiagonal entries do not vanish: beside the diagonal, or
+/// where that is rounding, as it is of vibrations, beside the entries next to them.
 fn find_block<const N: usize>(a: &[[f64; N]; N], end: usize) -> usize {
     let subdiagonal = |k: usize| if (1..end).contains(&k) { a[k][k - 1].abs() } else { 0.0 };
     let vanishes = |k: &usize| {

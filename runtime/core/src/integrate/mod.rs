@@ -1,8 +1,8 @@
 //! Integration of autonomous systems y′ = f(y), time carried alongside.
 //!
-//! A method is a [`Stepper`]: it makes steps, and shows the last one as a polynomial, [`Dense`]. [`Tolerance`],
-//! [`StepState`] (where an integration is, and how long its next step may be), the first step, the step controller,
-//! [`Counts`] and [`StepError`] know no method.
+//! A method is a [`Stepper`]: it makes steps, and shows the last one as a polynomial, [`Dense`].
+//! [`Tolerance`], [`StepState`] (where an integration is, and how long its next step may be), the
+//! first step, the step controller, [`Counts`] and [`StepError`] know no method.
 
 mod combination;
 mod controller;
@@ -55,10 +55,11 @@ pub trait Stepper<S: Scalar, const N: usize> {
     fn step(&mut self) -> Result<(), StepError>;
     /// The last step as a polynomial, computed when asked for.
     fn dense(&mut self) -> &Dense<S, N>;
-    /// Replaces the end of the last step, by a projection say; the step size is kept. The dense output that is asked
-    /// for afterwards ends there.
+    /// Replaces the end of the last step, by a projection say; the step size is kept. The dense
+    /// output that is asked for afterwards ends there.
     fn replace_end(&mut self, y1: [S; N]) -> Result<(), StepError>;
-    /// The series of what tells when contacts open or close over the last step, if the method has them.
+    /// The series of what tells when contacts open or close over the last step, if the method has
+    /// them.
     fn guards(&mut self) -> Option<Guards<'_>> {
         None
     }
@@ -67,7 +68,8 @@ pub trait Stepper<S: Scalar, const N: usize> {
 /// The work done so far.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Counts {
-    /// Evaluations of f, dense output and first step included; of a Taylor method, coefficients of f.
+    /// Evaluations of f, dense output and first step included; of a Taylor method, coefficients of
+    /// f.
     pub evaluations: u64,
     /// Evaluations of the Jacobian.
     pub jacobians: u64,
@@ -100,7 +102,8 @@ pub enum StepError {
         /// The step that was refused.
         h: f64,
     },
-    /// The fixed-point iteration of an implicit method converges with no step that time can resolve.
+    /// The fixed-point iteration of an implicit method converges with no step that time can
+    /// resolve.
     #[error(
         "the iteration of Gauss's method does not converge at t = {t}, not with steps of {h:e} either: the methods auto, radau and \
          dop853 have none such"

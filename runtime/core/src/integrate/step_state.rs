@@ -98,13 +98,14 @@ impl<S: Scalar, const N: usize> StepState<S, N> {
         &self.tolerance
     }
 
-    /// Changes with every [`Self::jump`], so that a method can tell that what it kept of f is no longer of this state.
+    /// Changes with every [`Self::jump`], so that a method can tell that what it kept of f is no
+    /// longer of this state.
     pub(super) fn jumps(&self) -> u64 {
         self.jumps
     }
 
-    /// Takes the first step from `h`, no longer than is allowed: powers of what a state that all but rests would do with have no
-    /// number. Where any step will do it is the longest allowed.
+    /// Takes the first step from `h`, no longer than is allowed: powers of what a state that all
+    /// but rests would do with have no number. Where any step will do it is the longest allowed.
     pub(super) fn begin(&mut self, h: Option<f64>) -> S {
         let at_rest = self.longest.or(self.end.map(|end| end - self.time));
         let first = h.map(S::from_f64).filter(|h| at_rest.is_none_or(|longest| *h < longest));

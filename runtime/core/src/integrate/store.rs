@@ -1,7 +1,7 @@
 //! Where series and dense outputs lie: on the heap, and without `std` in place.
 //!
-//! On the heap what one phase no longer uses is taken by the next of its kind on the same thread, with what was written in it: to
-//! allocate and clear it is a tenth of a short run.
+//! On the heap what one phase no longer uses is taken by the next of its kind on the same thread,
+//! with what was written in it: to allocate and clear it is a tenth of a short run.
 
 #[cfg(feature = "std")]
 pub(super) use heap::{Store, Terms, terms};

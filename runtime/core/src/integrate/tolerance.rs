@@ -34,7 +34,8 @@ impl<const N: usize> Tolerance<N> {
         Self::of_first(relative, &absolute)
     }
 
-    /// Of the first components of a state that is filled up with others, which stand still and do not count.
+    /// Of the first components of a state that is filled up with others, which stand still and do
+    /// not count.
     pub(crate) fn of_first(relative: f64, absolute: &[f64]) -> Result<Self, ToleranceError> {
         if !(relative >= 0.0 && relative.is_finite()) {
             return Err(ToleranceError::Relative(relative));

@@ -1,4 +1,5 @@
-//! Factors S that balance a system, `(S K S)(S⁻¹x) = S r`: unit inertias and unit rows of constraints.
+//! Factors S that balance a system, `(S K S)(S⁻¹x) = S r`: unit inertias and unit rows of
+//! constraints.
 
 use crate::model::KernelView;
 use crate::scalar::Scalar;

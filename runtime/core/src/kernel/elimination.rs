@@ -63,8 +63,8 @@ pub struct Workspace<'w, S> {
 }
 
 impl<'w, S> Workspace<'w, S> {
-    /// Splits memory for `width` unknowns, of which `rows` may be rows of constraints: `2 width² + 3 width` numbers and
-    /// `2 width + rows` indices. `None` where it is less.
+    /// Splits memory for `width` unknowns, of which `rows` may be rows of constraints:
+    /// `2 width² + 3 width` numbers and `2 width + rows` indices. `None` where it is less.
     pub fn split(width: usize, rows: usize, numbers: &'w mut [S], indices: &'w mut [usize]) -> Option<Self> {
         let (matrix, rest) = numbers.split_at_mut_checked(width * width)?;
         let (basis, rest) = rest.split_at_mut_checked(width * width)?;
@@ -130,7 +130,8 @@ pub(super) fn solve<'w, S: Scalar>(
     (closed, solution, found.nullity == 0)
 }
 
-/// A linear system in the first `size` rows and columns, balanced: `(S K S)(S⁻¹x) = S r` with S diagonal.
+/// A linear system in the first `size` rows and columns, balanced: `(S K S)(S⁻¹x) = S r` with S
+/// diagonal.
 struct LinearSystem<'w, S> {
     width: usize,
     size: usize,
@@ -271,7 +272,8 @@ impl<S: Scalar> LinearSystem<'_, S> {
         }
     }
 
-    /// Writes the solution whose reactions, the entries from `accelerations` on, have the least sum of squares by their weights.
+    /// Writes the solution whose reactions, the entries from `accelerations` on, have the least sum
+    /// of squares by their weights.
     #[inline(always)]
     fn substitute(
         &self,
@@ -305,7 +307,8 @@ impl<S: Scalar> LinearSystem<'_, S> {
         }
     }
 
-    /// Back substitution of the pivot columns with `load` times the right-hand side, the free ones as given.
+    /// Back substitution of the pivot columns with `load` times the right-hand side, the free ones
+    /// as given.
     #[inline(always)]
     fn back(&self, found: &Rank<'_>, x: &mut [S], load: S) {
         for row in (0..found.rank).rev() {
@@ -320,7 +323,8 @@ impl<S: Scalar> LinearSystem<'_, S> {
     }
 }
 
-/// Makes the reactions of `x`, from `start` to `end`, orthogonal to those of `direction`, squares by their weights.
+/// Makes the reactions of `x`, from `start` to `end`, orthogonal to those of `direction`, squares
+/// by their weights.
 #[inline(always)]
 fn remove<S: Scalar>(
     direction: &[S],

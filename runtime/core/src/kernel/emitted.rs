@@ -2,8 +2,9 @@
 
 use crate::scalar::{Real, Scalar};
 
-/// M of bodies that hang from each other as trees: `M_ij = e_i · s_j` for every j that i carries, directly or not, e_i
-/// the `reach` of i towards j, kept with the body that begins there; s the first `moments`; `own` the diagonal.
+/// M of bodies that hang from each other as trees: `M_ij = e_i · s_j` for every j that i carries,
+/// directly or not, e_i the `reach` of i towards j, kept with the body that begins there; s the
+/// first `moments`; `own` the diagonal.
 pub fn mass_by_paths<S: Real, const N: usize>(
     parents: &[Option<usize>; N],
     reach: &[[S; 2]; N],
@@ -39,7 +40,8 @@ pub fn write_mass<S: Real>(
 /// A Schur complement loses the inverse of its relative pivot: below this, more than four digits.
 const LEAST_PIVOT: (i64, i64) = (1, 10_000);
 
-/// Whether pivots are no small parts of the diagonal entries they came from (`[entry, pivot]` of each).
+/// Whether pivots are no small parts of the diagonal entries they came from (`[entry, pivot]` of
+/// each).
 #[inline]
 pub fn are_trusted<S: Scalar>(pivots: &[[S; 2]]) -> bool {
     let least = S::ratio(LEAST_PIVOT.0, LEAST_PIVOT.1);

@@ -1,17 +1,19 @@
-//! Where reactions are not unique the shortest are taken, `Σ λ² + Σ (c/ℓ)² → min` of forces λ and couples c. The length ℓ is that at
-//! which the rows of forces act,
+//! Where reactions are not unique the shortest are taken, `Σ λ² + Σ (c/ℓ)² → min` of forces λ and
+//! couples c. The length ℓ is that at which the rows of forces act,
 //!
 //! ```text
 //! ℓ² = Σ J_λ² / Σ J_c²
 //! ```
 //!
-//! over the coordinates that are angles, or where the couples act on none of these over those that are lengths: both J are of one
-//! unit there but for a length, so that the shares are the same in every unit.
+//! over the coordinates that are angles, or where the couples act on none of these over those that
+//! are lengths: both J are of one unit there but for a length, so that the shares are the same in
+//! every unit.
 
 use crate::model::Layout;
 use crate::scalar::Scalar;
 
-/// ℓ of closed rows, given entries of J by row and coordinate; one where there are no couples, or none that acts beside a force.
+/// ℓ of closed rows, given entries of J by row and coordinate; one where there are no couples, or
+/// none that acts beside a force.
 pub fn lever<S: Scalar>(layout: &Layout, closed: &[usize], entry: impl Fn(usize, usize) -> S) -> S {
     let one = S::ratio(1, 1);
     if !closed.iter().any(|&row| layout.is_turned(row)) {

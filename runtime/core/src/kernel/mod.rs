@@ -5,10 +5,11 @@
 //! [ J   0  ] [ λ ] = [ −b ]
 //! ```
 //!
-//! (with friction the column of a sliding contact is −(J_N − σμ J_t)ᵀ) by elimination with partial pivoting of the system balanced to unit inertias and unit constraint rows, so that a
-//! massless row (a row of M that vanishes) is never a pivot where a constraint can be one. Redundant constraints
-//! leave columns without a pivot; of the reactions the least-norm ones are returned. A singular system
-//! gives NaN, which the integrator refuses. Nothing allocates.
+//! (with friction the column of a sliding contact is −(J_N − σμ J_t)ᵀ) by elimination with partial
+//! pivoting of the system balanced to unit inertias and unit constraint rows, so that a massless
+//! row (a row of M that vanishes) is never a pivot where a constraint can be one. Redundant
+//! constraints leave columns without a pivot; of the reactions the least-norm ones are returned. A
+//! singular system gives NaN, which the integrator refuses. Nothing allocates.
 
 mod balance;
 mod elimination;
@@ -30,8 +31,8 @@ use crate::model::{ContactSet, Kernel, KernelView, Layout};
 use crate::scalar::{Real, Scalar};
 use elimination::{Load, solve};
 
-/// Time derivative of the full state, `Y` entries: rates, then accelerations with the rows of `set` closed, then those of
-/// [`Layout::slope`].
+/// Time derivative of the full state, `Y` entries: rates, then accelerations with the rows of `set`
+/// closed, then those of [`Layout::slope`].
 pub fn derivative<S, const N: usize, const C: usize, const D: usize, const Y: usize>(
     kernel: &Kernel<S, N, C, D>,
     layout: &Layout,
@@ -74,8 +75,9 @@ where
     core::array::from_fn(|entry| multipliers[layout.row_of_reaction(entry)])
 }
 
-/// Writes the motion with the rows of `set` closed: accelerations, and the multiplier of every row, zero where open; whether
-/// the multipliers are the only ones. One copy for all models of these dimensions.
+/// Writes the motion with the rows of `set` closed: accelerations, and the multiplier of every row,
+/// zero where open; whether the multipliers are the only ones. One copy for all models of these
+/// dimensions.
 #[inline(never)]
 pub(crate) fn solution<S: Scalar, const N: usize, const C: usize, const D: usize>(
     kernel: &Kernel<S, N, C, D>,

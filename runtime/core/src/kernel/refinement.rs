@@ -4,8 +4,9 @@
 //! K₀ x₀ = r₀,    K₀ δ = r − K x₀,    x = x₀ + δ
 //! ```
 //!
-//! What is missing is (K − K₀) δ, a product of derivatives, which is nothing. So there is one elimination of plain numbers, where one
-//! of numbers with derivatives costs as much again for each of them.
+//! What is missing is (K − K₀) δ, a product of derivatives, which is nothing. So there is one
+//! elimination of plain numbers, where one of numbers with derivatives costs as much again for each
+//! of them.
 
 use crate::scalar::{Real, Scalar};
 
@@ -16,8 +17,8 @@ pub(crate) struct MatrixShape {
     pub(crate) width: usize,
 }
 
-/// Writes the solution and takes the right-hand side for it, where every column has a pivot above `rounding`; whether it has.
-/// `factors` and `swaps` are memory.
+/// Writes the solution and takes the right-hand side for it, where every column has a pivot above
+/// `rounding`; whether it has. `factors` and `swaps` are memory.
 pub(super) fn refined<S: Scalar>(
     shape: MatrixShape,
     matrix: &[S],

@@ -3,8 +3,8 @@
 use super::{BarSystem, Energy};
 use crate::scalar::{Real, Scalar};
 
-/// The equations of a closed form, most of them on numbers that need no order, as those side by side; implemented by the
-/// derive macro, one type for each closed form.
+/// The equations of a closed form, most of them on numbers that need no order, as those side by
+/// side; implemented by the derive macro, one type for each closed form.
 pub trait ClosedForm<M: BarSystem, const N: usize>: 'static {
     /// How many entries of the reduced state are coordinates; they come first.
     const COORDINATES: usize;
@@ -20,7 +20,8 @@ pub trait ClosedForm<M: BarSystem, const N: usize>: 'static {
     }
     /// T and V with the eliminated coordinates substituted, so that no digits cancel.
     fn energy<S: Real>(constants: &M::Constants<S>, state: &[S; N]) -> Energy<S>;
-    /// Puts the constants of one model, one by one, into those of another scalar: of many models, say, each in its place.
+    /// Puts the constants of one model, one by one, into those of another scalar: of many models,
+    /// say, each in its place.
     fn fill<S: Real, T: Real>(constants: &mut M::Constants<S>, of: &M::Constants<T>, put: impl Fn(&mut S, T));
 }
 

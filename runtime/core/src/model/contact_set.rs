@@ -4,8 +4,9 @@
 const BITS: usize = u64::BITS as usize;
 const WORDS: usize = ContactSet::CAPACITY / BITS;
 
-/// A set of closed contacts, one bit per entry of [`Layout::contacts`](super::Layout::contacts). A closed contact with
-/// friction sticks, or slides forward or backward along its tangent; a guide with friction presses to one side or to the other.
+/// A set of closed contacts, one bit per entry of [`Layout::contacts`](super::Layout::contacts). A
+/// closed contact with friction sticks, or slides forward or backward along its tangent; a guide
+/// with friction presses to one side or to the other.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
 pub struct ContactSet {
     words: [u64; WORDS],
@@ -13,7 +14,8 @@ pub struct ContactSet {
     stick: [u64; WORDS],
     /// Those of them that slide backward.
     backward: [u64; WORDS],
-    /// Those of the guides with friction whose reaction is negative; guides are among the first contacts.
+    /// Those of the guides with friction whose reaction is negative; guides are among the first
+    /// contacts.
     negative: u64,
 }
 
@@ -167,8 +169,8 @@ impl ContactSet {
         }
     }
 
-    /// The σ of R = −σ μ N at contact `i`, which has friction: the sign of its slip velocity, times that of N at a guide; 0 where it
-    /// is open or sticks.
+    /// The σ of R = −σ μ N at contact `i`, which has friction: the sign of its slip velocity, times
+    /// that of N at a guide; 0 where it is open or sticks.
     pub const fn sense(&self, i: usize) -> i64 {
         if self.contains(i) { (self.slip(i).sign() * self.side(i).sign()) as i64 } else { 0 }
     }
@@ -179,7 +181,8 @@ impl ContactSet {
         Self::from_words(self.words)
     }
 
-    /// The contacts closed in either set; each slips as in the set that it is closed in, as in this one if in both.
+    /// The contacts closed in either set; each slips as in the set that it is closed in, as in this
+    /// one if in both.
     #[must_use]
     pub fn union(self, other: Self) -> Self {
         let other = other.difference(self);

@@ -11,7 +11,8 @@ pub struct Energy<S> {
 }
 
 impl Energy<f64> {
-    /// What the sum has gained since another; the parts are compared first, so that large ones do not hide it.
+    /// What the sum has gained since another; the parts are compared first, so that large ones do
+    /// not hide it.
     pub fn gained_since(&self, before: &Self) -> f64 {
         (self.kinetic - before.kinetic) + (self.potential - before.potential)
     }

@@ -20,7 +20,8 @@ pub struct Kernel<S, const N: usize, const C: usize, const D: usize> {
     pub bias: [S; C],
     /// ∂g/∂t, so that ġ = J u + ∂g/∂t: not zero for prescribed motions.
     pub prescribed_gap_rate: [S; C],
-    /// σμ of the slips of sliding contacts, zero elsewhere: the friction force is −σμ times the reaction.
+    /// σμ of the slips of sliding contacts, zero elsewhere: the friction force is −σμ times the
+    /// reaction.
     pub friction: [S; C],
 }
 
@@ -42,8 +43,8 @@ pub trait KernelView<S> {
     fn friction(&self) -> &[S];
     /// Adds the force of a multiplier to f: `f + J_rowᵀ λ`.
     fn push(&mut self, row: usize, multiplier: S);
-    /// a of `M a = f + Jᵀ λ`, `J a = −b` over the rows closed in `set`, and λ of every row, zero where open, the friction
-    /// force for the slip of a sliding contact; whether λ is unique.
+    /// a of `M a = f + Jᵀ λ`, `J a = −b` over the rows closed in `set`, and λ of every row, zero
+    /// where open, the friction force for the slip of a sliding contact; whether λ is unique.
     fn solve(
         &self,
         layout: &Layout,

@@ -1,4 +1,5 @@
-//! Coulomb friction at a contact: |R| ≤ μₛ N while it sticks, R = −σ μ N with σ = sign v while it slides.
+//! Coulomb friction at a contact: |R| ≤ μₛ N while it sticks, R = −σ μ N with σ = sign v while it
+//! slides.
 
 /// What friction depends on, at a state.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -65,7 +65,8 @@ pub struct Contact {
     /// Whether the members bear equal shares (mirror images, or a single support).
     /// Otherwise only their total is determined.
     pub shared: bool,
-    /// Index of the contact's foot among [`BarSystem::feet`](super::BarSystem::feet) when a bar lies on a corner.
+    /// Index of the contact's foot among [`BarSystem::feet`](super::BarSystem::feet) when a bar
+    /// lies on a corner.
     pub foot: Option<usize>,
     /// Support or thread.
     pub kind: ContactKind,
@@ -73,9 +74,11 @@ pub struct Contact {
     pub rough: bool,
     /// The entry of its friction in [`Layout::frictions`], if it has any.
     pub friction: Option<usize>,
-    /// Whether a run ends where no reaction obeys its law of friction; else an impact without collision ends its slip.
+    /// Whether a run ends where no reaction obeys its law of friction; else an impact without
+    /// collision ends its slip.
     pub jams: bool,
-    /// The law of its impacts; the coefficient is in [`BarSystem::restitution`](super::BarSystem::restitution).
+    /// The law of its impacts; the coefficient is in
+    /// [`BarSystem::restitution`](super::BarSystem::restitution).
     pub law: Law,
     /// Whether reaching it ends a run.
     pub stop: bool,
@@ -84,7 +87,8 @@ pub struct Contact {
 }
 
 impl Contact {
-    /// Whether it is a hinge with friction, whose row of the kernel is empty: joints, or the coordinates themselves, hold it.
+    /// Whether it is a hinge with friction, whose row of the kernel is empty: joints, or the
+    /// coordinates themselves, hold it.
     pub const fn is_hinge(&self) -> bool {
         matches!(self.kind, ContactKind::Hinge { .. })
     }
@@ -144,7 +148,8 @@ pub enum ContactKind {
     Drive,
     /// The same of an angle.
     Turn,
-    /// A hinge with friction, closed always: its reaction is the length of the joint force, its slip that of the journal.
+    /// A hinge with friction, closed always: its reaction is the length of the joint force, its
+    /// slip that of the journal.
     Hinge {
         /// The components of the joint force among [`Layout::quantities`].
         force: [usize; 2],
@@ -158,7 +163,8 @@ impl ContactKind {
     }
 }
 
-/// An expression of time and motion that a load or a drive follows. A step is accepted only over what it has seen of it.
+/// An expression of time and motion that a load or a drive follows. A step is accepted only over
+/// what it has seen of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Signal {
     /// As conditions are written: `sin(t)^2 * x(P)`.
@@ -185,7 +191,8 @@ pub enum Law {
     Moreau,
     /// Impulses: P = (1 + e) Pᶜ, with the impulse Pᶜ of the plastic compression.
     Poisson,
-    /// Energies: the normal impulse gives back e² of the work that the compression took, along the path of a single contact.
+    /// Energies: the normal impulse gives back e² of the work that the compression took, along the
+    /// path of a single contact.
     Stronge,
 }
 
@@ -243,23 +250,26 @@ pub struct Layout {
     pub summary: &'static str,
     /// Parameters in the order of [`BarSystem::parameters`](super::BarSystem::parameters).
     pub parameters: &'static [&'static str],
-    /// The dimension of each parameter; none where the declaration does not determine it, as of two parameters that
-    /// occur as a product only.
+    /// The dimension of each parameter; none where the declaration does not determine it, as of two
+    /// parameters that occur as a product only.
     pub dimensions: &'static [Option<Dimension>],
     /// Values of the parameters, and the run, where nothing else is said.
     pub defaults: &'static Defaults,
-    /// Whether the equations hold in every system of units: no number of the declaration has a dimension.
+    /// Whether the equations hold in every system of units: no number of the declaration has a
+    /// dimension.
     pub covariant: bool,
-    /// Generalised coordinates; a state holds their values, then their rates, then the time if [`Self::timed`], then the switches.
+    /// Generalised coordinates; a state holds their values, then their rates, then the time if
+    /// [`Self::timed`], then the switches.
     pub coordinates: &'static [Coordinate],
     /// Declared angles that follow them; starts and outputs take their names too.
     pub dependent: &'static [DependentAngle],
     /// One-sided contacts; the first rows of the kernel.
     pub contacts: &'static [Contact],
-    /// Two-sided constraints kept as multipliers; the rows after the contacts, closed in every phase.
+    /// Two-sided constraints kept as multipliers; the rows after the contacts, closed in every
+    /// phase.
     pub joints: &'static [Joint],
-    /// The contact of each tangential row; the rows after the joints. They have no gap. That of a rough contact is closed
-    /// with it, that of one with friction where it sticks.
+    /// The contact of each tangential row; the rows after the joints. They have no gap. That of a
+    /// rough contact is closed with it, that of one with friction where it sticks.
     pub tangents: &'static [usize],
     /// The contacts with friction.
     pub frictions: &'static [Friction],
@@ -267,10 +277,11 @@ pub struct Layout {
     pub timed: bool,
     /// The conditions that springs and loads act on, where they do not always.
     pub switches: &'static [Switch],
-    /// Whether springs, dampers or loads that follow the motion act, which alone can make the equations stiff. Exact Jacobians
-    /// are compiled only then.
+    /// Whether springs, dampers or loads that follow the motion act, which alone can make the
+    /// equations stiff. Exact Jacobians are compiled only then.
     pub compliant: bool,
-    /// What is zero where the equations are not analytic in the state, in the order of [`BarSystem::kinks`](super::BarSystem::kinks).
+    /// What is zero where the equations are not analytic in the state, in the order of
+    /// [`BarSystem::kinks`](super::BarSystem::kinks).
     pub kinks: &'static [Kink],
     /// What loads and drives follow that is no polynomial of time and motion.
     pub signals: &'static [Signal],
@@ -337,8 +348,8 @@ builder! {
 }
 
 impl Layout {
-    /// The number of entries of a full state: coordinates, rates, the time if the equations depend on it, and for each switch 1
-    /// while what it switches acts, else 0.
+    /// The number of entries of a full state: coordinates, rates, the time if the equations depend
+    /// on it, and for each switch 1 while what it switches acts, else 0.
     pub const fn entries(&self) -> usize {
         2 * self.coordinates.len() + self.timed as usize + self.switches.len()
     }
@@ -354,13 +365,15 @@ impl Layout {
         self.switches.iter().position(|switch| switch.label.split(", ").any(|one| one == label))
     }
 
-    /// The time derivative of an entry of a full state after the rates: 1 of the time, 0 of a switch.
+    /// The time derivative of an entry of a full state after the rates: 1 of the time, 0 of a
+    /// switch.
     pub const fn slope(&self, entry: usize) -> i64 {
         (self.timed && entry == 2 * self.coordinates.len()) as i64
     }
 
-    /// The full state at a time: coordinates and rates as users give them, then the time if the equations depend on it; everything
-    /// that is switched acts. Entries missing from values that are too few are taken as not a number.
+    /// The full state at a time: coordinates and rates as users give them, then the time if the
+    /// equations depend on it; everything that is switched acts. Entries missing from values that
+    /// are too few are taken as not a number.
     #[cfg(feature = "std")]
     pub fn state_at(&self, values: &[f64], t: f64) -> Vec<f64> {
         let (public, switches) = (2 * self.coordinates.len(), self.switch(0));
@@ -413,12 +426,14 @@ impl Layout {
         &state[..2 * self.coordinates.len()]
     }
 
-    /// The number of corners under bars, each with two distances in [`BarSystem::feet`](super::BarSystem::feet).
+    /// The number of corners under bars, each with two distances in
+    /// [`BarSystem::feet`](super::BarSystem::feet).
     pub fn feet(&self) -> usize {
         self.contacts.iter().filter_map(|contact| contact.foot).max().map_or(0, |last| last + 1)
     }
 
-    /// What the set of no contacts is called: `free`, but of a mechanism without contacts, or one that a drive moves.
+    /// What the set of no contacts is called: `free`, but of a mechanism without contacts, or one
+    /// that a drive moves.
     pub fn unclosed(&self) -> &'static str {
         match (self.contacts.is_empty(), self.joints.iter().any(Joint::is_drive)) {
             (true, _) => "no contacts",
@@ -432,7 +447,8 @@ impl Layout {
         self.contacts.len() + self.joints.len() + self.tangents.len()
     }
 
-    /// The number of entries of the reactions: one for each contact, then the friction force of each that has friction.
+    /// The number of entries of the reactions: one for each contact, then the friction force of
+    /// each that has friction.
     pub const fn reactions(&self) -> usize {
         self.contacts.len() + self.frictions.len()
     }
@@ -486,7 +502,8 @@ impl Layout {
         false
     }
 
-    /// The hinges with friction, each with its entry of the frictions and the components of its force among the quantities.
+    /// The hinges with friction, each with its entry of the frictions and the components of its
+    /// force among the quantities.
     pub fn hinges(&self) -> impl Iterator<Item = (usize, Friction, [usize; 2])> + '_ {
         let frictions = self.frictions.iter().copied().enumerate();
         frictions.filter_map(|(entry, friction)| match self.contacts[friction.contact].kind {

@@ -38,6 +38,7 @@ pub enum MeasureKind {
     Side,
     /// A length of the nominal figure, ≥ 0 where a bar has the direction that it was given.
     Direction,
-    /// An angle in the nominal figure, ≥ 0 where a contact or joint is on the branch of its closed form.
+    /// An angle in the nominal figure, ≥ 0 where a contact or joint is on the branch of its closed
+    /// form.
     Branch,
 }

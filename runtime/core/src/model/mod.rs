@@ -1,4 +1,5 @@
-//! What the derive macro implements: a model's names, its constants, its full equations and its phases.
+//! What the derive macro implements: a model's names, its constants, its full equations and its
+//! phases.
 
 mod array;
 mod closed_form;
@@ -55,7 +56,8 @@ pub trait BarSystem: Sized + 'static {
     type Kernel<S: Real>: KernelView<S>;
     /// Positions of the points, x then y of each.
     type Points<S: Real>: Array<S>;
-    /// For each foot its distance from the bar's first and last point, both ≥ 0 while it lies under the bar.
+    /// For each foot its distance from the bar's first and last point, both ≥ 0 while it lies under
+    /// the bar.
     type Feet<S: Real>: Array<S>;
 
     /// One entry per parameter.
@@ -79,7 +81,8 @@ pub trait BarSystem: Sized + 'static {
     fn numbers(&self) -> Self::Numbers;
     /// The coordinates of the nominal figure.
     fn nominal(&self) -> Self::Accelerations<f64>;
-    /// Parameters and their products from the values of the parameters, with the senses σ of the contacts that slide in a set.
+    /// Parameters and their products from the values of the parameters, with the senses σ of the
+    /// contacts that slide in a set.
     fn constants_of<S: Real>(parameters: &Self::Parameters<S>, set: &ContactSet) -> Self::Constants<S>;
     /// The same of this model, where no contact slides.
     fn constants<S: Real>(&self) -> Self::Constants<S> {
@@ -101,8 +104,8 @@ pub trait BarSystem: Sized + 'static {
     fn kinks<S: Real>(_: &Self::Constants<S>, _: &Self::State<S>, _: &mut [S]) {}
     /// Writes the slip of each contact with friction, in the order of [`Layout::frictions`].
     fn slips<S: Real>(_: &Self::Constants<S>, _: &Self::State<S>, _: &mut [SlipState<S>]) {}
-    /// The quantity `entry` of [`Layout::quantities`] at a state with these accelerations and multipliers; NaN for an
-    /// entry that is none.
+    /// The quantity `entry` of [`Layout::quantities`] at a state with these accelerations and
+    /// multipliers; NaN for an entry that is none.
     fn quantity<S: Real>(
         constants: &Self::Constants<S>,
         entry: usize,
@@ -110,7 +113,7 @@ pub trait BarSystem: Sized + 'static {
         accelerations: &Self::Accelerations<S>,
         multipliers: &Self::Multipliers<S>,
     ) -> S;
-    /// Hands the phase of `set` to `visitor`: closed form where there is one and `form` asks for it,
-    /// otherwise projected.
+    /// Hands the phase of `set` to `visitor`: closed form where there is one and `form` asks for
+    /// it, otherwise projected.
     fn phase<S: Scalar, V: PhaseVisitor<Self, S>>(set: ContactSet, form: Form, visitor: V) -> V::Output;
 }

@@ -1,7 +1,8 @@
-//! A model's names as typed constants: derived code gives a model `Ladder::PHI`, `Ladder::A`, beside which strings keep
-//! working.
+//! A model's names as typed constants: derived code gives a model `Ladder::PHI`, `Ladder::A`,
+//! beside which strings keep working.
 //!
-//! What takes a name takes anything of one of the traits here, so that a name of the wrong kind does not compile:
+//! What takes a name takes anything of one of the traits here, so that a name of the wrong kind
+//! does not compile:
 //!
 //! ```
 //! use liftoff_core::model::names::{Coordinate, CoordinateName, Place, PointName};
@@ -182,7 +183,8 @@ kinds! {
     Thread: ContactName, ThreadName;
     /// Name of a bar, body, spring or section, for expressions.
     Part:;
-    /// Name in a declaration with mistakes, of which the kind is not known: no second mistake wherever it stands.
+    /// Name in a declaration with mistakes, of which the kind is not known: no second mistake
+    /// wherever it stands.
     #[doc(hidden)]
     Unknown: CoordinateName, ContactName, ThreadName, PointName;
 }

@@ -27,7 +27,8 @@ pub struct Phase<M: BarSystem, S: Real, const N: usize> {
     pub form: Form,
     /// How many entries of the reduced state are coordinates; they come first.
     pub coordinates: usize,
-    /// How many entries are rates; they follow. A last entry is the time, if the equations depend on it.
+    /// How many entries are rates; they follow. A last entry is the time, if the equations depend
+    /// on it.
     pub rates: usize,
     /// Time derivative of the reduced state.
     pub derivative: InSet<M, S, [S; N], [S; N]>,
@@ -37,7 +38,8 @@ pub struct Phase<M: BarSystem, S: Real, const N: usize> {
     pub embed: OfState<M, S, [S; N], M::State<S>>,
     /// The reduced state of a full one that satisfies the closed contacts.
     pub restrict: fn(&M::State<S>) -> [S; N],
-    /// Whether reactions, gaps, slip velocities and feet are affine functions of the reduced state, with constant coefficients.
+    /// Whether reactions, gaps, slip velocities and feet are affine functions of the reduced state,
+    /// with constant coefficients.
     pub affine: bool,
 }
 
@@ -55,24 +57,24 @@ pub trait PhaseVisitor<M: BarSystem, S: Scalar> {
     type Output;
     /// Called once with the selected phase.
     fn visit<const N: usize>(self, phase: Phase<M, S, N>) -> Self::Output;
-    /// Called instead with a phase that keeps all coordinates, where the Taylor series of the full equations are `Q`; what does not
-    /// use them need not say so, and nothing of them is compiled.
+    /// Called instead with a phase that keeps all coordinates, where the Taylor series of the full
+    /// equations are `Q`; what does not use them need not say so, and nothing of them is compiled.
     fn visit_projected<const N: usize, Q: KernelSeries<M, N>>(self, phase: Phase<M, S, N>) -> Self::Output
     where
         Self: Sized,
     {
         self.visit(phase)
     }
-    /// Called instead with a phase in closed form, whose equations on any number are `Q`; what does not use them need not say
-    /// so.
+    /// Called instead with a phase in closed form, whose equations on any number are `Q`; what does
+    /// not use them need not say so.
     fn visit_closed<const N: usize, Q: ClosedForm<M, N>>(self, phase: Phase<M, S, N>) -> Self::Output
     where
         Self: Sized,
     {
         self.visit(phase)
     }
-    /// Called instead with a phase in closed form, whose Taylor series are `Q`; what does not use them need not say so, and
-    /// nothing of them is compiled.
+    /// Called instead with a phase in closed form, whose Taylor series are `Q`; what does not use
+    /// them need not say so, and nothing of them is compiled.
     fn visit_series<const N: usize, Q: PhaseSeries<M, N>>(self, phase: Phase<M, S, N>) -> Self::Output
     where
         Self: Sized,

@@ -4,8 +4,8 @@ use super::{BarSystem, ClosedForm};
 use crate::scalar::Real;
 use crate::series::{SeriesOps, TaylorTape};
 
-/// One coefficient of everything that varies along a motion: of the derivative, and of what tells when a contact opens or
-/// closes.
+/// One coefficient of everything that varies along a motion: of the derivative, and of what tells
+/// when a contact opens or closes.
 #[derive(Clone, Copy, Debug)]
 pub struct Terms<Y, C, F> {
     /// Of the reduced state's time derivative.
@@ -22,13 +22,15 @@ pub struct Terms<Y, C, F> {
 pub type TermsOf<M, S, const N: usize> =
     Terms<[S; N], <M as BarSystem>::Reactions<S>, <M as BarSystem>::Feet<S>>;
 
-/// The equations of a closed form on Taylor series; implemented by the derive macro, one type for each closed form.
+/// The equations of a closed form on Taylor series; implemented by the derive macro, one type for
+/// each closed form.
 pub trait PhaseSeries<M: BarSystem, const N: usize>: ClosedForm<M, N> {
     /// A tape with a column for each convolution, for one motion.
     type Tape<S: Real>: TaylorTape<S>;
     /// The same for many motions side by side.
     type Columns<S: Real>: TaylorTape<S>;
-    /// Coefficient n of all terms from coefficient n of the state, once those below n have been computed.
+    /// Coefficient n of all terms from coefficient n of the state, once those below n have been
+    /// computed.
     fn order<S: Real, O: SeriesOps<S>>(
         constants: &M::Constants<S>,
         order: &mut O,
@@ -45,15 +47,15 @@ pub struct Varying<'a> {
     pub jacobian: &'a [[usize; 2]],
 }
 
-/// The full equations on Taylor series, for the phases that keep all coordinates; implemented by the derive macro, where there
-/// are such.
+/// The full equations on Taylor series, for the phases that keep all coordinates; implemented by
+/// the derive macro, where there are such.
 pub trait KernelSeries<M: BarSystem, const Y: usize>: 'static {
     /// What varies of their matrices.
     const VARYING: Varying<'static>;
     /// A tape with a column for each convolution.
     type Tape<S: Real>: TaylorTape<S>;
-    /// Coefficient n of the equations and of the distances of the feet from coefficient n of the full state, once those below n
-    /// have been computed.
+    /// Coefficient n of the equations and of the distances of the feet from coefficient n of the
+    /// full state, once those below n have been computed.
     fn order<S: Real, O: SeriesOps<S>>(
         constants: &M::Constants<S>,
         order: &mut O,

@@ -1,5 +1,6 @@
-//! Functions with the names of variables in emitted code. A variable may shadow a function, but no constant, static or unit
-//! struct; which of these stand beside a model is not known when it is derived, but what emitted code imports is found first.
+//! Functions with the names of variables in emitted code. A variable may shadow a function, but no
+//! constant, static or unit struct; which of these stand beside a model is not known when it is
+//! derived, but what emitted code imports is found first.
 
 macro_rules! names {
     ($($name:ident)*) => {$(#[allow(missing_docs, reason = "a name")] pub const fn $name() {})*};

@@ -1,7 +1,8 @@
-//! Values with their gradient: x + ẋ·ε with ε² = 0, the forward mode of Griewank and Walther, *Evaluating Derivatives*,
-//! 2nd ed. (2008), table 3.3.
+//! Values with their gradient: x + ẋ·ε with ε² = 0, the forward mode of Griewank and Walther,
+//! *Evaluating Derivatives*, 2nd ed. (2008), table 3.3.
 //!
-//! Quotients and functions stay out of line: emitted code is long, and is compiled once more for these numbers.
+//! Quotients and functions stay out of line: emitted code is long, and is compiled once more for
+//! these numbers.
 
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -10,7 +11,8 @@ use super::{Real, Scalar};
 
 /// A value and its derivatives with respect to `N` variables.
 ///
-/// Order and equality are those of the value, so that control flow takes the branch that the value takes.
+/// Order and equality are those of the value, so that control flow takes the branch that the value
+/// takes.
 #[derive(Clone, Copy, Debug)]
 pub struct Dual<S, const N: usize> {
     value: S,

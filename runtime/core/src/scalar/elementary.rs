@@ -1,4 +1,5 @@
-//! Functions of doubles that the standard library has and `core` has not, by the same names; from the crate `libm`.
+//! Functions of doubles that the standard library has and `core` has not, by the same names; from
+//! the crate `libm`.
 
 /// What integration without `std` asks of a double besides [`Real`](super::Real).
 pub(crate) trait Elementary: Sized {

@@ -9,8 +9,8 @@ use super::{Real, Scalar};
 
 /// Taylor coefficients `c[0..K]`; the k-th derivative is `k! · c[k]`. `K` is at least 1.
 ///
-/// At zeros roots and quotients are one-sided, for t ≥ 0: `√(c t² + …) = √c t √(1 + …)`, `0/0` the quotient of what follows.
-/// The orders that this takes from the end of the series are zero.
+/// At zeros roots and quotients are one-sided, for t ≥ 0: `√(c t² + …) = √c t √(1 + …)`, `0/0` the
+/// quotient of what follows. The orders that this takes from the end of the series are zero.
 ///
 /// Order and equality are those of the leading coefficient, so that control flow takes the branch
 /// that the value takes.

@@ -17,7 +17,8 @@ impl<const V: usize, X: Vector> Lanes<V, X> {
     /// The value of each lane.
     #[inline(always)]
     pub fn from_fn(value: impl Fn(usize) -> f64) -> Self {
-        // One by one: an array that is copied whole is read before it has left the processor's store buffer.
+        // One by one: an array that is copied whole is read before it has left the processor's
+        // store buffer.
         let vector = |v: usize| X::new(core::array::from_fn(|i| value(LANES * v + i)));
         Self(core::array::from_fn(vector))
     }

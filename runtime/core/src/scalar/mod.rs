@@ -39,7 +39,8 @@ pub trait Real:
     + Sync
     + 'static
 {
-    /// Whether it is many numbers side by side, which wait for no dependent operation as long as there are others.
+    /// Whether it is many numbers side by side, which wait for no dependent operation as long as
+    /// there are others.
     const MANY: bool = false;
     /// The rational `p / q`, rounded once where `p` and `q` are exact in `Self`.
     fn ratio(p: i64, q: i64) -> Self;
@@ -51,7 +52,8 @@ pub trait Real:
     }
     /// `√self`.
     fn sqrt(self) -> Self;
-    /// `self / |self|`; 0 at 0 where the number is one of the processor's, or several of them, and else not a number.
+    /// `self / |self|`; 0 at 0 where the number is one of the processor's, or several of them, and
+    /// else not a number.
     #[inline(always)]
     fn sign(self) -> Self {
         self / (self * self).sqrt()
@@ -63,7 +65,8 @@ pub trait Real:
     }
     /// `(sin self, cos self)`.
     fn sin_cos(self) -> (Self, Self);
-    /// The sines and the cosines of several angles, with the bits that each has by itself; side by side where that pays.
+    /// The sines and the cosines of several angles, with the bits that each has by itself; side by
+    /// side where that pays.
     #[inline(always)]
     fn sin_cos_each<const K: usize>(angles: [Self; K]) -> ([Self; K], [Self; K]) {
         sin_cos::each(angles, Self::sin_cos)
@@ -84,7 +87,8 @@ pub trait Scalar: Real + PartialOrd {
     const ZERO: Self;
     /// The unit roundoff times two.
     const EPSILON: Self;
-    /// Whether it is a number of the processor: what only makes evaluations faster is compiled for no other.
+    /// Whether it is a number of the processor: what only makes evaluations faster is compiled for
+    /// no other.
     const PLAIN: bool = false;
     /// Whether it is a number of the processor with derivatives.
     const DIFFERENTIATED: bool = false;

@@ -8,7 +8,8 @@ use super::{Real, Scalar};
 macro_rules! primitive {
     ($float:ident, $($sines:tt)*) => {
         impl Real for $float {
-            /// Through `f64`: a quotient of 24-bit integers is still rounded correctly (53 ≥ 2·24 + 2 bits).
+            /// Through `f64`: a quotient of 24-bit integers is still rounded correctly (53 ≥ 2·24 +
+            /// 2 bits).
             #[inline]
             fn ratio(p: i64, q: i64) -> Self {
                 (p as f64 / q as f64) as $float

@@ -1,14 +1,17 @@
-//! Sine and cosine of doubles, inlined and without branches, so that several are computed side by side.
+//! Sine and cosine of doubles, inlined and without branches, so that several are computed side by
+//! side.
 //!
-//! x = q π/2 + r + ρ with |r| ≤ π/4, q an integer, ρ below the last place of r: π/2 is subtracted in parts (W. J. Cody and
-//! W. Waite, *Software Manual for the Elementary Functions*, 1980, ch. 8). Then, with z = r²,
+//! x = q π/2 + r + ρ with |r| ≤ π/4, q an integer, ρ below the last place of r: π/2 is subtracted
+//! in parts (W. J. Cody and W. Waite, *Software Manual for the Elementary Functions*, 1980, ch. 8).
+//! Then, with z = r²,
 //!
 //! ```text
 //! sin(r + ρ) = r + (r z S(z) + ρ (1 − z/2))
 //! cos(r + ρ) = (1 − z/2) + (z² C(z) − r ρ)
 //! ```
 //!
-//! with the minimax polynomials S and C of fdlibm (Sun Microsystems, 1993, `k_sin.c`, `k_cos.c`). The error is below 1 ulp for
+//! with the minimax polynomials S and C of fdlibm (Sun Microsystems, 1993, `k_sin.c`, `k_cos.c`).
+//! The error is below 1 ulp for
 //! |x| ≤ 2²⁰; beyond, and of what is no number, these are the library's functions.
 
 #[cfg(test)]
@@ -25,7 +28,8 @@ use wide::{f64x2, f64x4};
 /// Up to here the product of q with the first parts of π/2 is exact, or fused.
 const BOUND: f64 = (1 << 20) as f64;
 
-/// 1.5 · 2⁵², beside which a double has no fraction: what is added to it is rounded to an integer, in the last bits.
+/// 1.5 · 2⁵², beside which a double has no fraction: what is added to it is rounded to an integer,
+/// in the last bits.
 const ROUND: f64 = 6_755_399_441_055_744.0;
 
 /// π/2 = Σ where products are fused: 53, 33 and 53 bits.
@@ -59,8 +63,9 @@ pub(super) fn sin_cos<const FUSED: bool, X: Doubles>(x: X) -> (X, X) {
     if x.within(BOUND) { reduced::<FUSED, X>(x) } else { x.singly::<FUSED>() }
 }
 
-/// The same of several, each `V` times as many: without a branch between one and the next while all are within the bound.
-/// Sixteen states take 9.3 ns each for the angles of eight bars, 17.6 with one.
+/// The same of several, each `V` times as many: without a branch between one and the next while all
+/// are within the bound. Sixteen states take 9.3 ns each for the angles of eight bars, 17.6 with
+/// one.
 #[cfg(feature = "std")]
 #[inline(always)]
 pub(super) fn sin_cos_all<const FUSED: bool, X: Doubles, const V: usize, const K: usize>(
@@ -70,7 +75,8 @@ pub(super) fn sin_cos_all<const FUSED: bool, X: Doubles, const V: usize, const K
     if within { each(angles, |x| each(x, reduced::<FUSED, X>)) } else { all_beyond::<FUSED, X, V, K>(angles) }
 }
 
-/// The same without closures, which are functions of their own: all of it is compiled for the instructions of what it stands in.
+/// The same without closures, which are functions of their own: all of it is compiled for the
+/// instructions of what it stands in.
 #[cfg(all(feature = "std", target_arch = "x86_64", any(test, not(target_feature = "avx512f"))))]
 #[inline(always)]
 pub(super) fn sin_cos_inlined<const FUSED: bool, X: Doubles, const V: usize, const K: usize>(
@@ -117,10 +123,12 @@ pub(super) fn each<X: Copy, const K: usize>(
     (sin, cos)
 }
 
-/// Sines and cosines of several angles, with the bits that each has by itself: side by side while all are within the bound.
+/// Sines and cosines of several angles, with the bits that each has by itself: side by side while
+/// all are within the bound.
 ///
-/// Four at most: what is computed with them afterwards is scalar, and vectors of eight keep one of two scalar units idle
-/// meanwhile (the right-hand side of six bars takes 92 ns with them, 63 without).
+/// Four at most: what is computed with them afterwards is scalar, and vectors of eight keep one of
+/// two scalar units idle meanwhile (the right-hand side of six bars takes 92 ns with them, 63
+/// without).
 #[inline(always)]
 pub(super) fn sin_cos_each<const FUSED: bool, const K: usize>(angles: [f64; K]) -> ([f64; K], [f64; K]) {
     #[cfg(not(feature = "std"))]
@@ -166,7 +174,8 @@ fn side_by_side<const FUSED: bool, X, const W: usize, const K: usize>(
     cos[first..first + W].copy_from_slice(&c.into());
 }
 
-/// Some are beyond the bound. Two arrays apart: of one, a vector of eight would be made where all are within.
+/// Some are beyond the bound. Two arrays apart: of one, a vector of eight would be made where all
+/// are within.
 #[cfg(feature = "std")]
 #[cold]
 fn beyond<const FUSED: bool, const K: usize>(angles: [f64; K], sin: &mut [f64; K], cos: &mut [f64; K]) {

@@ -147,7 +147,8 @@ fn surface<S: Scalar>(x: S, y: S) -> S {
     (sin - root / cos).abs() + -(x.mul_add(y, root) / S::from_f64(3.0)) + S::pi() * S::ratio(2, 7) * y
 }
 
-/// The chain rule by pairs against Moore's recurrences along each axis, at some ten roundings of terms of order 1.
+/// The chain rule by pairs against Moore's recurrences along each axis, at some ten roundings of
+/// terms of order 1.
 #[test]
 fn duals_carry_the_gradient() {
     let (x, y) = (0.7, -1.1);

@@ -1,5 +1,5 @@
-//! The operands of a phase's convolutions for many motions side by side: what is summed together is the same sum of all of
-//! them, not the columns of one.
+//! The operands of a phase's convolutions for many motions side by side: what is summed together is
+//! the same sum of all of them, not the columns of one.
 
 use super::ops::{Coefficients, Storage, Values};
 use super::{ORDERS, SeriesOps, TaylorTape};

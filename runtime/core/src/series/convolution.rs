@@ -1,8 +1,8 @@
 //! The sums Σ aₖ bₙ₋ₖ over 0 < k < n of all columns, side by side.
 //!
-//! An even order n sums for itself and, as far as coefficients are known, for the next: one that has been read serves both.
-//! The newest are added last: what has just been written number by number cannot be read as a vector before it has left the
-//! processor's store buffer.
+//! An even order n sums for itself and, as far as coefficients are known, for the next: one that
+//! has been read serves both. The newest are added last: what has just been written number by
+//! number cannot be read as a vector before it has left the processor's store buffer.
 
 use super::{LANES, ORDERS};
 use crate::scalar::Real;

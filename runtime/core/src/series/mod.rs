@@ -1,8 +1,9 @@
 //! Taylor series along a motion, order by order: what the emitted code of a phase calls.
 //!
-//! An order computes coefficient n of everything from coefficient n of the state. Operations that are linear are plain
-//! arithmetic; each of the others has a column of a [`Tape`], where it leaves its operands for the orders above. The
-//! convolutions of all columns are summed together, column beside column; of many motions ([`Columns`]), motion beside motion.
+//! An order computes coefficient n of everything from coefficient n of the state. Operations that
+//! are linear are plain arithmetic; each of the others has a column of a [`Tape`], where it leaves
+//! its operands for the orders above. The convolutions of all columns are summed together, column
+//! beside column; of many motions ([`Columns`]), motion beside motion.
 
 mod columns;
 mod convolution;

@@ -1,8 +1,9 @@
 //! The recurrences, one order at a time.
 //!
-//! They are Moore's (*Methods and Applications of Interval Analysis*, 1979, ch. 3; À. Jorba and M. Zou, *A software package
-//! for the numerical integration of ODEs by means of high-order Taylor methods*, Experimental Mathematics 14, 2005,
-//! Proposition 2.1), m = Σ aₖ bₙ₋ₖ over 0 < k < n for the two series a, b of the column:
+//! They are Moore's (*Methods and Applications of Interval Analysis*, 1979, ch. 3; À. Jorba and M.
+//! Zou, *A software package for the numerical integration of ODEs by means of high-order Taylor
+//! methods*, Experimental Mathematics 14, 2005, Proposition 2.1), m = Σ aₖ bₙ₋ₖ over 0 < k < n for
+//! the two series a, b of the column:
 //!
 //! ```text
 //! c = a b      cₙ = a₀ bₙ + aₙ b₀ + m
@@ -13,11 +14,13 @@
 //! c = cos φ    cₙ = −φₙ s₀ − m / n             column k φₖ, s
 //! ```
 //!
-//! What an order adds last is a product with a value, so that little stands between a coefficient and the next.
+//! What an order adds last is a product with a value, so that little stands between a coefficient
+//! and the next.
 
 use crate::scalar::Real;
 
-/// One order of each operation from the same order of its operands; `column` is the operation's place on the tape.
+/// One order of each operation from the same order of its operands; `column` is the operation's
+/// place on the tape.
 pub trait SeriesOps<S: Real> {
     /// What does not vary.
     fn constant(&self, value: S) -> S;

@@ -1,4 +1,5 @@
-//! The operands of a phase's convolutions, one column each, and the sums that every order begins with.
+//! The operands of a phase's convolutions, one column each, and the sums that every order begins
+//! with.
 
 use super::convolution::Sums;
 use super::ops::{Coefficients, Storage, Values};
@@ -9,8 +10,8 @@ use crate::scalar::dispatch::vectorised;
 /// One order of all columns: side by side, so that vector instructions sum them.
 type Row<S, const BLOCKS: usize> = [[S; LANES]; BLOCKS];
 
-/// What an operation keeps of the values, away from those of others: compilers would gather them into vectors, which costs
-/// more than the arithmetic.
+/// What an operation keeps of the values, away from those of others: compilers would gather them
+/// into vectors, which costs more than the arithmetic.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 struct Kept<S>([S; 2]);
@@ -88,7 +89,8 @@ impl<S: Real, const BLOCKS: usize> Storage<S> for Tape<S, BLOCKS> {
 }
 
 impl<S: Real, const BLOCKS: usize> Tape<S, BLOCKS> {
-    /// Not part of an order's code, which reads the sums one by one: in it they would not be summed side by side.
+    /// Not part of an order's code, which reads the sums one by one: in it they would not be summed
+    /// side by side.
     #[inline(never)]
     fn convolve(&mut self, n: usize) {
         let Self { left, right, sums, ahead, .. } = self;

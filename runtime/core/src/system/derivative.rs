@@ -1,4 +1,5 @@
-//! ẏ = f(y) of a closed form by doubles that the processor multiplies and adds in one instruction, where the target need not.
+//! ẏ = f(y) of a closed form by doubles that the processor multiplies and adds in one instruction,
+//! where the target need not.
 
 use core::marker::PhantomData;
 use std::sync::OnceLock;

@@ -72,7 +72,8 @@ impl Equations<f64> {
         along.sum::<f64>() + self.prescribed_gap_rate()[row]
     }
 
-    /// Σ |Jᵢ xᵢ|, the size of the terms that J x of a row is made of: its rounding, however small it is.
+    /// Σ |Jᵢ xᵢ|, the size of the terms that J x of a row is made of: its rounding, however small
+    /// it is.
     pub fn terms(&self, row: usize, x: &[f64]) -> f64 {
         self.jacobian(row).iter().zip(x).map(|(entry, x)| (entry * x).abs()).sum()
     }

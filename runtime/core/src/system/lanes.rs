@@ -9,7 +9,8 @@ use crate::scalar::Lanes;
 use crate::scalar::dispatch::{ForVector, Vector, widest};
 
 /// Motions of one smooth phase at one relative tolerance by Taylor's method, at most
-/// [`LANES`](crate::scalar::LANES) at once. The bits of one depend neither on its lane nor on the others.
+/// [`LANES`](crate::scalar::LANES) at once. The bits of one depend neither on its lane nor on the
+/// others.
 pub trait LaneGroup {
     /// Names of the model.
     fn layout(&self) -> &'static Layout;
@@ -56,10 +57,12 @@ pub struct LaneEnd<'a> {
     pub error: Option<StepError>,
 }
 
-/// Makes an empty group for motions of one model, with the parameters of any of them and a relative tolerance > 0.
+/// Makes an empty group for motions of one model, with the parameters of any of them and a relative
+/// tolerance > 0.
 pub type LaneConstructor = fn(&[f64], f64) -> Option<Box<dyn LaneGroup>>;
 
-/// The [`LaneConstructor`] of a compiled model. One with contacts, joints, switches or kinks has none, and no code of it is compiled.
+/// The [`LaneConstructor`] of a compiled model. One with contacts, joints, switches or kinks has
+/// none, and no code of it is compiled.
 pub fn lanes<M: BarSystem>(parameters: &[f64], relative: f64) -> Option<Box<dyn LaneGroup>> {
     let watched = const {
         let Layout { contacts, joints, switches, kinks, .. } = M::LAYOUT;

@@ -27,7 +27,8 @@ impl<M: BarSystem, S: Real> Lifted<M, S> {
         Self { constants: M::constants_of(&parameters, &ContactSet::EMPTY), parameters }
     }
 
-    /// The constants with the senses of the contacts that slide in a set; none where those here hold.
+    /// The constants with the senses of the contacts that slide in a set; none where those here
+    /// hold.
     pub(super) fn sliding(&self, set: &ContactSet) -> Option<M::Constants<S>> {
         let slides = const { !M::LAYOUT.frictions.is_empty() } && M::LAYOUT.sliding(set).next().is_some();
         slides.then(|| M::constants_of(&self.parameters, set))

@@ -1,7 +1,8 @@
 //! A model with its type erased: what the engine integrates, watches and decides with, on slices.
 //!
-//! `M: BarSystem` and constant dimensions end here. [`Model::new`] lifts a compiled model; whatever else can evaluate its own
-//! equations implements [`System`] and [`Phase`] itself. A call through them happens once per right-hand side.
+//! `M: BarSystem` and constant dimensions end here. [`Model::new`] lifts a compiled model; whatever
+//! else can evaluate its own equations implements [`System`] and [`Phase`] itself. A call through
+//! them happens once per right-hand side.
 
 mod arrays;
 mod derivative;
@@ -32,8 +33,9 @@ use crate::scalar::Scalar;
 
 /// The full equations of a model at a state, on numbers `S`.
 ///
-/// A state holds the coordinates, their rates and, where [`Layout::timed`], the time: [`Layout::entries`] entries. Entries
-/// missing from a state that is too short count as not a number.
+/// A state holds the coordinates, their rates and, where [`Layout::timed`], the time:
+/// [`Layout::entries`] entries. Entries missing from a state that is too short count as not a
+/// number.
 pub trait System<S: Scalar = f64>: Send + Sync {
     /// Names of everything.
     fn layout(&self) -> &'static Layout;
@@ -41,10 +43,11 @@ pub trait System<S: Scalar = f64>: Send + Sync {
     fn equations(&self, state: &[S]) -> Equations<S>;
     /// g of the first rows, as many as `gaps` has entries: the contacts come first.
     fn gaps(&self, state: &[S], gaps: &mut [S]);
-    /// a of `M a = f + Jᵀ λ`, `J a = −b` over the rows closed in `set`, and λ of every row, zero where open, the friction
-    /// force for the slip of a sliding contact; whether λ is unique.
+    /// a of `M a = f + Jᵀ λ`, `J a = −b` over the rows closed in `set`, and λ of every row, zero
+    /// where open, the friction force for the slip of a sliding contact; whether λ is unique.
     fn solve(&self, state: &[S], set: ContactSet, accelerations: &mut [S], multipliers: &mut [S]) -> bool;
-    /// The least change d in the mass metric with `J d = −r` over the closed rows, r one entry per row: `M d = Jᵀ μ`.
+    /// The least change d in the mass metric with `J d = −r` over the closed rows, r one entry per
+    /// row: `M d = Jᵀ μ`.
     fn correction(&self, state: &[S], set: ContactSet, residual: &[S], change: &mut [S]);
     /// Brings a state back on its closed contacts and joints; `length` is the natural one.
     fn project(&self, set: ContactSet, state: &mut [S], length: f64);
@@ -54,18 +57,21 @@ pub trait System<S: Scalar = f64>: Send + Sync {
     fn points(&self, state: &[S], points: &mut [S]);
     /// For each foot its distance from the bar's first and last point.
     fn feet(&self, state: &[S], feet: &mut [S]);
-    /// Values of [`Layout::kinks`], one entry each: zero where the equations are not analytic in the state.
+    /// Values of [`Layout::kinks`], one entry each: zero where the equations are not analytic in
+    /// the state.
     fn kinks(&self, state: &[S], kinks: &mut [S]);
-    /// The slip of each contact with friction, in the order of [`Layout::frictions`], one entry each.
+    /// The slip of each contact with friction, in the order of [`Layout::frictions`], one entry
+    /// each.
     fn slips(&self, state: &[S], slips: &mut [SlipState<S>]);
     /// The quantity `entry` of [`Layout::quantities`].
     fn quantity(&self, entry: usize, state: &[S], accelerations: &[S], multipliers: &[S]) -> S;
-    /// The phase of a contact set: in closed form where there is one and `form` asks for it, otherwise projected.
+    /// The phase of a contact set: in closed form where there is one and `form` asks for it,
+    /// otherwise projected.
     fn phase(self: Arc<Self>, set: ContactSet, form: Form) -> Arc<dyn PhaseEquations<S>>;
 }
 
-/// The equations of one contact set in its reduced state: coordinates, then rates, then the time if the equations depend on
-/// it; [`PhaseInfo::entries`] numbers.
+/// The equations of one contact set in its reduced state: coordinates, then rates, then the time if
+/// the equations depend on it; [`PhaseInfo::entries`] numbers.
 pub trait PhaseEquations<S: Scalar = f64>: Send + Sync {
     /// The model.
     fn system(&self) -> &dyn System<S>;
@@ -75,7 +81,8 @@ pub trait PhaseEquations<S: Scalar = f64>: Send + Sync {
     fn kept(&self) -> &[usize];
     /// Time derivative of the reduced state.
     fn derivative(&self, y: &[S], derivative: &mut [S]);
-    /// Reaction of every contact, zero where open, then the friction forces: [`Layout::reactions`] entries.
+    /// Reaction of every contact, zero where open, then the friction forces: [`Layout::reactions`]
+    /// entries.
     fn reactions(&self, y: &[S], reactions: &mut [S]);
     /// The full state.
     fn embed(&self, y: &[S], state: &mut [S]);

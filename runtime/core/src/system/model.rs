@@ -9,7 +9,8 @@ use super::{SeriesEquations, System};
 use crate::model::{BarSystem, Layout, Measure};
 use crate::scalar::{DoubleDouble, Dual4, Real, Scalar};
 
-/// A model with its type erased: its equations with the values of its parameters, and what is known of them.
+/// A model with its type erased: its equations with the values of its parameters, and what is known
+/// of them.
 #[derive(Clone)]
 pub struct Model {
     /// The full equations and the phases.

@@ -32,7 +32,8 @@ pub struct PhaseInfo {
     pub rates: usize,
     /// All entries: the last is the time, if the equations depend on it.
     pub entries: usize,
-    /// Whether reactions, gaps, slip velocities and feet are affine functions of the reduced state, with constant coefficients.
+    /// Whether reactions, gaps, slip velocities and feet are affine functions of the reduced state,
+    /// with constant coefficients.
     pub affine: bool,
 }
 
@@ -184,7 +185,8 @@ struct LiftedPhase<M: BarSystem, S: Scalar, const N: usize> {
     fused: Option<Box<dyn Derivative<M, S, N>>>,
 }
 
-/// What a closed form has of its own where digits could cancel: not in double-double, which has enough of them.
+/// What a closed form has of its own where digits could cancel: not in double-double, which has
+/// enough of them.
 struct Reduced<M: BarSystem, S: Scalar, const N: usize> {
     pivot: OfState<M, S, [S; N], S>,
     energy: OfState<M, S, [S; N], Energy<S>>,

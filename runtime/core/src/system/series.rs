@@ -20,8 +20,8 @@ pub type LongTimeSeries = Jet<f64, MOST_TIME_ORDERS>;
 
 /// A model's equations on Taylor series in time.
 pub trait SeriesEquations: Send + Sync {
-    /// The full equations along a motion, where there are contacts, whose decisions ask for them; else nothing of them is
-    /// compiled.
+    /// The full equations along a motion, where there are contacts, whose decisions ask for them;
+    /// else nothing of them is compiled.
     fn equations(&self, state: &[TimeSeries]) -> Option<Equations<TimeSeries>>;
     /// The same to more orders; of models that depend on time alone, as compiling it takes long.
     fn long_equations(&self, state: &[LongTimeSeries]) -> Option<Equations<LongTimeSeries>>;

@@ -1,6 +1,6 @@
-//! Coordinates that a pose leaves open: g(q) = 0 over the joints and the contacts that touch in the nominal figure, on the path
-//! of the given coordinates from their nominal values, so that the branch is kept.
-//! Contacts that the given coordinates contradict are dropped, as few as possible.
+//! Coordinates that a pose leaves open: g(q) = 0 over the joints and the contacts that touch in the
+//! nominal figure, on the path of the given coordinates from their nominal values, so that the
+//! branch is kept. Contacts that the given coordinates contradict are dropped, as few as possible.
 
 use core::f64::consts::TAU;
 
@@ -172,8 +172,8 @@ fn independent(assembly: &AssemblyProblem<'_>, closed: &[usize], q: &[f64]) -> V
     active.rows
 }
 
-/// By how much the given coordinates move from their nominal values: as they are given, and where no path leads there,
-/// angles to the same position on the shorter way, and on the other.
+/// By how much the given coordinates move from their nominal values: as they are given, and where
+/// no path leads there, angles to the same position on the shorter way, and on the other.
 fn ways(assembly: &AssemblyProblem<'_>, given: &[Option<f64>]) -> Vec<Vec<f64>> {
     let coordinates = assembly.layout().coordinates.iter();
     let moves = given.iter().zip(&assembly.context.model.nominal).zip(coordinates);
@@ -225,7 +225,8 @@ fn approach(assembly: &AssemblyProblem<'_>, (closed, open): (&[usize], &[usize])
     }
 }
 
-/// The position behind moves of the given coordinates, where rows are more than coordinates left open, or not independent.
+/// The position behind moves of the given coordinates, where rows are more than coordinates left
+/// open, or not independent.
 fn stepwise(assembly: &AssemblyProblem<'_>, moves: &[f64], unknown: (&[usize], &[usize])) -> Vec<f64> {
     let mut q = assembly.context.model.nominal.clone();
     let steps = steps(assembly, moves);
@@ -236,7 +237,8 @@ fn stepwise(assembly: &AssemblyProblem<'_>, moves: &[f64], unknown: (&[usize], &
     q
 }
 
-/// Gauss–Newton on the open coordinates to gaps of so many natural lengths; least-norm where they are not determined.
+/// Gauss–Newton on the open coordinates to gaps of so many natural lengths; least-norm where they
+/// are not determined.
 fn nearest(assembly: &AssemblyProblem<'_>, (closed, open): (&[usize], &[usize]), near: f64, q: &mut [f64]) {
     let scales = &assembly.context.scales;
     let unit = |k: usize| scales.coordinate(&assembly.layout().coordinates[open[k]]);
@@ -246,7 +248,8 @@ fn nearest(assembly: &AssemblyProblem<'_>, (closed, open): (&[usize], &[usize]),
             return;
         }
         let jacobian = assembly.jacobian(q, (closed, open));
-        // A singular value below this is a branch point, as sin α = 1; there the direction stays as it is.
+        // A singular value below this is a branch point, as sin α = 1; there the direction stays as
+        // it is.
         let cutoff = 1e-13 * jacobian.amax();
         let Ok(change) = svd(jacobian).solve(&gap, cutoff) else { return };
         if change.iter().any(|x| !x.is_finite()) {

@@ -1,6 +1,7 @@
-//! The rate of a phase with one degree of freedom on an energy level: u = d + s τ with T(d + s τ) + V = E. Here J τ = 0, and d
-//! satisfies the prescribed motions, J d = −∂g/∂t. The motion goes away from the pose that defines the level. Without
-//! prescribed motions d = 0 and s = ±√((E − V) / T(τ)).
+//! The rate of a phase with one degree of freedom on an energy level: u = d + s τ with T(d + s τ) +
+//! V = E. Here J τ = 0, and d satisfies the prescribed motions, J d = −∂g/∂t. The motion goes away
+//! from the pose that defines the level. Without prescribed motions d = 0 and s = ±√((E − V) /
+//! T(τ)).
 
 use nalgebra::DMatrix;
 

@@ -129,7 +129,8 @@ pub enum StartError {
         /// The rate of its gap.
         speed: f64,
     },
-    /// A bar's corner is exactly at the bar's end: whether it bears depends on an infinitesimal displacement.
+    /// A bar's corner is exactly at the bar's end: whether it bears depends on an infinitesimal
+    /// displacement.
     #[error("the contact {support} lies exactly at the {end} point of its bar")]
     AtEnd {
         /// The contact.

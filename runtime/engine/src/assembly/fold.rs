@@ -1,5 +1,6 @@
-//! Positions at a fold. Where the gaps that complete a pose are flat along what is left open, as x² + y² = r² is along x at y = r,
-//! they leave it unknown by the square root of a rounding. The fold itself is known: there the gap has no slope,
+//! Positions at a fold. Where the gaps that complete a pose are flat along what is left open, as x² +
+//! y² = r² is along x at y = r, they leave it unknown by the square root of a rounding. The fold
+//! itself is known: there the gap has no slope,
 //!
 //! ```text
 //! uᵀ J(q) v = 0,    u and v those of the least singular value of J
@@ -16,7 +17,8 @@ const SPAN: f64 = 1e-4;
 /// Gaps with this many roundings are closed at the fold as well as beside it.
 const ROUNDED: f64 = roundoff(4.0);
 
-/// Moves what was left open onto a fold of the closed rows, if that is within the rounding of their gaps.
+/// Moves what was left open onto a fold of the closed rows, if that is within the rounding of their
+/// gaps.
 pub(super) fn settle_on_fold(
     assembly: &AssemblyProblem<'_>,
     (closed, free): (&[usize], &[usize]),

@@ -25,14 +25,16 @@ use pose::GivenPose;
 use problem::AssemblyProblem;
 use settle::settled;
 
-/// How deep contacts may be penetrated at a start, in natural lengths: ten local errors, as deep as events leave them, so that a
-/// motion can be continued from its states. A contact that is penetrated counts as closed. Onto it the pose moves by as much, and
-/// by the square root of that where the gap has a fold.
+/// How deep contacts may be penetrated at a start, in natural lengths: ten local errors, as deep as
+/// events leave them, so that a motion can be continued from its states. A contact that is
+/// penetrated counts as closed. Onto it the pose moves by as much, and by the square root of that
+/// where the gap has a fold.
 pub(crate) fn deepest(tolerance: f64) -> f64 {
     compute_place_error(tolerance).max(CLOSED)
 }
 
-/// Whether a contact is penetrated and open by no more than so many of its units, or than the rounding of its gap.
+/// Whether a contact is penetrated and open by no more than so many of its units, or than the
+/// rounding of its gap.
 pub(crate) fn touches(
     context: &RunContext,
     equations: &Equations<f64>,
@@ -54,7 +56,8 @@ pub(crate) struct ConsistentStart {
     pub(crate) depth: f64,
 }
 
-/// The full state that `pose` asks for at a time; what it leaves open follows from the contacts of the nominal figure.
+/// The full state that `pose` asks for at a time; what it leaves open follows from the contacts of
+/// the nominal figure.
 pub(crate) fn start(
     (context, switches): (&RunContext, &Switches),
     pose: &Pose,
@@ -108,7 +111,8 @@ pub(crate) fn find_below(
     assembly.find_penetrated(positions, assembly.absent(positions)).intersection(edges)
 }
 
-/// The state of a model that has neither contacts nor joints, where all rates or none are given: it is as it was asked for.
+/// The state of a model that has neither contacts nor joints, where all rates or none are given: it
+/// is as it was asked for.
 fn unbound((context, switches): (&RunContext, &Switches), given: &GivenPose, t: f64) -> Option<Vec<f64>> {
     let (layout, nominal) = (context.layout(), &context.model.nominal);
     let any = given.rates.iter().any(Option::is_some);
@@ -122,7 +126,8 @@ fn unbound((context, switches): (&RunContext, &Switches), given: &GivenPose, t: 
     Some(state)
 }
 
-/// Refuses units in which natural forces or energies are no normal numbers: squares of rates would be lost.
+/// Refuses units in which natural forces or energies are no normal numbers: squares of rates would
+/// be lost.
 fn refuse_lost_units(context: &RunContext) -> Result<(), StartError> {
     let scales = &context.scales;
     let (acceleration, force) = (scales.acceleration(), scales.force());
@@ -147,11 +152,12 @@ fn refuse_immobile(assembly: &AssemblyProblem<'_>, positions: &[f64]) -> Result<
     }
 }
 
-/// Positions with g = 0 at contacts that open at once and are penetrated within their bound: below it nothing tells that they
-/// close again.
+/// Positions with g = 0 at contacts that open at once and are penetrated within their bound: below
+/// it nothing tells that they close again.
 ///
 /// # Errors
-/// They are farther away than what penetrates by that much may be moved: bars may be as thin as it is deep.
+/// They are farther away than what penetrates by that much may be moved: bars may be as thin as it
+/// is deep.
 fn lifted(
     assembly: &AssemblyProblem<'_>,
     state: &[f64],
@@ -174,8 +180,8 @@ fn lifted(
 /// Of a set of so many contacts all subsets are tried.
 const ALL: usize = 12;
 
-/// What the first subset is that is accepted: of a small set among all, the larger first; of a large one among those left when
-/// the contacts that are in the way of the one before are left out.
+/// What the first subset is that is accepted: of a small set among all, the larger first; of a
+/// large one among those left when the contacts that are in the way of the one before are left out.
 fn largest<T>(set: ContactSet, mut accept: impl FnMut(ContactSet) -> Result<T, ContactSet>) -> Option<T> {
     let mut left = set;
     loop {
@@ -229,7 +235,8 @@ mod tests {
         assert_eq!(bits, [0b1101, 0b0101, 0b1001, 0b1100, 0b0001, 0b0100, 0b1000, 0]);
     }
 
-    /// Of a hundred contacts that miss by 0, 1, 2, … those that miss are left out, the worst half first.
+    /// Of a hundred contacts that miss by 0, 1, 2, … those that miss are left out, the worst half
+    /// first.
     #[test]
     fn of_many_contacts_those_in_the_way_are_left_out() {
         let accept = |set: ContactSet| {

@@ -1,13 +1,15 @@
-//! The path on which a pose is completed: the given coordinates move along a line from their values in the nominal figure, those
-//! left open follow, by a step along the tangent and Gauss–Newton back to the closed rows:
+//! The path on which a pose is completed: the given coordinates move along a line from their values
+//! in the nominal figure, those left open follow, by a step along the tangent and Gauss–Newton back
+//! to the closed rows:
 //!
 //! ```text
 //! J_open q_open′ = −J_given q_given′          J_open Δq_open = −g(q)
 //! ```
 //!
-//! (Allgower and Georg, *Introduction to Numerical Continuation Methods*, 2003, chapters 2 and 6). A step is halved that is not
-//! short beside what it corrects, or behind which det J_open has another sign: it has come onto another branch. Only where no
-//! step is short enough the path has come to a branch point, as a parallelogram's, and goes straight across, or to a dead centre.
+//! (Allgower and Georg, *Introduction to Numerical Continuation Methods*, 2003, chapters 2 and 6).
+//! A step is halved that is not short beside what it corrects, or behind which det J_open has
+//! another sign: it has come onto another branch. Only where no step is short enough the path has
+//! come to a branch point, as a parallelogram's, and goes straight across, or to a dead centre.
 
 use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
@@ -15,17 +17,19 @@ use super::problem::AssemblyProblem;
 use crate::context::CLOSED;
 use crate::numerics::decomposition::svd;
 
-/// The longest step of a given coordinate, 11° or a fifth of the natural length, and of one left open: a length may go farther
-/// where the path is straight, as along a slope.
+/// The longest step of a given coordinate, 11° or a fifth of the natural length, and of one left
+/// open: a length may go farther where the path is straight, as along a slope.
 const STEP: f64 = core::f64::consts::PI / 16.0;
 const FOLLOWS: f64 = 2.5 * STEP;
 /// The most steps, where none is halved.
 const STEPS: f64 = 64.0;
 /// The shortest step, as part of the way.
 const SHORTEST: f64 = 1e-8;
-/// What a step may be corrected by, in lengths of the step, and then each time in what it was before.
+/// What a step may be corrected by, in lengths of the step, and then each time in what it was
+/// before.
 const CONTRACTION: f64 = 0.25;
-/// A correction this small, in lengths of the step, leaves a tangent that is good enough; of a smaller step no part counts.
+/// A correction this small, in lengths of the step, leaves a tangent that is good enough; of a
+/// smaller step no part counts.
 const NEAR: f64 = 1e-3;
 const SMALL: f64 = 1e-6;
 const CORRECTIONS: usize = 8;
@@ -88,7 +92,8 @@ impl<'a> AssemblyPath<'a> {
         is_determined.then_some(Self { assembly, closed, open, begin })
     }
 
-    /// The position behind all moves of the given coordinates, but for its last digits, if the path leads there.
+    /// The position behind all moves of the given coordinates, but for its last digits, if the path
+    /// leads there.
     pub(super) fn end(&self, moves: &[f64]) -> Option<Vec<f64>> {
         let longest = 1.0 / steps(self.assembly, moves) as f64;
         let mut here = self.begin.clone();
@@ -144,7 +149,8 @@ impl<'a> AssemblyPath<'a> {
             }
             most *= CONTRACTION;
             if change.amax() <= NEAR * length {
-                // What is left of the gap is small beside the next step too, which may be much shorter.
+                // What is left of the gap is small beside the next step too, which may be much
+                // shorter.
                 self.open.iter().zip(change.iter()).for_each(|(&i, by)| point.q[i] += by * self.unit(i));
                 return Some(point);
             }

@@ -39,7 +39,8 @@ impl Pose {
         Self { values: layout.names_of_state().zip(state.iter().copied()).collect() }
     }
 
-    /// The coordinates and the rates given, in their places; elsewhere what they are nominally, and zero.
+    /// The coordinates and the rates given, in their places; elsewhere what they are nominally, and
+    /// zero.
     pub(crate) fn values(&self, model: &Model) -> Result<[Vec<f64>; 2], StartError> {
         let GivenPose { positions, rates, .. } = self.resolve(model)?;
         let positions =
@@ -105,7 +106,8 @@ fn edge_contact(layout: &'static Layout, support: &str, value: f64) -> Result<us
 }
 
 impl GivenPose {
-    /// Whether a state has every value that was given, within a relative bound: what was left open follows the contacts.
+    /// Whether a state has every value that was given, within a relative bound: what was left open
+    /// follows the contacts.
     pub(super) fn is_kept(&self, context: &RunContext, state: &[f64], bound: f64) -> bool {
         let given = self.positions.iter().chain(&self.rates);
         let entries = given.zip(state).zip(context.scales.state(context.layout()));

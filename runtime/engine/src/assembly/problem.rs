@@ -73,7 +73,8 @@ impl<'a> AssemblyProblem<'a> {
         }
     }
 
-    /// A gap no larger is closed, in its natural unit: [`CLOSED`], or the rounding of the terms that it is a sum of.
+    /// A gap no larger is closed, in its natural unit: [`CLOSED`], or the rounding of the terms
+    /// that it is a sum of.
     pub(super) fn closed_below(&self, positions: &[f64], row: usize) -> f64 {
         CLOSED.max(self.context.rounding(&self.rows(positions), row, positions))
     }
@@ -169,7 +170,8 @@ impl<'a> AssemblyProblem<'a> {
         }
     }
 
-    /// Refuses penetrated contacts, by the deepest one. A corner beyond the end of its bar penetrates nothing.
+    /// Refuses penetrated contacts, by the deepest one. A corner beyond the end of its bar
+    /// penetrates nothing.
     pub(super) fn refuse_penetration(&self, positions: &[f64], off: ContactSet) -> Result<(), StartError> {
         let rows = self.rows(positions);
         let gap = rows.gap();

@@ -1,6 +1,7 @@
-//! Rates that a pose leaves open: the least kinetic energy with the given rates and J u = 0 over the joints and the
-//! closed contacts, `M u = Jᵀ μ` on the free rates. Contacts that the given rates open are dropped, and those that they
-//! drive into their supports if nothing else is possible: they are struck at the start.
+//! Rates that a pose leaves open: the least kinetic energy with the given rates and J u = 0 over
+//! the joints and the closed contacts, `M u = Jᵀ μ` on the free rates. Contacts that the given
+//! rates open are dropped, and those that they drive into their supports if nothing else is
+//! possible: they are struck at the start.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -13,8 +14,9 @@ use crate::numerics::decomposition::svd;
 use crate::numerics::zero::SOLVED;
 use crate::system::Equations;
 
-/// Rows of J below this, in natural units, are those of a singular position: at a fold the gap is quadratic in the position, so
-/// that a gap closed within [`CLOSED`] leaves position and J unknown by the square root of that.
+/// Rows of J below this, in natural units, are those of a singular position: at a fold the gap is
+/// quadratic in the position, so that a gap closed within [`CLOSED`] leaves position and J unknown
+/// by the square root of that.
 const SINGULAR: f64 = 1e-5;
 
 /// M, J and ∂g/∂t: contacts, then joints.
@@ -85,7 +87,8 @@ pub(super) fn rates(
     Err(refusal)
 }
 
-/// Refuses rates that break a two-sided row: a joint, a guide, a drive that holds, or the tangent of a closed contact.
+/// Refuses rates that break a two-sided row: a joint, a guide, a drive that holds, or the tangent
+/// of a closed contact.
 fn refuse(
     assembly: &AssemblyProblem<'_>,
     speed: &DVector<f64>,
@@ -103,8 +106,9 @@ fn refuse(
     Ok(())
 }
 
-/// The rows closed with `set` that hold free rates. A row whose derivatives by them are negligible against its others, or
-/// against those of a gap of natural size, does not determine them: the given rates satisfy it or nothing does.
+/// The rows closed with `set` that hold free rates. A row whose derivatives by them are negligible
+/// against its others, or against those of a gap of natural size, does not determine them: the
+/// given rates satisfy it or nothing does.
 fn holding(
     assembly: &AssemblyProblem<'_>,
     rows: &RateRows,

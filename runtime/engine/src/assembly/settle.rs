@@ -1,11 +1,13 @@
-//! A start on the closed form of its contacts: the reduced coordinates r, near those of the completed state, with
+//! A start on the closed form of its contacts: the reduced coordinates r, near those of the
+//! completed state, with
 //!
 //! ```text
 //! embed(r) = what was given
 //! ```
 //!
-//! by Gauss and Newton. Completion knows what was left open to within the rounding of the gaps. Where these are flat, as those
-//! of sin α = sin β at cos α = 0, that is the square root of a rounding, and an embedding would miss what was given by as much.
+//! by Gauss and Newton. Completion knows what was left open to within the rounding of the gaps.
+//! Where these are flat, as those of sin α = sin β at cos α = 0, that is the square root of a
+//! rounding, and an embedding would miss what was given by as much.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -46,7 +48,8 @@ pub(super) fn settled(
     given.is_kept(context, &image, CLOSED).then(|| image.into_vec())
 }
 
-/// embed(restrict(state)) where it satisfies the contacts: its pivots may be small, as they are where gaps are flat.
+/// embed(restrict(state)) where it satisfies the contacts: its pivots may be small, as they are
+/// where gaps are flat.
 fn image_of(context: &RunContext, phase: &dyn PhaseEquations, state: &[f64]) -> Option<Numbers> {
     if phase.info().form == Form::Multipliers {
         return None;
@@ -58,7 +61,8 @@ fn image_of(context: &RunContext, phase: &dyn PhaseEquations, state: &[f64]) -> 
     (closed && image.iter().all(|x| x.is_finite())).then_some(image)
 }
 
-/// Moves the kept coordinates of a state so that its image has the given positions, if they are near.
+/// Moves the kept coordinates of a state so that its image has the given positions, if they are
+/// near.
 fn correct(
     context: &RunContext,
     phase: &dyn PhaseEquations,

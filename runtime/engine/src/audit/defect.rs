@@ -4,9 +4,10 @@
 //! W = ∫ E_y f dt = E(y₁) − E(y₀) − ∫ E_y (y' − f) dt
 //! ```
 //!
-//! by Simpson's rule, as the defect δ = h (y' − f) is zero at the start, and with E_y δ ≈ ½ (E(y + δ) − E(y − δ)): two evaluations
-//! of the equations a step, however much the power changes within it. What a projection changes at the end of a step is no work.
-//! A stiff f makes of the error of a state a defect that is too large for that.
+//! by Simpson's rule, as the defect δ = h (y' − f) is zero at the start, and with E_y δ ≈ ½ (E(y +
+//! δ) − E(y − δ)): two evaluations of the equations a step, however much the power changes within
+//! it. What a projection changes at the end of a step is no work. A stiff f makes of the error of a
+//! state a defect that is too large for that.
 
 use crate::context::{Numbers, RunContext};
 use crate::system::{DenseOutput, PhaseEquations};
@@ -15,8 +16,8 @@ use smallvec::smallvec;
 /// The middle and the end of a step, and their weights.
 const NODES: [(f64, f64); 2] = [(0.5, 4.0 / 6.0), (1.0, 1.0 / 6.0)];
 
-/// W of a step up to θ = `end`; none where the defect is so large that its third power matters beside the tolerance, or the energy is
-/// no number.
+/// W of a step up to θ = `end`; none where the defect is so large that its third power matters
+/// beside the tolerance, or the energy is no number.
 pub(crate) fn work_of(
     context: &RunContext,
     phase: &dyn PhaseEquations,

@@ -7,7 +7,8 @@ use crate::model::Energy;
 use crate::numerics::zero::{MARGIN, SOLVED};
 use crate::trajectory::{LogEntry, LoggedDecision};
 
-/// Energies and speeds below this part of natural ones are those of bodies at rest: their rounding is not theirs.
+/// Energies and speeds below this part of natural ones are those of bodies at rest: their rounding
+/// is not theirs.
 pub(super) const SMALL: f64 = 1e-3;
 
 /// The part of an energy that many steps may change together.
@@ -20,7 +21,8 @@ pub enum Quantity {
     Jump,
     /// Rates where no impact is, in natural units, relative to the largest above one.
     Kick,
-    /// Gaps of closed contacts and of joints, in natural lengths, relative to the largest position above one.
+    /// Gaps of closed contacts and of joints, in natural lengths, relative to the largest position
+    /// above one.
     Gap,
     /// Their rates, relative to the terms that they are the sum of.
     Rate,
@@ -28,7 +30,8 @@ pub enum Quantity {
     Penetration,
     /// Pull of closed contacts, relative to the largest reaction of their phase and to the weight.
     Pull,
-    /// The change of energy in a phase less the work done, relative to the largest of kinetic and potential energy.
+    /// The change of energy in a phase less the work done, relative to the largest of kinetic and
+    /// potential energy.
     Energy,
     /// The energy gained at an event, likewise.
     Impact,
@@ -107,8 +110,9 @@ impl AuditBounds {
         of_steps.min(LARGEST.max(10.0 * self.error)) + 2.0 * MARGIN * self.passages
     }
 
-    /// Events are located to ten local errors, and sequences of impacts are cut short at heights of a local error in natural lengths,
-    /// which is a thousand times more of the [`SMALL`] energy there.
+    /// Events are located to ten local errors, and sequences of impacts are cut short at heights of
+    /// a local error in natural lengths, which is a thousand times more of the [`SMALL`] energy
+    /// there.
     pub(crate) fn impact(&self) -> f64 {
         1e4 * self.error
     }

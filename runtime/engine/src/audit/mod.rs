@@ -93,11 +93,13 @@ impl fmt::Display for Audit {
 }
 
 impl Trajectory {
-    /// Looks at the ends and in the middle of all steps whether the motion satisfies what every motion does.
+    /// Looks at the ends and in the middle of all steps whether the motion satisfies what every
+    /// motion does.
     pub fn audit(&self) -> Audit {
         let mut audit = Audit::default();
         let mut passed = ContactSet::EMPTY;
-        // A start may lie below edges, round whose ends it has gone; what is armed, below its ground.
+        // A start may lie below edges, round whose ends it has gone; what is armed, below its
+        // ground.
         let mut fresh = self.layout().edges();
         for (k, phase) in self.phases.iter().enumerate() {
             passed = passed.union(self.find_sunk(phase, &phase.interpolate(phase.t0)).intersection(fresh));

@@ -69,7 +69,8 @@ impl Trajectory {
         below.union(self.context.find_beyond_end(point.state(), self.margin()))
     }
 
-    /// Whether the foot of a gap that has become negative between two times was off its bar where it did.
+    /// Whether the foot of a gap that has become negative between two times was off its bar where
+    /// it did.
     fn sank_off(&self, phase: &RecordedPhase, contact: usize, [before, t]: [f64; 2]) -> bool {
         if self.layout().contacts[contact].foot.is_none() {
             return false;
@@ -83,8 +84,9 @@ impl Trajectory {
         self.context.find_beyond_end(phase.interpolate(below).state(), self.margin()).contains(contact)
     }
 
-    /// The largest pull of a contact that can only push, or only pull the other way. Where reactions are not unique, those given
-    /// need not be possible ones. Where a contact opens its reaction has either sign: it may be at a pole.
+    /// The largest pull of a contact that can only push, or only pull the other way. Where
+    /// reactions are not unique, those given need not be possible ones. Where a contact opens its
+    /// reaction has either sign: it may be at a pole.
     fn pull(
         &self,
         (phase, ended_by): (&RecordedPhase, &[Guard]),
@@ -132,7 +134,8 @@ impl Trajectory {
             let point = phase.interpolate(step[1]);
             let now = context.system().energy(point.state());
             if step[1] < phase.t1 && !(now.kinetic + now.potential).is_finite() {
-                // Where the ends of a spring meet it has no direction; what follows is compared with the start as well.
+                // Where the ends of a spring meet it has no direction; what follows is compared
+                // with the start as well.
                 continue;
             }
             let length = step[1] - step[0];
@@ -146,9 +149,9 @@ impl Trajectory {
         }
     }
 
-    /// Roundoff of uᵀ (M a − f) over a step, from its terms: near singular positions these are larger by far than what
-    /// they add up to. Then what the rounding of the position makes of the energy, Σ |fᵢ| δqᵢ: a stiff spring may be hardly longer
-    /// than without load.
+    /// Roundoff of uᵀ (M a − f) over a step, from its terms: near singular positions these are
+    /// larger by far than what they add up to. Then what the rounding of the position makes of the
+    /// energy, Σ |fᵢ| δqᵢ: a stiff spring may be hardly longer than without load.
     fn rounding(&self, point: &PhasePoint, step: f64) -> [f64; 2] {
         let (layout, state, a) = (self.layout(), point.state(), point.accelerations());
         let equations = self.context.system().equations(state);

@@ -6,8 +6,8 @@ use crate::context::{ROUNDINGS, RunContext};
 use crate::integration::chart::nan_max;
 use crate::model::ContactSet;
 
-/// Where gaps are flat, positions within the bound of a gap leave J unknown by the root of that: about this part of the bound of
-/// rates.
+/// Where gaps are flat, positions within the bound of a gap leave J unknown by the root of that:
+/// about this part of the bound of rates.
 const FLAT: f64 = 0.1;
 
 /// A time of a phase.

@@ -77,7 +77,8 @@ fn a_bouncing_ball_is_clean() {
     );
 }
 
-/// A bar thrown up along a wall leans on it with no force: what rounding leaves of that does not pull.
+/// A bar thrown up along a wall leans on it with no force: what rounding leaves of that does not
+/// pull.
 #[test]
 fn contacts_without_a_reaction_do_not_pull() {
     for phi in [0.3, 0.7, 1.0, 1.2, 1.5] {
@@ -100,7 +101,8 @@ fn a_load_does_work() {
     assert!(audit.is_clean() && !audit.worst().is_empty(), "{audit}");
 }
 
-/// With friction that turns the slip round Newton's law gains energy, which its event tells: only what is told may be gained.
+/// With friction that turns the slip round Newton's law gains energy, which its event tells: only
+/// what is told may be gained.
 #[test]
 fn an_impact_gains_what_its_law_tells() {
     let run = Simulation::new(&Rod { m: 1.0, l: 1.0, g: 9.81, mu: 0.8 }).unwrap();
@@ -113,7 +115,8 @@ fn an_impact_gains_what_its_law_tells() {
     assert!(broken(&run.audit()).contains(&Quantity::Impact), "{}", run.audit());
 }
 
-/// At both turns of a pendulum released level T = V = 0: its error is one of the energies in between. A step ends at one.
+/// At both turns of a pendulum released level T = V = 0: its error is one of the energies in
+/// between. A step ends at one.
 #[test]
 fn energies_are_compared_with_those_on_the_way() {
     let run = Simulation::new(&Driven { m: 1.0, l: 1.0, g: 9.81, c: 0.0 }).unwrap().method(MethodId::Gauss);

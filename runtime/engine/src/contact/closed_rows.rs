@@ -14,7 +14,8 @@ pub(super) struct ClosedRows {
     pub(super) rows: Vec<usize>,
     /// J in natural coordinates and own units of the rows.
     pub(super) jacobian: DMatrix<f64>,
-    /// The length at which the multiplier of each row that is a couple is compared with forces; one of a force.
+    /// The length at which the multiplier of each row that is a couple is compared with forces; one
+    /// of a force.
     pub(super) levers: Vec<f64>,
 }
 
@@ -59,7 +60,8 @@ impl ClosedRows {
         self.rows.iter().position(|&other| other == row)
     }
 
-    /// Adds the friction of a contact that slides to the row of its normal, `J_N − σ μ J_t`, and takes that of its tangent out.
+    /// Adds the friction of a contact that slides to the row of its normal, `J_N − σ μ J_t`, and
+    /// takes that of its tangent out.
     pub(super) fn bend(&mut self, friction: Friction, signed_mu: f64) {
         if let (Some(normal), Some(tangent)) =
             (self.find_index(friction.contact), self.find_index(friction.row))
@@ -70,7 +72,8 @@ impl ClosedRows {
         }
     }
 
-    /// Which rows have a part in reactions λ with Jᵀ λ = 0: what they bear is not determined by the motion.
+    /// Which rows have a part in reactions λ with Jᵀ λ = 0: what they bear is not determined by the
+    /// motion.
     pub(super) fn undetermined(&self) -> Vec<bool> {
         let determined = range(&self.jacobian);
         let is_zero = |row: usize| self.jacobian.row(row).amax() == 0.0;

@@ -1,13 +1,15 @@
-//! 0 ≤ J a + b ⟂ λ ≥ 0 over the candidate rows, J a + b = 0 over the fixed ones, with M a = f + Jᵀ λ.
+//! 0 ≤ J a + b ⟂ λ ≥ 0 over the candidate rows, J a + b = 0 over the fixed ones, with M a = f + Jᵀ
+//! λ.
 //!
-//! Gauss's principle finds independent rows that bear ([`LeastConstraint`](super::least_constraint)), the equations with these
-//! closed their values. Where a motion without inertia follows from its contacts alone, the set is found by Murty's
+//! Gauss's principle finds independent rows that bear
+//! ([`LeastConstraint`](super::least_constraint)), the equations with these closed their values.
+//! Where a motion without inertia follows from its contacts alone, the set is found by Murty's
 //! least-index principal pivoting from all contacts closed.
 //!
-//! A rough contact brings its tangential rows, two-sided while it is closed. The problem is then no linear
-//! complementarity problem with a semidefinite matrix: it may have several solutions or none. All contacts are taken to
-//! stick, those that open are released with their tangents; where that does not lead to a solution all sets are tried,
-//! the largest first.
+//! A rough contact brings its tangential rows, two-sided while it is closed. The problem is then no
+//! linear complementarity problem with a semidefinite matrix: it may have several solutions or
+//! none. All contacts are taken to stick, those that open are released with their tangents; where
+//! that does not lead to a solution all sets are tried, the largest first.
 
 use nalgebra::DVector;
 
@@ -22,7 +24,8 @@ const EXHAUSTIVE: usize = 14;
 #[derive(Debug, Clone)]
 pub(crate) struct Solution {
     pub(crate) accelerations: DVector<f64>,
-    /// λ of every row, zero where it is not closed. Where it is not unique, contacts that depend on those that bear have none.
+    /// λ of every row, zero where it is not closed. Where it is not unique, contacts that depend on
+    /// those that bear have none.
     pub(crate) reactions: DVector<f64>,
     /// Candidates with neither a reaction nor an opening.
     pub(crate) degenerate: Vec<usize>,
@@ -154,8 +157,8 @@ impl EquilibratedKkt {
         Ok(None)
     }
 
-    /// Tries every set, larger ones first. Only redundant or rough contacts can jam; without them a missing solution is a
-    /// numerical failure.
+    /// Tries every set, larger ones first. Only redundant or rough contacts can jam; without them a
+    /// missing solution is a numerical failure.
     fn exhaust(&self, choice: &LcpRows) -> Result<ActiveSolution, LcpError> {
         let count = choice.candidates.len();
         if count > EXHAUSTIVE {
@@ -202,7 +205,8 @@ impl EquilibratedKkt {
             balanced[row] = x[self.n + k];
         }
         let closed = |row: &usize| rows.contains(row) || self.opening(*row, &x).abs() <= self.slack(*row);
-        // A rough contact found open slips: closing it would be another motion, no other share of the same one.
+        // A rough contact found open slips: closing it would be another motion, no other share of
+        // the same one.
         let slips = |row: &usize| choice.tied.iter().any(|(tied, with)| with == row && !rows.contains(tied));
         let tight = choice.candidates.iter().copied().filter(closed).filter(|row| !slips(row));
         let tight: Vec<usize> = tight.collect();

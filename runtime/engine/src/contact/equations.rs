@@ -16,8 +16,9 @@ pub(crate) struct SeriesEquations {
 }
 
 impl SeriesEquations {
-    /// Along the motion that starts at `state` with the Taylor coefficients `accelerations`;
-    /// right up to the order of their number. Without contacts, whose decisions alone ask for more, of order 0.
+    /// Along the motion that starts at `state` with the Taylor coefficients `accelerations`; right
+    /// up to the order of their number. Without contacts, whose decisions alone ask for more, of
+    /// order 0.
     pub(crate) fn along(model: &Model, state: &[f64], accelerations: &[DVector<f64>]) -> Self {
         let (layout, series) = (model.layout(), &model.series);
         let found = if accelerations.len() < TIME_ORDERS {
@@ -54,8 +55,8 @@ impl SeriesEquations {
         }
     }
 
-    /// With zeros for the rows that take no part: a thread whose points meet has a row that grows without bounds, and its rounding
-    /// would be taken for that of the others.
+    /// With zeros for the rows that take no part: a thread whose points meet has a row that grows
+    /// without bounds, and its rounding would be taken for that of the others.
     pub(super) fn acting(mut self, acts: impl Fn(usize) -> bool) -> Self {
         for row in (0..self.bias[0].len()).filter(|&row| !acts(row)) {
             self.jacobian.iter_mut().for_each(|jacobian| jacobian.row_mut(row).fill(0.0));

@@ -1,6 +1,7 @@
-//! `[M −Jᵀ; J 0] [a; λ] = [f; −b]` over any set of rows, by elimination with all pivots to choose from; where a pivot is small, by
-//! singular value decomposition. Where redundant rows leave λ undetermined, the least-norm λ is taken; an undetermined a is an
-//! error. The matrix is equilibrated as in [`crate::kernel`].
+//! `[M −Jᵀ; J 0] [a; λ] = [f; −b]` over any set of rows, by elimination with all pivots to choose
+//! from; where a pivot is small, by singular value decomposition. Where redundant rows leave λ
+//! undetermined, the least-norm λ is taken; an undetermined a is an error. The matrix is
+//! equilibrated as in [`crate::kernel`].
 
 use nalgebra::{DMatrix, DVector, Dyn, FullPivLU, SVD};
 
@@ -14,7 +15,8 @@ use crate::numerics::zero::{MARGIN, SOLVED};
 /// The scale of a tangent is at most so many times that of its normal.
 const WEAK: f64 = 1e3;
 
-/// Steps of iterative refinement at most, as long as they lessen the residual: the decomposition rounds more than the solution has to.
+/// Steps of iterative refinement at most, as long as they lessen the residual: the decomposition
+/// rounds more than the solution has to.
 const REFINEMENTS: usize = 4;
 
 /// A coordinate has a part in a motion of which its rate is this part of the largest.
@@ -26,14 +28,15 @@ pub(super) struct EquilibratedKkt {
     pub(super) matrix: DMatrix<f64>,
     pub(super) right: DVector<f64>,
     pub(super) scale: DVector<f64>,
-    /// The part of the system that each coordinate and row belongs to: parts that no entry of the matrix connects do not act on
-    /// each other.
+    /// The part of the system that each coordinate and row belongs to: parts that no entry of the
+    /// matrix connects do not act on each other.
     pub(super) parts: Vec<usize>,
     /// Rounding of each coordinate and row, from the terms of its part.
     pub(super) tolerance: DVector<f64>,
     /// The balanced size of those terms.
     pub(super) size: DVector<f64>,
-    /// What says which rows are couples; where nothing does they are compared with forces as numbers.
+    /// What says which rows are couples; where nothing does they are compared with forces as
+    /// numbers.
     layout: Option<&'static Layout>,
 }
 
@@ -45,7 +48,8 @@ pub(super) struct TrialSolution {
 }
 
 impl EquilibratedKkt {
-    /// `size` bounds the terms that the right-hand side was summed from; it sets what counts as rounding.
+    /// `size` bounds the terms that the right-hand side was summed from; it sets what counts as
+    /// rounding.
     pub(super) fn new(
         mass: &DMatrix<f64>,
         jacobian: &DMatrix<f64>,
@@ -73,8 +77,9 @@ impl EquilibratedKkt {
         Self { layout: Some(layout), ..self }
     }
 
-    /// Limits the scale of each tangent relative to that of its normal. Where a contact cannot slip, as that of a piston at its
-    /// dead centre, its tangent is zero but for rounding, and would be balanced to that of the others.
+    /// Limits the scale of each tangent relative to that of its normal. Where a contact cannot
+    /// slip, as that of a piston at its dead centre, its tangent is zero but for rounding, and
+    /// would be balanced to that of the others.
     pub(super) fn limit_tangents(&mut self, rows: impl Iterator<Item = (usize, usize)>) {
         let mut any = false;
         for (normal, tangent) in rows.map(|(normal, tangent)| (self.n + normal, self.n + tangent)) {
@@ -177,7 +182,8 @@ impl EquilibratedKkt {
         index.iter().zip(rest.iter()).all(|(&i, rest)| rest.abs() <= 1e3 * self.tolerance[i])
     }
 
-    /// The accelerations that have lost half of their digits with these rows closed. Redundant rows do not count.
+    /// The accelerations that have lost half of their digits with these rows closed. Redundant rows
+    /// do not count.
     pub(super) fn undetermined(&self, rows: &[usize]) -> Vec<usize> {
         let index: Vec<usize> = (0..self.n).chain(rows.iter().map(|row| self.n + row)).collect();
         let matrix = self.matrix.select_rows(&index).select_columns(&index);
@@ -204,8 +210,8 @@ impl EquilibratedKkt {
     }
 }
 
-/// Whether the pivots of the elimination are so near each other that no singular value can be rounding: the least of them is
-/// hardly less than the least pivot.
+/// Whether the pivots of the elimination are so near each other that no singular value can be
+/// rounding: the least of them is hardly less than the least pivot.
 fn is_regular(lu: &FullPivLU<f64, Dyn, Dyn>) -> bool {
     let pivots = lu.u().diagonal().abs();
     pivots.min() > MARGIN * pivots.max()
@@ -230,8 +236,8 @@ fn refined(
     Ok((x, rest))
 }
 
-/// Makes the reactions, the entries behind the accelerations, the shortest in their own units, couples at their levers: λ + Z c with |λ + Z c| least, Z
-/// the null space.
+/// Makes the reactions, the entries behind the accelerations, the shortest in their own units,
+/// couples at their levers: λ + Z c with |λ + Z c| least, Z the null space.
 fn minimize_norm(
     x: &mut DVector<f64>,
     svd: &SVD<f64, Dyn, Dyn>,

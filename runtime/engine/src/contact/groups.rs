@@ -14,8 +14,8 @@ use super::least_constraint::{LeastConstraint, add_change};
 use super::trials::Trials;
 
 impl Collision {
-    /// The outcomes of the groups together; `None` where all contacts are coupled, or where a group does not determine its rates
-    /// without the others, as where a point has no mass.
+    /// The outcomes of the groups together; `None` where all contacts are coupled, or where a group
+    /// does not determine its rates without the others, as where a point has no mass.
     pub(super) fn solve_groups<const ROUGH: bool>(
         &self,
         most_trials: usize,

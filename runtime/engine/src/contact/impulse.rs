@@ -31,13 +31,15 @@ pub enum Row {
     },
     /// A guide with Coulomb friction: it holds both ways, and its tangent has a [`Row::Friction`].
     Guide,
-    /// The tangent of a contact or guide with Coulomb friction; without effect while the contact takes no part or is held.
+    /// The tangent of a contact or guide with Coulomb friction; without effect while the contact
+    /// takes no part or is held.
     Friction {
         /// The row of the contact.
         of: usize,
         /// μ.
         mu: f64,
-        /// The part e_t of the slip velocity that a contact which would stick gives back, between 0 and 1.
+        /// The part e_t of the slip velocity that a contact which would stick gives back, between 0
+        /// and 1.
         restitution: f64,
     },
 }
@@ -81,20 +83,23 @@ pub struct Outcome {
     pub acting: Vec<usize>,
     /// The law that was applied to all contacts; of several groups that of the first.
     pub law: Law,
-    /// u and P after the compression alone, under Poisson's law; of several groups in their own outcomes.
+    /// u and P after the compression alone, under Poisson's law; of several groups in their own
+    /// outcomes.
     pub compression: Option<(DVector<f64>, DVector<f64>)>,
-    /// The factor on every restitution, less than 1 where rough contacts would have gained energy; of several groups the least.
+    /// The factor on every restitution, less than 1 where rough contacts would have gained energy;
+    /// of several groups the least.
     pub factor: f64,
     /// Whether P is the only one; u⁺ is the only one where no contact is rough and `solutions` is 1.
     pub unique: bool,
     /// How the impulses were found.
     pub method: ImpulseMethod,
-    /// The work of all contacts: what the collision gained where it is positive, lost where it is negative. What is applied
-    /// from outside is taken to act before.
+    /// The work of all contacts: what the collision gained where it is positive, lost where it is
+    /// negative. What is applied from outside is taken to act before.
     pub gained: f64,
     /// How many outcomes the law allows, of contacts with friction; the stage with the most counts.
     pub solutions: usize,
-    /// The outcomes of groups of contacts that the mass matrix does not couple, where there are several.
+    /// The outcomes of groups of contacts that the mass matrix does not couple, where there are
+    /// several.
     pub groups: Vec<Group>,
 }
 
@@ -121,14 +126,15 @@ pub enum CollisionError {
     /// No impulses satisfy the contact conditions.
     #[error("no admissible impulses exist")]
     Jammed,
-    /// The rates are not determined: a motion without mass, or entries that are not finite, as of a thread with a segment of
-    /// zero length.
+    /// The rates are not determined: a motion without mass, or entries that are not finite, as of a
+    /// thread with a segment of zero length.
     #[error("the mass matrix does not determine the rates")]
     Singular,
     /// More sets of contacts would have to be tried than are allowed.
     #[error("too many sets of contacts to be tried")]
     Exhausted,
-    /// Stronge's law relates energies of a single contact along its path, without tangential restitution.
+    /// Stronge's law relates energies of a single contact along its path, without tangential
+    /// restitution.
     #[error("Stronge's law is of one contact at a time, without tangential restitution")]
     Several,
     /// Matrices and vectors that do not fit each other, or a tangent of what is no contact.
@@ -184,8 +190,8 @@ impl Collision {
             && self.jacobian.row(row).iter().all(|entry| entry.is_finite())
     }
 
-    /// The same with zeros for open rows: that of a thread whose points meet has no number, or a rounding that would be taken for
-    /// that of the others.
+    /// The same with zeros for open rows: that of a thread whose points meet has no number, or a
+    /// rounding that would be taken for that of the others.
     pub(super) fn without_open_rows(&self) -> Option<Self> {
         let is_zero = |row: usize| {
             self.prescribed_gap_rate[row] == 0.0 && self.jacobian.row(row).iter().all(|x| *x == 0.0)

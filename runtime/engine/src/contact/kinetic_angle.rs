@@ -1,6 +1,7 @@
-//! Kinetic angles between contacts: cos θᵢⱼ = −Wᵢⱼ / √(Wᵢᵢ Wⱼⱼ) with the Delassus matrix W = J M̂⁻¹ Jᵀ, M̂⁻¹ with the
-//! two-sided rows taken in. The outcome of two impacts one after the other does not depend on their order where
-//! θ = 90° (Ivanov, *On multiple impact*, J. Appl. Math. Mech. 59, 1995).
+//! Kinetic angles between contacts: cos θᵢⱼ = −Wᵢⱼ / √(Wᵢᵢ Wⱼⱼ) with the Delassus matrix W = J M̂⁻¹
+//! Jᵀ, M̂⁻¹ with the two-sided rows taken in. The outcome of two impacts one after the other does
+//! not depend on their order where θ = 90° (Ivanov, *On multiple impact*, J. Appl. Math. Mech. 59,
+//! 1995).
 
 use nalgebra::DVector;
 
@@ -10,14 +11,14 @@ use super::least_constraint::LeastConstraint;
 use crate::numerics::zero::SOLVED;
 
 impl Collision {
-    /// The kinetic angle (rad) of two contacts where it is not a right one. `None` also where it is not determined: a
-    /// contact that cannot move, or a motion without mass.
+    /// The kinetic angle (rad) of two contacts where it is not a right one. `None` also where it is
+    /// not determined: a contact that cannot move, or a motion without mass.
     pub fn kinetic_angle(&self, a: usize, b: usize) -> Option<f64> {
         self.kinetic_angles(&[a, b]).first().map(|(_, angle)| *angle)
     }
 
-    /// The pairs among some contacts whose kinetic angle is not a right one, with that angle (rad). Of redundant contacts
-    /// those that depend on earlier ones are left out.
+    /// The pairs among some contacts whose kinetic angle is not a right one, with that angle (rad).
+    /// Of redundant contacts those that depend on earlier ones are left out.
     pub fn kinetic_angles(&self, contacts: &[usize]) -> Vec<([usize; 2], f64)> {
         if contacts.len() < 2 {
             return Vec::new();
@@ -40,7 +41,8 @@ impl Collision {
         pairs
     }
 
-    /// Whether the mass matrix couples two of the directions that [`free_directions`](LeastConstraint::free_directions) gives.
+    /// Whether the mass matrix couples two of the directions that
+    /// [`free_directions`](LeastConstraint::free_directions) gives.
     pub(super) fn are_coupled(one: &DVector<f64>, other: &DVector<f64>) -> bool {
         one.dot(other).abs() > SOLVED
     }

@@ -1,27 +1,29 @@
-//! Gauss's principle of least constraint: of all accelerations that the contacts allow, the motion takes those nearest to the
-//! free ones,
+//! Gauss's principle of least constraint: of all accelerations that the contacts allow, the motion
+//! takes those nearest to the free ones,
 //!
 //! ```text
 //! ½ (a − a°)ᵀ M (a − a°) → min,    M a° = f,    J a + b = 0 (two-sided),    J a + b ≥ 0 (one-sided)
 //! ```
 //!
-//! whose multipliers are the reactions, `0 ≤ J a + b ⟂ λ ≥ 0`. Solved by the dual active set method of Goldfarb and Idnani
-//! (*A numerically stable dual method for solving strictly convex quadratic programs*, Math. Programming 27, 1983): the most
-//! violated contact is closed, those whose reaction would turn negative on the way are opened. The contacts it ends with are
-//! independent of each other whatever the number of redundant ones: a bearing basis.
+//! whose multipliers are the reactions, `0 ≤ J a + b ⟂ λ ≥ 0`. Solved by the dual active set method
+//! of Goldfarb and Idnani (*A numerically stable dual method for solving strictly convex quadratic
+//! programs*, Math. Programming 27, 1983): the most violated contact is closed, those whose
+//! reaction would turn negative on the way are opened. The contacts it ends with are independent of
+//! each other whatever the number of redundant ones: a bearing basis.
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use super::active_rows::ActiveRows;
 use super::trials::LcpError;
 
-/// Inertia given to motions without any, in units of the others: a light body stands for a massless one. Which contacts bear
-/// then is checked with the equations themselves.
+/// Inertia given to motions without any, in units of the others: a light body stands for a massless
+/// one. Which contacts bear then is checked with the equations themselves.
 const LIGHT: f64 = 1e-8;
-/// Openings that dependent contacts cannot agree on are no contradiction up to this, relative to their terms.
+/// Openings that dependent contacts cannot agree on are no contradiction up to this, relative to
+/// their terms.
 const AGREED: f64 = 1e-9;
-/// Contacts opened and closed at most, for each contact and coordinate there is: a bound on what rounding can make of a finite
-/// method.
+/// Contacts opened and closed at most, for each contact and coordinate there is: a bound on what
+/// rounding can make of a finite method.
 const CHANGES: usize = 50;
 
 /// The problem in coordinates in which M is the identity, `z = Lᵀ a` with `M = L Lᵀ`.
@@ -70,7 +72,8 @@ impl LeastConstraint {
         })
     }
 
-    /// Independent rows that bear all of the load: of the `fixed` ones, which may pull, and of the candidates.
+    /// Independent rows that bear all of the load: of the `fixed` ones, which may pull, and of the
+    /// candidates.
     pub(super) fn find_active_basis(
         &self,
         fixed: &[usize],
@@ -108,7 +111,8 @@ impl LeastConstraint {
         movable.map(|(row, split)| (row, split.independent.normalize())).collect()
     }
 
-    /// Two-sided rows closed; those that depend on others hold with them or contradict them, which the equations tell.
+    /// Two-sided rows closed; those that depend on others hold with them or contradict them, which
+    /// the equations tell.
     fn begin(&self, fixed: &[usize], candidates: usize) -> Bearing {
         let (mut active, mut z) = (ActiveRows::default(), self.free.clone());
         for &row in fixed {
@@ -127,8 +131,9 @@ impl LeastConstraint {
         self.normals[row].dot(z) + self.bias[row]
     }
 
-    /// Raises the reaction of a violated row until it opens no more, opening others whose reactions vanish on the way. False if
-    /// the row depends on others that bear, which it agrees with up to rounding.
+    /// Raises the reaction of a violated row until it opens no more, opening others whose reactions
+    /// vanish on the way. False if the row depends on others that bear, which it agrees with up to
+    /// rounding.
     fn close(&self, bearing: &mut Bearing, row: usize) -> Result<bool, LcpError> {
         let mut own = 0.0;
         loop {

@@ -1,5 +1,5 @@
-//! Which contacts are closed: the complementarity problem at acceleration level with its degenerate cases, and at impulse
-//! level.
+//! Which contacts are closed: the complementarity problem at acceleration level with its degenerate
+//! cases, and at impulse level.
 
 mod active_rows;
 mod closed_rows;
@@ -77,14 +77,15 @@ pub enum ContactError {
         /// Labels of the contacts that act.
         contacts: Vec<String>,
     },
-    /// More sets of contacts would have to be tried than [`Budget::trials`](crate::Budget::trials) allows.
+    /// More sets of contacts would have to be tried than [`Budget::trials`](crate::Budget::trials)
+    /// allows.
     #[error("too many sets of {} to be tried", contacts.join(", "))]
     Undecided {
         /// Labels of the contacts that act.
         contacts: Vec<String>,
     },
-    /// Friction in hinges leaves no motion: the couples of journals that are large against their bodies turn back on the forces
-    /// that press them.
+    /// Friction in hinges leaves no motion: the couples of journals that are large against their
+    /// bodies turn back on the forces that press them.
     #[error("hinge friction at {} has no unique solution: μ · radius of their journals is too large", hinges.join(", "))]
     Hinges {
         /// Labels of the hinges.

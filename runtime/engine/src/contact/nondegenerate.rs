@@ -1,9 +1,9 @@
-//! The cases that need no search: all touching contacts have clearly positive reactions, except at most one, whose reaction is
-//! zero at a located event and clearly decreases.
+//! The cases that need no search: all touching contacts have clearly positive reactions, except at
+//! most one, whose reaction is zero at a located event and clearly decreases.
 //!
-//! With the Delassus matrix W positive definite the complementarity problem has exactly one solution; if λ > 0 solves it with
-//! g̈ = 0, that is the one. A smooth contact i with λᵢ = 0 in it is decided by the next order, 0 ≤ g⃛ᵢ ⟂ λ̇ᵢ ≥ 0: it opens if
-//! λ̇ᵢ < 0 while it is closed.
+//! With the Delassus matrix W positive definite the complementarity problem has exactly one
+//! solution; if λ > 0 solves it with g̈ = 0, that is the one. A smooth contact i with λᵢ = 0 in it
+//! is decided by the next order, 0 ≤ g⃛ᵢ ⟂ λ̇ᵢ ≥ 0: it opens if λ̇ᵢ < 0 while it is closed.
 
 pub(crate) mod slider;
 
@@ -14,12 +14,13 @@ use crate::numerics::zero::{MARGIN, SOLVED};
 use crate::system::PhaseEquations;
 use smallvec::smallvec;
 
-/// Half the span of the central difference for the rate of a reaction, in natural times; its relative error is the square of
-/// that.
+/// Half the span of the central difference for the rate of a reaction, in natural times; its
+/// relative error is the square of that.
 const SPAN: f64 = 1e-4;
 
-/// The decision, if this is such a case. Reactions come from `reduced`, the closed form of all contacts that touch, where its
-/// chart is valid: it is well conditioned also where the rows of W all but depend on each other.
+/// The decision, if this is such a case. Reactions come from `reduced`, the closed form of all
+/// contacts that touch, where its chart is valid: it is well conditioned also where the rows of W
+/// all but depend on each other.
 pub(crate) fn decide(
     context: &RunContext,
     state: &[f64],
@@ -39,7 +40,8 @@ pub(crate) fn decide(
         None => multipliers_after(context, state, set, h),
     };
     let mut reactions = solve_after(0.0)?;
-    // Where nothing was located, the state is exact, and what a closed form gives has the rounding of its terms.
+    // Where nothing was located, the state is exact, and what a closed form gives has the rounding
+    // of its terms.
     let is_exact = reduced.is_some() && question.unloaded.is_empty();
     let clear = if is_exact { SOLVED } else { MARGIN } * context.scales.force();
     let asked = question.touching.iter().filter(|&i| !question.held.contains(i));
@@ -72,8 +74,8 @@ fn reduced_reactions(phase: &dyn PhaseEquations, state: &[f64], h: f64) -> Optio
     reactions.iter().all(|x| x.is_finite()).then_some(reactions)
 }
 
-/// Reactions with the contacts of a set closed, by its multipliers, at `y + h ẏ`. The terms of order h² that positions leave
-/// out cancel in the central difference.
+/// Reactions with the contacts of a set closed, by its multipliers, at `y + h ẏ`. The terms of
+/// order h² that positions leave out cancel in the central difference.
 fn multipliers_after(context: &RunContext, state: &[f64], set: ContactSet, h: f64) -> Option<Numbers> {
     let (accelerations, reactions) = solve(context, state, set)?;
     if h == 0.0 {
@@ -89,7 +91,8 @@ fn multipliers_after(context: &RunContext, state: &[f64], set: ContactSet, h: f6
     Some(solve(context, &after, set)?.1)
 }
 
-/// Accelerations, and reactions of the contacts with those of `set` closed; None if they are not determined.
+/// Accelerations, and reactions of the contacts with those of `set` closed; None if they are not
+/// determined.
 pub(crate) fn solve(context: &RunContext, state: &[f64], set: ContactSet) -> Option<(Numbers, Numbers)> {
     let layout = context.layout();
     let mut accelerations: Numbers = smallvec![0.0; layout.coordinates.len()];

@@ -19,8 +19,9 @@ struct StageImpulses<'a> {
 }
 
 impl Collision {
-    /// The largest violation of the equations of motion and of the contact conditions in any stage: in units of √energy,
-    /// that is divided by unit inertias and unit rows, relative to the largest rate there is. Of several groups that of the worst.
+    /// The largest violation of the equations of motion and of the contact conditions in any stage:
+    /// in units of √energy, that is divided by unit inertias and unit rows, relative to the largest
+    /// rate there is. Of several groups that of the worst.
     pub fn residual(&self, outcome: &Outcome) -> f64 {
         if !outcome.groups.is_empty() {
             let groups = outcome.groups.iter();
@@ -67,8 +68,8 @@ impl Collision {
         vec![first, second]
     }
 
-    /// Of rows that hold both ways: always, or while their contact acts. A contact whose impulse vanishes may have a
-    /// tangential one only if it stays closed without slip.
+    /// Of rows that hold both ways: always, or while their contact acts. A contact whose impulse
+    /// vanishes may have a tangential one only if it stays closed without slip.
     fn slip(&self, stage: &StageImpulses, row: usize, units: &dyn Fn(usize) -> (f64, f64)) -> f64 {
         let speed = |row: usize| (self.speed(stage.rates)[row] * units(row).0).abs();
         match self.rows[row] {
@@ -79,8 +80,8 @@ impl Collision {
         }
     }
 
-    /// Of Coulomb's law in a stage: within its cone, and against the slip at its end where that is all the law asks for. Along a
-    /// path the slip may have turned.
+    /// Of Coulomb's law in a stage: within its cone, and against the slip at its end where that is
+    /// all the law asks for. Along a path the slip may have turned.
     fn friction(
         &self,
         stage: &StageImpulses,

@@ -4,10 +4,12 @@
 //! ½ |λ|² → min,    Jᵀ λ = F,    λ ∈ K
 //! ```
 //!
-//! with K the product of a contact's cone `|R| ≤ μ_s λ_N` while it sticks, its edge `R = −σ μ λ_N` while it slides, λ ≥ 0
-//! of contacts without friction, and all of two-sided rows; of a couple c at the lever ℓ of [`liftoff_core::kernel::lever`] λ is c/ℓ. The dual has the dimension of the motion alone: λ is the projection
-//! of J y on K, and `Jᵀ λ(y) = F` is solved by Newton's method with a line search (Qi and Sun, *A nonsmooth version of Newton's
-//! method*, Math. Programming 58, 1993). What it does not reach is found face by face ([`faces`]).
+//! with K the product of a contact's cone `|R| ≤ μ_s λ_N` while it sticks, its edge `R = −σ μ λ_N`
+//! while it slides, λ ≥ 0 of contacts without friction, and all of two-sided rows; of a couple c at
+//! the lever ℓ of [`liftoff_core::kernel::lever`] λ is c/ℓ. The dual has the dimension of the
+//! motion alone: λ is the projection of J y on K, and `Jᵀ λ(y) = F` is solved by Newton's method
+//! with a line search (Qi and Sun, *A nonsmooth version of Newton's method*, Math. Programming 58,
+//! 1993). What it does not reach is found face by face ([`faces`]).
 
 use nalgebra::{DMatrix, DVector};
 
@@ -26,7 +28,8 @@ const STEPS: usize = 20;
 const SOLVED: f64 = 1e-13;
 /// Halvings of a step.
 const HALVINGS: usize = 40;
-/// A step that lowers the dual by less than this part of its terms is as good as its rounding lets it be told.
+/// A step that lowers the dual by less than this part of its terms is as good as its rounding lets
+/// it be told.
 const ROUNDING: f64 = roundoff(16.0);
 
 /// A factor of K that is not all of its space, with the places of its rows.
@@ -47,8 +50,9 @@ struct Shares {
     factors: Vec<Factor>,
 }
 
-/// The multipliers of all rows given some that hold the same motion with the contacts of a set closed, the shortest of those. The search
-/// begins with the `dual` y of a motion before, and leaves its own.
+/// The multipliers of all rows given some that hold the same motion with the contacts of a set
+/// closed, the shortest of those. The search begins with the `dual` y of a motion before, and
+/// leaves its own.
 pub(crate) fn shortest_reactions(
     system: &dyn System,
     state: &[f64],
@@ -177,8 +181,8 @@ impl Shares {
         (x, rows)
     }
 
-    /// The longest of the halved steps that lowers ½ |λ|² − F·y, as far as that is known; `slope` is what the whole one would
-    /// gain.
+    /// The longest of the halved steps that lowers ½ |λ|² − F·y, as far as that is known; `slope`
+    /// is what the whole one would gain.
     fn descend(&self, y: &DVector<f64>, step: &DVector<f64>, slope: f64) -> DVector<f64> {
         let terms = |y: &DVector<f64>| (0.5 * self.reactions(y).0.norm_squared(), self.load.component_mul(y));
         let value = |y: &DVector<f64>| {

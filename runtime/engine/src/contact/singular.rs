@@ -1,4 +1,5 @@
-//! Where the mass matrix does not determine the accelerations: which coordinates move no mass, and what has none.
+//! Where the mass matrix does not determine the accelerations: which coordinates move no mass, and
+//! what has none.
 
 use nalgebra::{Cholesky, DMatrix};
 
@@ -9,7 +10,8 @@ use crate::model::{ContactSet, MeasureKind};
 use crate::numerics::zero::MARGIN;
 use crate::system::{Model, System};
 
-/// The error that names a state where the accelerations with these contacts closed are all but undetermined.
+/// The error that names a state where the accelerations with these contacts closed are all but
+/// undetermined.
 pub(crate) fn refuse_singular(model: &Model, state: &[f64], closed: ContactSet) -> Result<(), ContactError> {
     let equations = SeriesEquations::along(model, state, &[]);
     if !equations.are_finite() {
@@ -34,7 +36,8 @@ pub(crate) fn singular(model: &Model, state: &[f64], closed: ContactSet) -> Cont
     }
 }
 
-/// Whether M alone determines the accelerations well, whatever is closed: cheaper than to ask for a set.
+/// Whether M alone determines the accelerations well, whatever is closed: cheaper than to ask for a
+/// set.
 pub(crate) fn are_determined(system: &dyn System, state: &[f64]) -> bool {
     let equations = system.equations(state);
     let n = equations.force().len();

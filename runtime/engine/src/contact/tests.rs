@@ -1,6 +1,6 @@
-//! Complementarity against its conditions: for W positive definite they have one solution, so meeting them is enough.
-//! The degenerate cases on an A-frame with its feet on the floor, whose reaction is known:
-//! N/mg = ¼ − (3/2) s S + (9/4) s² per foot, S = s₀ + l φ̇₀²/3g.
+//! Complementarity against its conditions: for W positive definite they have one solution, so
+//! meeting them is enough. The degenerate cases on an A-frame with its feet on the floor, whose
+//! reaction is known: N/mg = ¼ − (3/2) s S + (9/4) s² per foot, S = s₀ + l φ̇₀²/3g.
 
 mod balanced;
 mod couples;
@@ -94,7 +94,8 @@ fn plank(feet: &[f64], c: f64) -> (EquilibratedKkt, Vec<usize>) {
     (problem, (0..feet.len()).collect())
 }
 
-/// Catalogue 15: a rod on supports at −1, 0, 1; its weight may be shared in many ways, least norm is a third each.
+/// Catalogue 15: a rod on supports at −1, 0, 1; its weight may be shared in many ways, least norm
+/// is a third each.
 #[test]
 fn redundant_supports_share_least_norm() {
     let (problem, candidates) = plank(&[-1.0, 0.0, 1.0], 0.0);
@@ -105,8 +106,9 @@ fn redundant_supports_share_least_norm() {
     assert!((shared - DVector::from_element(3, 1.0 / 3.0)).amax() < 1e-14);
 }
 
-/// Least norm of λ ≥ 0 with Σ λ = 1, Σ λ x = c: λ = (α + β x)₊. Of feet at 0, 1, 2 under c = 1.8 the first bears nothing, the
-/// others 0.2 and 0.8. Two contacts at most bear in the basis, whatever their number.
+/// Least norm of λ ≥ 0 with Σ λ = 1, Σ λ x = c: λ = (α + β x)₊. Of feet at 0, 1, 2 under c = 1.8
+/// the first bears nothing, the others 0.2 and 0.8. Two contacts at most bear in the basis,
+/// whatever their number.
 #[test]
 fn an_eccentric_load_leaves_far_feet_without_reaction() {
     for (count, c) in [(3, 1.8), (18, 1.8), (18, 16.3), (200, 1.0 / 7.0), (200, 160.25)] {
@@ -144,7 +146,8 @@ fn a_plank_described_by_its_end() {
     }
 }
 
-/// Two balls of which one is 10¹² times as heavy: the light one's contact is decided by its own forces.
+/// Two balls of which one is 10¹² times as heavy: the light one's contact is decided by its own
+/// forces.
 #[test]
 fn independent_parts_have_their_own_scales() {
     let mass = DMatrix::from_diagonal(&DVector::from_row_slice(&[1e12, 1e-12]));
@@ -222,7 +225,8 @@ fn redundant_reactions_are_marked() {
     assert!(found.unique && (found.reactions[0] - 0.25).abs() < 1e-14);
 }
 
-/// A level rod on its middle and one end: the end bears nothing, now and later. A turn that is rounding does not lift it.
+/// A level rod on its middle and one end: the end bears nothing, now and later. A turn that is
+/// rounding does not lift it.
 #[test]
 fn rounding_of_a_state_at_rest_opens_nothing() {
     let rod = RodOnSupports { m: 1.0, l: 1.0, g: 8.127 };
@@ -242,7 +246,8 @@ fn rounding_of_a_state_at_rest_opens_nothing() {
     }
 }
 
-/// A joint that cannot move, as that of a thread whose ends meet, bears anything; what a contact bears is known all the same.
+/// A joint that cannot move, as that of a thread whose ends meet, bears anything; what a contact
+/// bears is known all the same.
 #[test]
 fn a_row_without_entries_leaves_its_reaction_open() {
     let (jacobian, bias) = (DMatrix::from_row_slice(2, 1, &[0.0, 1.0]), DVector::zeros(2));

@@ -5,16 +5,18 @@ use crate::error::ModelError;
 use crate::model::{Layout, Measure, MeasureKind, SlipState};
 use crate::system::Model;
 
-/// A distance that the figure wants positive may be negative by this much, relative to the natural length: it counts as zero.
-/// Rounding is far smaller.
+/// A distance that the figure wants positive may be negative by this much, relative to the natural
+/// length: it counts as zero. Rounding is far smaller.
 const NEAR: f64 = 1e-9;
 
 /// A length below this part of the largest is not much above what counts as a closed gap there.
 const UNRESOLVED: f64 = 10.0 * CLOSED;
-/// A moment of inertia below this part of the mass at the natural length is lost in the sum of both, as in W = J M⁻¹ Jᵀ.
+/// A moment of inertia below this part of the mass at the natural length is lost in the sum of
+/// both, as in W = J M⁻¹ Jᵀ.
 const WEIGHTLESS: f64 = 1e-14;
 
-/// The natural scales of a model; refuses parameters that are no numbers, negative masses and lengths that are not positive.
+/// The natural scales of a model; refuses parameters that are no numbers, negative masses and
+/// lengths that are not positive.
 pub(crate) fn scales_of(model: &Model) -> Result<Scales, ModelError> {
     let layout = model.layout();
     for (name, &value) in layout.parameters.iter().zip(&model.parameters) {
@@ -35,7 +37,8 @@ pub(crate) fn scales_of(model: &Model) -> Result<Scales, ModelError> {
     Ok(scales)
 }
 
-/// Refuses lengths and moments of inertia that are lost beside the largest where contacts and joints relate them.
+/// Refuses lengths and moments of inertia that are lost beside the largest where contacts and
+/// joints relate them.
 fn check_spread(model: &Model, scales: &Scales) -> Result<(), ModelError> {
     use MeasureKind::{Extent, Inertia, Length};
     let extents = || model.measures.iter().filter(|of| matches!(of.kind, Length | Extent));
@@ -66,7 +69,8 @@ fn check_figure(model: &Model) -> Result<(), ModelError> {
     Err(ModelError::Figure { coordinate, parameters })
 }
 
-/// Checks that the signs and sides settled at compile time, for samples of the parameters, hold for these.
+/// Checks that the signs and sides settled at compile time, for samples of the parameters, hold for
+/// these.
 fn check_settled(measure: &Measure, length: f64) -> Result<(), ModelError> {
     let unit = if measure.kind == MeasureKind::Branch { 1.0 } else { length };
     if !is_settled(measure.kind) || measure.value >= -NEAR * unit {
@@ -116,7 +120,8 @@ fn named(measure: &Measure) -> String {
     }
 }
 
-/// Checks the coefficients of friction in the nominal figure where the slip velocity is zero; the surface may move.
+/// Checks the coefficients of friction in the nominal figure where the slip velocity is zero; the
+/// surface may move.
 fn check_friction(model: &Model) -> Result<(), ModelError> {
     let layout = model.layout();
     for (entry, friction) in layout.frictions.iter().enumerate() {
@@ -133,8 +138,9 @@ fn check_friction(model: &Model) -> Result<(), ModelError> {
     Ok(())
 }
 
-/// Friction of a contact at the rates u = −w Jᵀ/|J|² with which its point goes with the surface, J u + w = 0; of one whose slip no
-/// rate changes, as of a piston at its dead centre, where nothing but the surface moves.
+/// Friction of a contact at the rates u = −w Jᵀ/|J|² with which its point goes with the surface, J
+/// u + w = 0; of one whose slip no rate changes, as of a piston at its dead centre, where nothing
+/// but the surface moves.
 fn without_slip(model: &Model, entry: usize) -> Option<SlipState<f64>> {
     let (layout, nominal, system) = (model.layout(), &model.nominal, &*model.system);
     let state = |rates: &[f64]| layout.state_at(&[nominal, rates].concat(), 0.0);

@@ -16,15 +16,15 @@ use crate::model::{ContactSet, DependentAngle, Form, Layout};
 use crate::numerics::zero::roundoff;
 use crate::system::{Equations, Model, PhaseEquations, System};
 
-/// A gap below this, relative to the natural length, is closed; a rate likewise, relative to the natural speed.
-/// Poses are typed in or printed with ten digits.
+/// A gap below this, relative to the natural length, is closed; a rate likewise, relative to the
+/// natural speed. Poses are typed in or printed with ten digits.
 pub(crate) const CLOSED: f64 = 1e-10;
 
 /// A value below this part of its natural unit is what the rounding of a state makes of zero.
 const STILL: f64 = roundoff(16.0);
 
-/// A rate or impulse, or zero where it is no more than rounding makes of zero in its unit: that would open a contact at rest which has
-/// nothing to do with it.
+/// A rate or impulse, or zero where it is no more than rounding makes of zero in its unit: that
+/// would open a contact at rest which has nothing to do with it.
 pub(crate) fn without_rounding(value: f64, unit: f64) -> f64 {
     if value.abs() < STILL * unit { 0.0 } else { value }
 }
@@ -32,7 +32,8 @@ pub(crate) fn without_rounding(value: f64, unit: f64) -> f64 {
 /// Some numbers; those of small models need no allocation.
 pub(crate) type Numbers = SmallVec<[f64; 16]>;
 
-/// So many roundings of the coordinates are no gap, and of the way that they have come: each is that of some steps.
+/// So many roundings of the coordinates are no gap, and of the way that they have come: each is
+/// that of some steps.
 pub(crate) const ROUNDINGS: f64 = roundoff(64.0);
 /// What moves a gap by more than so many units of a coordinate, of each, is not expected.
 const LEVER: f64 = 16.0;
@@ -69,7 +70,8 @@ impl RunContext {
         n..2 * n
     }
 
-    /// Whether T + V is constant between impacts: no loads, dampers, friction, drives or anything else that depends on time.
+    /// Whether T + V is constant between impacts: no loads, dampers, friction, drives or anything
+    /// else that depends on time.
     pub(crate) fn is_conservative(&self) -> bool {
         !self.is_worked_on() && self.layout().frictions.is_empty()
     }
@@ -79,8 +81,8 @@ impl RunContext {
         self.layout().timed || self.layout().loaded || self.scales.damped
     }
 
-    /// What the rounding of the coordinates makes of a gap that is zero, in its own unit: along a slope the height of a point is a
-    /// difference of terms as large as it is far.
+    /// What the rounding of the coordinates makes of a gap that is zero, in its own unit: along a
+    /// slope the height of a point is a difference of terms as large as it is far.
     pub(crate) fn rounding(&self, equations: &Equations<f64>, row: usize, positions: &[f64]) -> f64 {
         ROUNDINGS * equations.terms(row, positions) / self.layout().unit(row, self.scales.length)
     }
@@ -96,15 +98,16 @@ impl RunContext {
         rows.map(|row| self.rounding(&equations, row, &state[..n])).collect()
     }
 
-    /// Whether coordinates, given with their places, are so large that their rounding may count beside `bound`.
+    /// Whether coordinates, given with their places, are so large that their rounding may count
+    /// beside `bound`.
     pub(crate) fn is_far<'q>(&self, mut of: impl Iterator<Item = (usize, &'q f64)>, bound: f64) -> bool {
         let layout = self.layout();
         let near = bound / (LEVER * ROUNDINGS * layout.coordinates.len() as f64);
         of.any(|(i, q)| q.abs() > near * self.scales.coordinate(&layout.coordinates[i]))
     }
 
-    /// How far the coordinates are from zero, in natural units and at least one, and the rounding accumulated over the way that
-    /// they have come at their rates by the time `t`.
+    /// How far the coordinates are from zero, in natural units and at least one, and the rounding
+    /// accumulated over the way that they have come at their rates by the time `t`.
     pub(crate) fn travelled(&self, state: &[f64], t: f64) -> [f64; 2] {
         let (layout, n) = (self.layout(), self.layout().coordinates.len());
         let unit = |i: usize| self.scales.entry(layout, i);

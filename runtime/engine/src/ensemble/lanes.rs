@@ -18,7 +18,8 @@ use crate::trajectory::Work;
 /// A guess at the first step, in natural times.
 const FIRST: f64 = 0.1;
 
-/// Whether the run can have no event before its end, would use Taylor's method by itself too, and nothing else may end it.
+/// Whether the run can have no event before its end, would use Taylor's method by itself too, and
+/// nothing else may end it.
 pub(super) fn is_smooth(simulation: &Simulation) -> bool {
     let Simulation { context, plan, ends, form, method, tolerance, budget, cancel, .. } = simulation;
     let layout = context.layout();
@@ -53,7 +54,8 @@ struct Entered {
 }
 
 impl MemberGroup {
-    /// An empty one for members like this; none where the lanes are those of another model, or there are none.
+    /// An empty one for members like this; none where the lanes are those of another model, or
+    /// there are none.
     pub(super) fn new(lanes: LaneConstructor, like: &Simulation) -> Option<Self> {
         let lanes = lanes(&like.context.model.parameters, like.tolerance)?;
         let own = is_same(lanes.layout(), like.layout());
@@ -96,7 +98,8 @@ impl MemberGroup {
         Ok(())
     }
 
-    /// Steps all members once; reports those that end. One whose energy has changed is run by itself, which tells why.
+    /// Steps all members once; reports those that end. One whose energy has changed is run by
+    /// itself, which tells why.
     pub(super) fn step(
         &mut self,
         outputs: &[Output],

@@ -1,11 +1,13 @@
-//! Many motions: initial states or parameter sets, on all threads and, where asked for, eight side by side on each.
+//! Many motions: initial states or parameter sets, on all threads and, where asked for, eight side
+//! by side on each.
 //!
-//! Members are run one by one, as [`Simulation::observe`] does. [`Ensemble::side_by_side`] integrates those of a model without
-//! contacts, closed loops and dampers that run to a time, without conditions, a budget or anything planned, by Taylor's method in the
-//! lanes of vectors: each with its own time, step and end, its place taken by the next when it is done. Where nothing works on
-//! them, one whose energy has changed is run by itself, which tells why. Neither the bits of a
-//! member nor its place among the results depend on the others or on the number of threads; with the lanes' own order of
-//! the series, they are not those of [`Simulation::run`].
+//! Members are run one by one, as [`Simulation::observe`] does. [`Ensemble::side_by_side`]
+//! integrates those of a model without contacts, closed loops and dampers that run to a time,
+//! without conditions, a budget or anything planned, by Taylor's method in the lanes of vectors:
+//! each with its own time, step and end, its place taken by the next when it is done. Where nothing
+//! works on them, one whose energy has changed is run by itself, which tells why. Neither the bits
+//! of a member nor its place among the results depend on the others or on the number of threads;
+//! with the lanes' own order of the series, they are not those of [`Simulation::run`].
 //!
 //! ```
 //! use liftoff::ensemble::Ensemble;
@@ -73,8 +75,9 @@ impl<'a, F: Fn(usize) -> Result<Simulation, MemberError> + Sync> Ensemble<'a, F>
         Self { count, member, lanes: None, outputs, progress: None, cancel: None, most_errors }
     }
 
-    /// Integrates members of this model eight at a time on each thread, where they can have no events; with
-    /// [`lanes::<M>`](crate::system::lanes). Members of other models are run one by one.
+    /// Integrates members of this model eight at a time on each thread, where they can have no
+    /// events; with [`lanes::<M>`](crate::system::lanes). Members of other models are run one by
+    /// one.
     #[must_use]
     pub fn side_by_side(mut self, lanes: LaneConstructor) -> Self {
         self.lanes = Some(lanes);
@@ -95,7 +98,8 @@ impl<'a, F: Fn(usize) -> Result<Simulation, MemberError> + Sync> Ensemble<'a, F>
         self
     }
 
-    /// Begins no more members once this is true; those that have not begun are [`MemberError::NotRun`].
+    /// Begins no more members once this is true; those that have not begun are
+    /// [`MemberError::NotRun`].
     #[must_use]
     pub fn cancel(mut self, flag: &'a AtomicBool) -> Self {
         self.cancel = Some(flag);
@@ -109,15 +113,16 @@ impl<'a, F: Fn(usize) -> Result<Simulation, MemberError> + Sync> Ensemble<'a, F>
         self
     }
 
-    /// Runs all members on the threads of the current rayon pool: the ends of all, or why there is none, in their order.
+    /// Runs all members on the threads of the current rayon pool: the ends of all, or why there is
+    /// none, in their order.
     pub fn run(&self) -> Vec<Result<Member, MemberError>> {
         let ends: Mutex<Vec<_>> = Mutex::new((0..self.count).map(|_| Err(MemberError::NotRun)).collect());
         self.each_end(&|i, end| ends.lock().unwrap_or_else(PoisonError::into_inner)[i] = end);
         ends.into_inner().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// The same; calls `told` with the number and the result of each member as soon as it has one, from any thread, and not for
-    /// members that have not begun.
+    /// The same; calls `told` with the number and the result of each member as soon as it has one,
+    /// from any thread, and not for members that have not begun.
     pub fn each_end(&self, told: &(dyn Fn(usize, Result<Member, MemberError>) + Sync)) {
         let shared = Shared::default();
         rayon::broadcast(|_| {
@@ -126,8 +131,8 @@ impl<'a, F: Fn(usize) -> Result<Simulation, MemberError> + Sync> Ensemble<'a, F>
         });
     }
 
-    /// Runs each member by itself and calls `told` with its whole motion on the thread that ran it; the motion is dropped
-    /// afterwards. Not called for members that have not begun.
+    /// Runs each member by itself and calls `told` with its whole motion on the thread that ran it;
+    /// the motion is dropped afterwards. Not called for members that have not begun.
     pub fn each_motion(&self, told: &(dyn Fn(usize, Motion) + Sync)) {
         let shared = Shared::default();
         rayon::broadcast(|_| Worker { ensemble: self, shared: &shared }.run_motions(told));

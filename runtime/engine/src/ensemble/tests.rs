@@ -74,8 +74,8 @@ fn on_threads<T: Send>(threads: usize, run: impl FnOnce() -> T + Send) -> T {
     rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads").install(run)
 }
 
-/// Against runs by themselves, which use another order and other steps; a tenth of the tolerance per step is what both
-/// allow, some ten steps stretch it a hundredfold.
+/// Against runs by themselves, which use another order and other steps; a tenth of the tolerance
+/// per step is what both allow, some ten steps stretch it a hundredfold.
 #[test]
 fn members_end_where_they_end_alone() {
     let ends = side_by_side(40, member).run();
@@ -217,7 +217,8 @@ fn outputs_are_those_of_the_end() {
     }
 }
 
-/// At an angle of 1e9 the rounding of the angle changes the energy by more than ten tolerances: beside others as alone.
+/// At an angle of 1e9 the rounding of the angle changes the energy by more than ten tolerances:
+/// beside others as alone.
 #[test]
 fn a_member_that_loses_its_energy_is_refused_side_by_side_too() {
     let given = |i: usize| {

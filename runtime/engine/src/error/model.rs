@@ -16,7 +16,8 @@ pub enum ModelError {
         /// What is wrong with it.
         source: OutputError,
     },
-    /// The condition on which a contact, a spring or a load is there reads a force that depends on whether it is.
+    /// The condition on which a contact, a spring or a load is there reads a force that depends on
+    /// whether it is.
     #[error(
         "the condition `while` of {of} reads a reaction, friction or the force of a drive, which are decided after it; let it read the motion or the time"
     )]
@@ -64,7 +65,8 @@ pub enum ModelError {
         /// Its length.
         value: f64,
     },
-    /// A length or a moment of inertia is lost beside the largest, so that contacts and joints cannot be told.
+    /// A length or a moment of inertia is lost beside the largest, so that contacts and joints
+    /// cannot be told.
     #[error(
         "{of}, {value:e}, is lost beside {beside:e} in the arithmetic of doubles: contacts and joints cannot be told"
     )]
@@ -95,8 +97,8 @@ pub enum ModelError {
         /// The parameters, `r = 2, l = 1`.
         parameters: String,
     },
-    /// With these parameters the figure gives a coordinate another sign, or another end of its line, than was settled when
-    /// the model was compiled.
+    /// With these parameters the figure gives a coordinate another sign, or another end of its
+    /// line, than was settled when the model was compiled.
     #[error(
         "with these parameters `{coordinate}` is not between 0 and 90° in the figure, by {by}; declare it from a direction: \
          `from = right`, `up`, `left` or `down`"
@@ -107,7 +109,8 @@ pub enum ModelError {
         /// How far the bar's end lies beyond the quadrant, > 0.
         by: f64,
     },
-    /// With these parameters the figure is on the other side of a support than was settled when the model was compiled.
+    /// With these parameters the figure is on the other side of a support than was settled when the
+    /// model was compiled.
     #[error(
         "with these parameters the figure is on the other side of support {support}, by {by}; declare the side or change the \
          figure"
@@ -118,7 +121,8 @@ pub enum ModelError {
         /// How far it is on the other side, > 0.
         by: f64,
     },
-    /// With these parameters the figure turns a bar otherwise than was settled when the model was compiled.
+    /// With these parameters the figure turns a bar otherwise than was settled when the model was
+    /// compiled.
     #[error("with these parameters the figure turns {of} the other way, by {by}; declare the angle")]
     Direction {
         /// The bar, or two that are welded.
@@ -126,7 +130,8 @@ pub enum ModelError {
         /// How far its end lies on the other side, > 0.
         by: f64,
     },
-    /// With these parameters the figure is nearer to another solution of a contact or joint than that of its closed form.
+    /// With these parameters the figure is nearer to another solution of a contact or joint than
+    /// that of its closed form.
     #[error(
         "with these parameters the figure is nearer to another branch of {of}, by {by} rad; change the figure"
     )]

@@ -3,8 +3,8 @@
 use crate::error::NameError;
 
 impl NameError {
-    /// The error for an unknown name, with the known ones and the nearest of them: within two edits that leave half of it
-    /// standing, or that only add to it or take from its end.
+    /// The error for an unknown name, with the known ones and the nearest of them: within two edits
+    /// that leave half of it standing, or that only add to it or take from its end.
     pub fn new<'a>(kind: &'static str, name: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
         nearest(kind, name, &known.into_iter().collect::<Vec<_>>())
     }

@@ -36,8 +36,8 @@ pub struct Event {
     pub before: Option<PreImpact>,
     /// Reactions after the event.
     pub reactions: Vec<Reaction>,
-    /// Impulses of the contacts that are named here, of all contacts where an impulse was applied; empty for events
-    /// that are no impacts.
+    /// Impulses of the contacts that are named here, of all contacts where an impulse was applied;
+    /// empty for events that are no impacts.
     pub impulses: Vec<Reaction>,
     /// What else there is to say.
     pub note: Option<Note>,
@@ -52,7 +52,8 @@ pub struct Event {
 }
 
 impl Event {
-    /// A coordinate `phi`, a rate `phi'` or the time `t` by its name, after the event; none where the model has no such name.
+    /// A coordinate `phi`, a rate `phi'` or the time `t` by its name, after the event; none where
+    /// the model has no such name.
     ///
     /// ```
     /// # use liftoff::prelude::*;
@@ -87,15 +88,15 @@ impl Event {
         }
     }
 
-    /// The reaction of a support, or of the contact it belongs to where the supports' shares are not determined; none where the
-    /// model has no such support.
+    /// The reaction of a support, or of the contact it belongs to where the supports' shares are
+    /// not determined; none where the model has no such support.
     pub fn reaction(&self, support: &str) -> Option<f64> {
         let is = |reaction: &&Reaction| reaction.label.split(',').any(|label| label.trim() == support);
         self.reactions.iter().find(is).map(|reaction| reaction.value)
     }
 
-    /// Whether the motion may as well go on otherwise, for all that the tolerance tells: a touch may have been a crossing, what has
-    /// come to rest at its limit of friction may slide.
+    /// Whether the motion may as well go on otherwise, for all that the tolerance tells: a touch
+    /// may have been a crossing, what has come to rest at its limit of friction may slide.
     pub fn is_undecided(&self) -> bool {
         match &self.note {
             Some(Note::Undecided | Note::GapUndecided) => true,
@@ -264,8 +265,8 @@ pub struct Reaction {
     pub friction: Option<f64>,
 }
 
-/// Reactions by support where the shares are determined, by contact elsewhere; of values as a phase has them, or of all rows of
-/// the kernel.
+/// Reactions by support where the shares are determined, by contact elsewhere; of values as a phase
+/// has them, or of all rows of the kernel.
 pub(crate) fn reactions(layout: &Layout, values: &[f64]) -> Vec<Reaction> {
     let by_rows = values.len() == layout.rows();
     let place = |k: usize| if by_rows { layout.frictions[k].row } else { layout.contacts.len() + k };

@@ -24,10 +24,11 @@ pub enum Note {
     Impulses(Vec<(&'static str, [f64; 2])>),
     /// The outcome of the simultaneous impacts depends on their order.
     ImpactOrder(ImpactOrder),
-    /// The law of impact has gained this energy, J: Newton's may where there is friction, Poisson's by that of a
-    /// guide.
+    /// The law of impact has gained this energy, J: Newton's may where there is friction, Poisson's
+    /// by that of a guide.
     EnergyGained(f64),
-    /// No reaction obeys the law of friction (Painlevé's paradox): an impulse at these contacts, with ġ = 0, has ended the slip.
+    /// No reaction obeys the law of friction (Painlevé's paradox): an impulse at these contacts,
+    /// with ġ = 0, has ended the slip.
     WithoutCollision,
     /// The friction force of a contact that sticks touches its limit.
     LimitTouches,
@@ -47,11 +48,13 @@ pub struct FrictionState {
     pub normal: f64,
     /// R, the friction force along the tangent.
     pub force: f64,
-    /// μₛ: |R|/N that it reached where it slides from here on, and that it stays below where it sticks.
+    /// μₛ: |R|/N that it reached where it slides from here on, and that it stays below where it
+    /// sticks.
     pub limit: f64,
     /// Whether it slides from here on.
     pub slides: bool,
-    /// It sticks, and its force is at the limit but for the error of the motion: it might as well slide.
+    /// It sticks, and its force is at the limit but for the error of the motion: it might as well
+    /// slide.
     pub undecided: bool,
 }
 

@@ -31,7 +31,8 @@ const fn contact(
     }
 }
 
-/// Two mirror images, two supports whose shares are open, and one alone, with a joint between their rows and those of friction.
+/// Two mirror images, two supports whose shares are open, and one alone, with a joint between their
+/// rows and those of friction.
 const CONTACTS: [Contact; 3] = [
     contact("B, A", &["B", "A"], true, Some(0)),
     contact("E, C", &["E", "C"], false, None),

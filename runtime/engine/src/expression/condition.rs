@@ -160,7 +160,8 @@ impl Condition {
         }
     }
 
-    /// Refuses what cannot become true; a side that is to become zero is taken in the form that changes its sign there.
+    /// Refuses what cannot become true; a side that is to become zero is taken in the form that
+    /// changes its sign there.
     fn refined(text: &str, relation: Relation, sides: [Expression; 2]) -> Result<Self, OutputError> {
         let [left, right] = &sides;
         if left.reads_history() || right.reads_history() {
@@ -242,8 +243,8 @@ impl Condition {
         Ok([left, environment::evaluate(right, environment)?])
     }
 
-    /// Whether series of its sides show by their size how well they converge: nothing in them has poles or kinks, which may lie
-    /// within a step although the first terms are small.
+    /// Whether series of its sides show by their size how well they converge: nothing in them has
+    /// poles or kinks, which may lie within a step although the first terms are small.
     pub(crate) fn is_entire(&self) -> bool {
         self.sides.iter().all(Expression::is_entire)
     }

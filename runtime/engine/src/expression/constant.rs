@@ -4,7 +4,8 @@ use super::environment::{Environment, Variable, evaluate};
 use super::tree::{Expression, Function, Operator, is_count};
 
 impl Expression {
-    /// An expression with the same zeros that also changes its sign where this one may only touch zero: x for |x|, x² and −x.
+    /// An expression with the same zeros that also changes its sign where this one may only touch
+    /// zero: x for |x|, x² and −x.
     pub(super) fn vanishing(self) -> Self {
         match self {
             Self::Apply(Function::Negate | Function::Abs, x) => x.vanishing(),

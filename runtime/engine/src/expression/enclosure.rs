@@ -1,5 +1,5 @@
-//! Bounds of an expression and of its slope over a piece of a step, from those of what it reads: a proof that it is not zero
-//! there, or that it is zero once at most.
+//! Bounds of an expression and of its slope over a piece of a step, from those of what it reads: a
+//! proof that it is not zero there, or that it is zero once at most.
 
 use super::condition::Condition;
 use super::environment::{Environment, Variable};

@@ -65,8 +65,8 @@ pub trait Environment {
 /// Operands of a sum or product for which nothing is allocated.
 const USUAL: usize = 16;
 
-/// The value of an expression. Left operands lie in one another as deep as a sum is long: they are taken in turn, and
-/// recursion is as deep as parentheses are.
+/// The value of an expression. Left operands lie in one another as deep as a sum is long: they are
+/// taken in turn, and recursion is as deep as parentheses are.
 pub(super) fn evaluate<E: Environment>(
     expression: &Expression,
     environment: &E,

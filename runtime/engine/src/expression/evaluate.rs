@@ -1,5 +1,5 @@
-//! Values of expressions at one time. Velocities and accelerations of points are Taylor coefficients of their
-//! positions along `q + u t + a t²/2`.
+//! Values of expressions at one time. Velocities and accelerations of points are Taylor
+//! coefficients of their positions along `q + u t + a t²/2`.
 
 use core::convert::Infallible;
 
@@ -78,7 +78,8 @@ impl Environment for MotionEnvironment<'_> {
 }
 
 impl MotionEnvironment<'_> {
-    /// The friction force of the phase's own equations where it has one, else the sum over the tangential rows.
+    /// The friction force of the phase's own equations where it has one, else the sum over the
+    /// tangential rows.
     fn friction(&self, contact: usize) -> f64 {
         let layout = self.context.layout();
         if let Some(entry) = layout.contacts[contact].friction {

@@ -7,8 +7,8 @@ use super::resolve::Vocabulary;
 use super::tree::Expression;
 use crate::error::OutputError;
 
-/// A number that depends on variables, in the language of [`Output`](super::Output): numbers, `+ - * / ^`, parentheses,
-/// `sqrt sin cos tan abs`, `pi`, and the variables' names.
+/// A number that depends on variables, in the language of [`Output`](super::Output): numbers,
+/// `+ - * / ^`, parentheses, `sqrt sin cos tan abs`, `pi`, and the variables' names.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Formula {
     text: String,

@@ -1,5 +1,5 @@
-//! Interval arithmetic: bounds of a function over all arguments in an interval (Moore, Kearfott and Cloud, *Introduction to
-//! Interval Analysis*, 2009). Bounds are rounded outwards.
+//! Interval arithmetic: bounds of a function over all arguments in an interval (Moore, Kearfott and
+//! Cloud, *Introduction to Interval Analysis*, 2009). Bounds are rounded outwards.
 
 use crate::numerics::zero::roundoff;
 use core::f64::consts::{FRAC_PI_2, PI, TAU};

@@ -144,8 +144,8 @@ impl Names {
         self.layout.contacts.iter().any(|contact| contact.kind.is_drive())
     }
 
-    /// The name as a contact of a drive on a condition, `drive distance(A, B)`, of which the rest is given without spaces; without any that
-    /// of a support.
+    /// The name as a contact of a drive on a condition, `drive distance(A, B)`, of which the rest
+    /// is given without spaces; without any that of a support.
     pub(super) fn drive(&self, of: &str) -> String {
         let written = format!("{DRIVE}{of}");
         let labels = self.layout.contacts.iter().map(|contact| contact.label);
@@ -204,7 +204,8 @@ impl Names {
         }
     }
 
-    /// The friction force of a support that has friction or is rough, or of all supports of one contact.
+    /// The friction force of a support that has friction or is rough, or of all supports of one
+    /// contact.
     fn friction(&self, supports: &[String]) -> Result<Expression, OutputError> {
         let Share { contact, share } = self.normal(supports)?;
         let layout = &self.layout.contacts[contact];

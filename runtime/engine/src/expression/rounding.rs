@@ -1,5 +1,5 @@
-//! The rounding of a condition: first-order bounds of what its operations lose (Higham, *Accuracy and Stability of Numerical
-//! Algorithms*, 2nd ed., 3.3).
+//! The rounding of a condition: first-order bounds of what its operations lose (Higham, *Accuracy
+//! and Stability of Numerical Algorithms*, 2nd ed., 3.3).
 
 use core::convert::Infallible;
 

@@ -62,8 +62,8 @@ impl Sides {
         &self.difference[..self.length]
     }
 
-    /// What the terms left out of both sides may sum to; infinite where they do not shrink, and then nothing that follows from
-    /// the series is known.
+    /// What the terms left out of both sides may sum to; infinite where they do not shrink, and
+    /// then nothing that follows from the series is known.
     pub(crate) fn tail(&self) -> f64 {
         self.tail
     }

@@ -5,8 +5,8 @@ use super::resolve::Vocabulary;
 use super::tree::{Expression, Function, Operator};
 use crate::model::{Layout, QuantityKind};
 
-/// A coherent unit of the SI. An angle is a number; the power of the radian only tells rad, and the unit of a torque (energy
-/// for an angle) from that of an energy.
+/// A coherent unit of the SI. An angle is a number; the power of the radian only tells rad, and the
+/// unit of a torque (energy for an angle) from that of an energy.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct SiUnit {
     /// Power of the kilogram.
@@ -101,7 +101,8 @@ impl SiUnit {
     }
 }
 
-/// The unit of an expression, empty for a number; none where it is not known. `parameters` in the layout's order.
+/// The unit of an expression, empty for a number; none where it is not known. `parameters` in the
+/// layout's order.
 pub fn unit(text: &str, layout: &'static Layout, parameters: &[Option<SiUnit>]) -> Option<String> {
     let mut parser = Parser::new(text, Vocabulary::new(layout)).ok()?;
     let expression = parser.sum().ok()?;

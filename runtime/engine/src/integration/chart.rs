@@ -4,14 +4,16 @@
 //! embed(restrict(q, u)) = (q, u)
 //! ```
 //!
-//! and where its pivots are large enough. Elsewhere, on the other branch of sin α = ± sin β or a turn away from it, the same
-//! contacts hold and the projected form is integrated. Angles are compared without reduction by full turns, since a turn would
-//! be a jump as well. Eliminated angles are sums of the kept ones, so that a chart that holds at the start of a phase can fail
+//! and where its pivots are large enough. Elsewhere, on the other branch of sin α = ± sin β or a
+//! turn away from it, the same contacts hold and the projected form is integrated. Angles are
+//! compared without reduction by full turns, since a turn would be a jump as well. Eliminated
+//! angles are sums of the kept ones, so that a chart that holds at the start of a phase can fail
 //! later only at a small pivot.
 //!
-//! Positions are compared to within δ, the error of a state. Rates depend on positions through the Jacobian of the gaps. Where
-//! branches meet, as those of sin α = sin β at cos α = 0, positions within δ leave the Jacobian, and with it the rates, unknown
-//! by √δ; rates are compared to within √δ.
+//! Positions are compared to within δ, the error of a state. Rates depend on positions through the
+//! Jacobian of the gaps. Where branches meet, as those of sin α = sin β at cos α = 0, positions
+//! within δ leave the Jacobian, and with it the rates, unknown by √δ; rates are compared to within
+//! √δ.
 
 use crate::context::{Numbers, ROUNDINGS, RunContext, reduce};
 use crate::integration::form_selection::{eliminates, least_pivot};
@@ -33,8 +35,8 @@ pub(crate) enum Chart {
     Absent,
 }
 
-/// Whether the closed form of `set` holds at a state that is known within `bound`, for a tolerance, and the phase in the form
-/// that does.
+/// Whether the closed form of `set` holds at a state that is known within `bound`, for a tolerance,
+/// and the phase in the form that does.
 pub(crate) fn choose_chart(
     context: &RunContext,
     set: ContactSet,
@@ -78,8 +80,9 @@ pub(crate) fn agree(context: &RunContext, one: &[f64], other: &[f64], bound: f64
     positions <= bound && rates <= bound.sqrt()
 }
 
-/// The largest difference of the coordinates of two states by more than their rounding, in natural units, and of their rates,
-/// relative to the largest where that is above one: wherever the origin is, a state is as far from another.
+/// The largest difference of the coordinates of two states by more than their rounding, in natural
+/// units, and of their rates, relative to the largest where that is above one: wherever the origin
+/// is, a state is as far from another.
 pub(crate) fn apart(context: &RunContext, one: &[f64], other: &[f64]) -> [f64; 2] {
     let layout = context.layout();
     let (n, unit) = (layout.coordinates.len(), |i: usize| context.scales.entry(layout, i));

@@ -1,12 +1,13 @@
-//! Whether a phase at rest stays there: its accelerations vanish, or are what rounding of the coordinates makes of zero (sin π
-//! is not 0 in floating point, yet a pendulum at π never falls). With K = ∂a/∂q and R the roundings of the coordinates,
+//! Whether a phase at rest stays there: its accelerations vanish, or are what rounding of the
+//! coordinates makes of zero (sin π is not 0 in floating point, yet a pendulum at π never falls).
+//! With K = ∂a/∂q and R the roundings of the coordinates,
 //!
 //! ```text
 //! a + K R z = 0,   |zᵢ| ≤ 1
 //! ```
 //!
-//! Bars that lean one way by more than their roundings do fall, also where roundings against each other would accelerate them
-//! as much.
+//! Bars that lean one way by more than their roundings do fall, also where roundings against each
+//! other would accelerate them as much.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -53,7 +54,8 @@ pub(crate) fn is_equilibrium(context: &RunContext, phase: &dyn PhaseEquations, s
             Form::Reduced => 0.0,
         })
         .collect();
-    // By how much coordinate j is moved in the arithmetic of doubles, and the change of the accelerations.
+    // By how much coordinate j is moved in the arithmetic of doubles, and the change of the
+    // accelerations.
     let change = |j: usize, by: f64| {
         let mut moved = reduced.clone();
         moved[j] += by;

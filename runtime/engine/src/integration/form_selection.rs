@@ -1,5 +1,5 @@
-//! Where a closed form can be trusted. A coordinate is eliminated by 1/p with p its pivot relative to its natural size,
-//! its second derivative by 1/p³: rounding ε/p³ must stay below the tolerance.
+//! Where a closed form can be trusted. A coordinate is eliminated by 1/p with p its pivot relative
+//! to its natural size, its second derivative by 1/p³: rounding ε/p³ must stay below the tolerance.
 
 use crate::model::Form;
 use crate::numerics::zero::roundoff;

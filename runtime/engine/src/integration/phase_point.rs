@@ -134,7 +134,8 @@ impl PhasePoint {
         self.closed.contains(contact) && self.closed.slip(contact) == Slip::Stick
     }
 
-    /// Whether more contacts are closed than the phase needs to hold them, or friction holds more than it needs.
+    /// Whether more contacts are closed than the phase needs to hold them, or friction holds more
+    /// than it needs.
     fn is_redundant(&self) -> bool {
         let shares = || !SharedFriction::compute(self.phase.system(), &self.state, &self.closed).is_empty();
         *self.redundant.get_or_init(|| self.closed != self.phase.info().set || shares())
@@ -166,9 +167,9 @@ impl PhasePoint {
         })
     }
 
-    /// Accelerations of the coordinates that are not kept, from J q̈ + J̇ q̇ + ∂²g/∂t² = 0 of the rows
-    /// that hold: rows may differ by little, as of a bar that is all but upright, and entries of J
-    /// have all digits. None where these rows are not as many.
+    /// Accelerations of the coordinates that are not kept, from J q̈ + J̇ q̇ + ∂²g/∂t² = 0 of the
+    /// rows that hold: rows may differ by little, as of a bar that is all but upright, and entries
+    /// of J have all digits. None where these rows are not as many.
     fn compute_eliminated(&self, accelerations: &[f64]) -> Option<Vec<(usize, f64)>> {
         let (system, info) = (self.phase.system(), self.phase.info());
         let layout = system.layout();

@@ -1,8 +1,8 @@
-//! The modes of a hybrid system: contact sets, their degrees of freedom and the changes of one contact between them. A closed
-//! contact with friction slides or sticks.
+//! The modes of a hybrid system: contact sets, their degrees of freedom and the changes of one
+//! contact between them. A closed contact with friction slides or sticks.
 //!
-//! Degrees of freedom: coordinates less the rank of J over the closed rows, at a generic position that satisfies them near
-//! the nominal figure.
+//! Degrees of freedom: coordinates less the rank of J over the closed rows, at a generic position
+//! that satisfies them near the nominal figure.
 
 #[cfg(test)]
 pub(crate) mod tests;
@@ -21,8 +21,9 @@ use crate::system::Model;
 const MAX_ENUMERATED_SETS: usize = 4096;
 /// Distance of the generic position from the nominal figure, in natural units.
 const NEAR: f64 = 1e-2;
-/// Gaps below this natural length are closed, singular values below this fraction of the largest are zero: redundant
-/// rows are so to rounding, independent ones differ as the position does from special ones.
+/// Gaps below this natural length are closed, singular values below this fraction of the largest
+/// are zero: redundant rows are so to rounding, independent ones differ as the position does from
+/// special ones.
 const RANK: f64 = 1e-8;
 
 /// The contact sets of a model and how they follow one another.
@@ -53,7 +54,8 @@ pub struct Mode {
     pub closed: Vec<String>,
     /// Degrees of freedom.
     pub degrees: usize,
-    /// Whether the model has equations of its own for it; other sets share the full ones with multipliers.
+    /// Whether the model has equations of its own for it; other sets share the full ones with
+    /// multipliers.
     pub own_code: bool,
 }
 
@@ -191,12 +193,13 @@ impl RunContext {
         n - singular_values(jacobian).iter().filter(|&&value| value > RANK).count()
     }
 
-    /// A generic position on the closed rows; where they cannot all be closed near the nominal figure, one that leaves them
-    /// open.
+    /// A generic position on the closed rows; where they cannot all be closed near the nominal
+    /// figure, one that leaves them open.
     fn position(&self, set: ContactSet) -> Vec<f64> {
         let (layout, nominal) = (self.layout(), &self.model.nominal);
         let unit = self.scales.state(layout);
-        // Multiples of the golden ratio, their whole parts dropped, keep clear of special positions.
+        // Multiples of the golden ratio, their whole parts dropped, keep clear of special
+        // positions.
         let aside = |i: usize| NEAR * ((i + 1) as f64 * 0.618_033_988_749_894_9).fract();
         let near = |i: usize| nominal.get(i).map_or(0.0, |start| start + aside(i) * unit[i]);
         let beside: Vec<f64> = (0..layout.entries()).map(near).collect();

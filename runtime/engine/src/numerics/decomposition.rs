@@ -1,21 +1,24 @@
-//! Decompositions that come to an end, with what rounding allows: nalgebra's own turn for ever on entries that are not finite, and
-//! now and then leave an error in singular values. A matrix that is not finite counts as zero, so that what is asked of it is singular.
+//! Decompositions that come to an end, with what rounding allows: nalgebra's own turn for ever on
+//! entries that are not finite, and now and then leave an error in singular values. A matrix that
+//! is not finite counts as zero, so that what is asked of it is singular.
 
 use crate::numerics::zero::{RANK, roundoff};
 use nalgebra::{Complex, DMatrix, DVector, Dyn, SVD, Schur, SymmetricEigen};
 
-/// A product that differs by more from its matrix, for each row or column in units of rounding of the largest entry, is no
-/// decomposition.
+/// A product that differs by more from its matrix, for each row or column in units of rounding of
+/// the largest entry, is no decomposition.
 const ROUNDING: f64 = roundoff(8.0);
 /// Columns are orthogonal up to this part of their lengths.
 const ORTHOGONAL: f64 = roundoff(1.0);
 /// Beside the square of this, one is rounding.
 const LARGE: f64 = 1e8;
-/// Sweeps over all pairs of columns at most: few are needed, from a decomposition that is nearly right.
+/// Sweeps over all pairs of columns at most: few are needed, from a decomposition that is nearly
+/// right.
 const SWEEPS: usize = 60;
 
-/// Singular values, largest first, with the left and right vectors. nalgebra's step for the last two of them has been seen to
-/// leave errors of 8e-2; where its product is not the matrix, [`turned`] goes on from there.
+/// Singular values, largest first, with the left and right vectors. nalgebra's step for the last
+/// two of them has been seen to leave errors of 8e-2; where its product is not the matrix,
+/// [`turned`] goes on from there.
 pub(crate) fn svd(matrix: DMatrix<f64>) -> SVD<f64, Dyn, Dyn> {
     decomposed(matrix, |matrix, sweeps| {
         let found = SVD::try_new(matrix.clone(), true, true, 5.0 * f64::EPSILON, sweeps)?;
@@ -26,8 +29,8 @@ pub(crate) fn svd(matrix: DMatrix<f64>) -> SVD<f64, Dyn, Dyn> {
     })
 }
 
-/// `A V = U Σ` by rotations of the columns of A V until these are orthogonal (Hestenes, *Inversion of matrices by
-/// biorthogonalization*, J. SIAM 6, 1958).
+/// `A V = U Σ` by rotations of the columns of A V until these are orthogonal (Hestenes, *Inversion
+/// of matrices by biorthogonalization*, J. SIAM 6, 1958).
 fn turned(matrix: &DMatrix<f64>, found: SVD<f64, Dyn, Dyn>) -> Option<SVD<f64, Dyn, Dyn>> {
     if matrix.nrows() < matrix.ncols() {
         return turned(&matrix.transpose(), flipped(found)).map(flipped);
@@ -91,8 +94,9 @@ pub(crate) fn singular_values(matrix: DMatrix<f64>) -> Vec<f64> {
     values
 }
 
-/// A lower bound of the least singular value of a wide matrix in units of the largest: 1/(‖A‖ ‖L⁻¹‖) with `A Aᵀ = L Lᵀ`, in
-/// Frobenius's norm; zero where rows depend on each other or are not finite. The ratio is at most as many times as large as there are rows.
+/// A lower bound of the least singular value of a wide matrix in units of the largest: 1/(‖A‖
+/// ‖L⁻¹‖) with `A Aᵀ = L Lᵀ`, in Frobenius's norm; zero where rows depend on each other or are not
+/// finite. The ratio is at most as many times as large as there are rows.
 pub(crate) fn least_ratio_bound(matrix: &DMatrix<f64>) -> f64 {
     let rows = matrix.nrows();
     let Some(factor) = (matrix * matrix.transpose()).cholesky() else { return 0.0 };
@@ -215,8 +219,8 @@ mod tests {
         }
     }
 
-    /// [M −Jᵀ; J 0] with M = 1 and simple rows, of full rank or not, whole, wide and high: nalgebra alone has errors from 1e-13 to
-    /// 8e-2 in some of them.
+    /// [M −Jᵀ; J 0] with M = 1 and simple rows, of full rank or not, whole, wide and high: nalgebra
+    /// alone has errors from 1e-13 to 8e-2 in some of them.
     #[test]
     fn the_product_is_the_matrix() {
         is_decomposed(&DMatrix::from_row_slice(

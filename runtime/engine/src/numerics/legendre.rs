@@ -1,6 +1,7 @@
 //! Functions over a step as series of Legendre's polynomials, f(x) = Σ cₘ Pₘ(x) with −1 ≤ x ≤ 1.
 //!
-//! Through the values at Gauss's points cₘ = (m + ½) Σ wₖ Pₘ(xₖ) f(xₖ), and ∫ Pₘ = (Pₘ₊₁ − Pₘ₋₁)/(2m + 1).
+//! Through the values at Gauss's points cₘ = (m + ½) Σ wₖ Pₘ(xₖ) f(xₖ), and ∫ Pₘ = (Pₘ₊₁ −
+//! Pₘ₋₁)/(2m + 1).
 
 /// How many points.
 pub(crate) const POINTS: usize = 8;

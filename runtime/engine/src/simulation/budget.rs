@@ -4,21 +4,24 @@ use std::time::{Duration, Instant};
 
 use thiserror::Error;
 
-/// What a run may take at most. A run that takes more stops with [`RunCause::Budget`](crate::RunCause::Budget) and the motion so
-/// far.
+/// What a run may take at most. A run that takes more stops with
+/// [`RunCause::Budget`](crate::RunCause::Budget) and the motion so far.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Budget {
     /// Accepted and rejected steps.
     pub steps: u64,
     /// Events, impacts among them.
     pub events: usize,
-    /// Impacts within one natural time: sequences of them that end are cut short, others may go on for ever.
+    /// Impacts within one natural time: sequences of them that end are cut short, others may go on
+    /// for ever.
     pub impacts: usize,
-    /// Sets of contacts tried in one decision about accelerations or impulses, which only rough and jamming contacts need.
+    /// Sets of contacts tried in one decision about accelerations or impulses, which only rough and
+    /// jamming contacts need.
     pub trials: usize,
     /// Memory of the recorded motion, bytes.
     pub memory: usize,
-    /// Time that the run takes on the clock, looked at between steps. A run without this limit reads no clock.
+    /// Time that the run takes on the clock, looked at between steps. A run without this limit
+    /// reads no clock.
     pub time: Option<Duration>,
 }
 
@@ -34,8 +37,9 @@ impl Budget {
     };
 }
 
-/// A hundred million steps, two hundred thousand events, fifty thousand impacts in a natural time, as many trials in a decision,
-/// a gibibyte of recorded motion, and any time: more than any run that is meant.
+/// A hundred million steps, two hundred thousand events, fifty thousand impacts in a natural time,
+/// as many trials in a decision, a gibibyte of recorded motion, and any time: more than any run
+/// that is meant.
 impl Default for Budget {
     fn default() -> Self {
         Self {

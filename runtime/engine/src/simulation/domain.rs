@@ -1,5 +1,5 @@
-//! Where the equations of a model hold: a distance that is driven is above zero, f(t) > 0, and a coefficient of friction is not
-//! negative, μ(v) ≥ 0.
+//! Where the equations of a model hold: a distance that is driven is above zero, f(t) > 0, and a
+//! coefficient of friction is not negative, μ(v) ≥ 0.
 
 use crate::context::{RunContext, reduce};
 use crate::error::ModelError;
@@ -11,7 +11,8 @@ use crate::model::{ContactSet, Form, Layout, QuantityKind};
 /// What has a bound.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum BoundedQuantity {
-    /// A driven distance, by its entry among the quantities; of a drive on a condition with its contact.
+    /// A driven distance, by its entry among the quantities; of a drive on a condition with its
+    /// contact.
     Distance(usize, Option<usize>),
     /// The friction of a contact, by its entry in [`Layout::frictions`].
     Friction(usize),

@@ -64,17 +64,20 @@ pub enum RunCause {
         /// Labels of the contacts that are struck.
         contacts: Vec<String>,
     },
-    /// Contacts or joints hold at a state that does not satisfy them: the motion would have to jump.
+    /// Contacts or joints hold at a state that does not satisfy them: the motion would have to
+    /// jump.
     #[error("at t = {t}: to keep {} closed the state would have to jump by {by:.1e} of its size", contacts.join(", "))]
     Jump {
         /// Time.
         t: f64,
         /// Labels of the contacts, or of the joints where there are none.
         contacts: Vec<String>,
-        /// The largest change, in natural units, relative to the largest entry where that is above one.
+        /// The largest change, in natural units, relative to the largest entry where that is above
+        /// one.
         by: f64,
     },
-    /// The motion breaks what every motion satisfies; what was computed up to there is not to be trusted near its end.
+    /// The motion breaks what every motion satisfies; what was computed up to there is not to be
+    /// trusted near its end.
     #[error("{0}")]
     Invariant(Finding),
     /// It takes more than its budget, see [`Simulation::budget`](crate::Simulation::budget).
@@ -115,7 +118,8 @@ pub enum RunCause {
         /// What is driven, `distance(A, B)`.
         drive: String,
     },
-    /// A coefficient of friction that depends on the slip velocity becomes negative: friction would drive the motion.
+    /// A coefficient of friction that depends on the slip velocity becomes negative: friction would
+    /// drive the motion.
     #[error(
         "at t = {t}: friction of {contact} becomes negative at the slip velocity {velocity}; let its expression of `v` stay above zero, \
          as `mu / (1 + c * v * v)` does"

@@ -136,12 +136,14 @@ impl Simulation {
         &self.context.model
     }
 
-    /// Its natural units, in which absolute tolerances are measured; a model without bars has those of its start.
+    /// Its natural units, in which absolute tolerances are measured; a model without bars has those
+    /// of its start.
     pub fn scales(&self) -> Scales {
         self.context.scales
     }
 
-    /// The full state that the run starts in: coordinates, rates, and the time if the model depends on it.
+    /// The full state that the run starts in: coordinates, rates, and the time if the model depends
+    /// on it.
     ///
     /// # Errors
     /// No start was given and the nominal figure allows none.
@@ -177,8 +179,9 @@ impl Simulation {
         Ok(self)
     }
 
-    /// The same from a pose at a time: in the natural units of this simulation, however small what is left of the motion; with
-    /// [`Pose::of_state`] from where a run was left. What is planned for times before is done at that time.
+    /// The same from a pose at a time: in the natural units of this simulation, however small what
+    /// is left of the motion; with [`Pose::of_state`] from where a run was left. What is planned
+    /// for times before is done at that time.
     ///
     /// ```
     /// # use liftoff::prelude::*;
@@ -212,7 +215,8 @@ impl Simulation {
         Ok(continued)
     }
 
-    /// Outputs in a phase at a time and a full state, coordinates then rates, of which the entries are read that the phase keeps.
+    /// Outputs in a phase at a time and a full state, coordinates then rates, of which the entries
+    /// are read that the phase keeps.
     pub fn values(&self, phase: &Segment, (t, state): (f64, &[f64]), outputs: &[Output]) -> Vec<f64> {
         let mut full = self.layout().state_at(state, t);
         for i in 0..self.layout().switches.len() {
@@ -224,8 +228,8 @@ impl Simulation {
         outputs.iter().map(|output| output.evaluate(&self.context, &point)).collect()
     }
 
-    /// Gives the start the rate that it has on the energy level of `pose`, moving away from that pose. The closed
-    /// contacts must leave one degree of freedom.
+    /// Gives the start the rate that it has on the energy level of `pose`, moving away from that
+    /// pose. The closed contacts must leave one degree of freedom.
     pub fn on_energy_of(mut self, pose: Pose) -> Result<Self, StartError> {
         let from = self.start.map_or_else(Pose::nominal, |given| given.pose);
         self.start = None;
@@ -234,11 +238,12 @@ impl Simulation {
         Ok(self)
     }
 
-    /// Makes a support two-sided: it does not open, unless it slides off its bar; its reaction is reported whatever its
-    /// sign.
+    /// Makes a support two-sided: it does not open, unless it slides off its bar; its reaction is
+    /// reported whatever its sign.
     ///
     /// # Errors
-    /// There is no such support, or it has friction: the law of a support knows no reaction that pulls.
+    /// There is no such support, or it has friction: the law of a support knows no reaction that
+    /// pulls.
     pub fn hold(mut self, support: impl ContactName) -> Result<Self, SupportError> {
         let held = contact(support.as_ref(), self.layout())?;
         if self.layout().contacts[held].friction.is_some() {
@@ -265,8 +270,8 @@ impl Simulation {
         Ok(self)
     }
 
-    /// Takes a support away, and with it the contact that it belongs to, when a condition becomes true: `t = 0.2`,
-    /// `phi = 1`, `N(A) < 0.1`.
+    /// Takes a support away, and with it the contact that it belongs to, when a condition becomes
+    /// true: `t = 0.2`, `phi = 1`, `N(A) < 0.1`.
     pub fn release_when(self, support: impl ContactName, condition: &str) -> Result<Self, ScheduleError> {
         let support = support.as_ref();
         let (contact, _) =
@@ -274,7 +279,8 @@ impl Simulation {
         self.plan(Action::Remove(contact), condition)
     }
 
-    /// Cuts a thread when a condition becomes true: `t = 0` starts a motion from a taut equilibrium.
+    /// Cuts a thread when a condition becomes true: `t = 0` starts a motion from a taut
+    /// equilibrium.
     pub fn cut(self, thread: impl ThreadName, condition: &str) -> Result<Self, ScheduleError> {
         let thread = thread.as_ref();
         let threads = self.layout().contacts.iter().filter(|c| c.kind == ContactKind::Thread);
@@ -288,8 +294,8 @@ impl Simulation {
         }
     }
 
-    /// Applies the impulse (pₓ, p_y), a force times a time, at a point and a time. All closed contacts answer at once. Refused beside
-    /// hinges with friction.
+    /// Applies the impulse (pₓ, p_y), a force times a time, at a point and a time. All closed
+    /// contacts answer at once. Refused beside hinges with friction.
     pub fn impulse(
         mut self,
         point: impl PointName,
@@ -322,7 +328,8 @@ impl Simulation {
         Ok(self)
     }
 
-    /// Ends the run where a contact closes, before the impact; the event is [`EventKind::Close`](crate::EventKind).
+    /// Ends the run where a contact closes, before the impact; the event is
+    /// [`EventKind::Close`](crate::EventKind).
     #[must_use]
     pub fn stop_at_impacts(mut self) -> Self {
         self.ends.at_impacts = true;
@@ -341,15 +348,17 @@ impl Simulation {
         Ok(self)
     }
 
-    /// Ends the run once an event of this kind has happened to this support, `Ladder::B` or `"B"`, or to any with `None`; where
-    /// several are asked for, once each of them has. That event is the last of the run.
+    /// Ends the run once an event of this kind has happened to this support, `Ladder::B` or `"B"`,
+    /// or to any with `None`; where several are asked for, once each of them has. That event is the
+    /// last of the run.
     pub fn until_event(mut self, kind: EventKind, support: impl ContactFilter) -> Result<Self, SupportError> {
         self.ends.events.push(EventFilter::new(self.layout(), kind, support)?);
         Ok(self)
     }
 
-    /// Ends the run at this time at the latest. The default is 1000 natural times, √(length / gravity) or shorter where speeds or impulses
-    /// are high; so much after the last planned impulse or removal if that is later; and no sooner than a time that ends the run.
+    /// Ends the run at this time at the latest. The default is 1000 natural times, √(length /
+    /// gravity) or shorter where speeds or impulses are high; so much after the last planned
+    /// impulse or removal if that is later; and no sooner than a time that ends the run.
     #[must_use]
     pub fn limit(mut self, time: f64) -> Self {
         self.ends.limit = Some(time);
@@ -408,8 +417,8 @@ impl Simulation {
         self.drive(&mut Recorder)
     }
 
-    /// The same with nothing recorded but events and the last state: the observer sees each step as it is made.
-    /// `&mut ()` looks at none, and long runs take no memory.
+    /// The same with nothing recorded but events and the last state: the observer sees each step as
+    /// it is made. `&mut ()` looks at none, and long runs take no memory.
     pub fn observe(&self, observer: &mut impl Observer) -> Result<Trajectory, RunError> {
         self.drive(observer)
     }
@@ -427,7 +436,8 @@ impl Simulation {
         }
     }
 
-    /// Takes the natural length of a model without bars from its start, and the natural time of one that starts fast.
+    /// Takes the natural length of a model without bars from its start, and the natural time of one
+    /// that starts fast.
     fn measure(&mut self, pose: &Pose) -> Result<(), StartError> {
         let [positions, rates] = pose.values(self.model())?;
         let natural = scales_of(self.model()).unwrap_or(self.context.scales);

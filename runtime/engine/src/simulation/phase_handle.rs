@@ -37,9 +37,9 @@ where
     }
 }
 
-/// The functions of a phase. States are full, coordinates then rates, and must satisfy the closed contacts; entries
-/// missing from a state that is too short are taken as not a number. Equations that depend on time are those of t = 0
-/// until [`at_time`](Self::at_time) says otherwise.
+/// The functions of a phase. States are full, coordinates then rates, and must satisfy the closed
+/// contacts; entries missing from a state that is too short are taken as not a number. Equations
+/// that depend on time are those of t = 0 until [`at_time`](Self::at_time) says otherwise.
 pub struct PhaseHandle {
     phase: Arc<dyn PhaseEquations>,
     t: f64,
@@ -62,8 +62,9 @@ impl PhaseHandle {
         self.phase.info().form
     }
 
-    /// Indices of the coordinates whose rates the phase keeps; [`mass_matrix`](Self::mass_matrix), [`forces`](Self::forces)
-    /// and [`reduced_accelerations`](Self::reduced_accelerations) have one row for each.
+    /// Indices of the coordinates whose rates the phase keeps; [`mass_matrix`](Self::mass_matrix),
+    /// [`forces`](Self::forces) and [`reduced_accelerations`](Self::reduced_accelerations) have one
+    /// row for each.
     pub fn kept(&self) -> Vec<usize> {
         self.phase.info().places_of_rates().map(|place| coordinate_of(&*self.phase, place)).collect()
     }
@@ -89,7 +90,8 @@ impl PhaseHandle {
         reactions
     }
 
-    /// Mass matrix of the kept coordinates, by rows: Gᵀ M G with G = ∂u/∂v, the derivatives of all rates u by the kept rates v.
+    /// Mass matrix of the kept coordinates, by rows: Gᵀ M G with G = ∂u/∂v, the derivatives of all
+    /// rates u by the kept rates v.
     pub fn mass_matrix(&self, state: &[f64]) -> Vec<Vec<f64>> {
         let system = self.phase.system();
         let n = system.layout().coordinates.len();
@@ -111,8 +113,9 @@ impl PhaseHandle {
         columns.iter().map(|a| columns.iter().map(|b| product(a, b)).collect()).collect()
     }
 
-    /// Generalised forces less velocity terms. In closed form those of the kept coordinates, the product of mass matrix
-    /// and accelerations; with multipliers the full ones without the reactions.
+    /// Generalised forces less velocity terms. In closed form those of the kept coordinates, the
+    /// product of mass matrix and accelerations; with multipliers the full ones without the
+    /// reactions.
     pub fn forces(&self, state: &[f64]) -> Vec<f64> {
         if self.form() == Form::Multipliers {
             return self.phase.system().equations(&self.full(state)).force().to_vec();

@@ -10,7 +10,8 @@ pub(super) struct Way {
     pub(super) turns: Vec<Extremum>,
 }
 
-/// All turning points: those of the phases, and the ends of phases that lie above both values next to them, or below.
+/// All turning points: those of the phases, and the ends of phases that lie above both values next
+/// to them, or below.
 pub(super) fn along(ways: Vec<Way>, delta: f64) -> Vec<Extremum> {
     // Times and values in order, with the turning points among them.
     let mut nodes: Vec<(f64, f64, Option<Extremum>)> = Vec::new();

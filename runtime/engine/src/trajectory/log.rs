@@ -19,20 +19,24 @@ pub struct LogEntry {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum LoggedDecision {
-    /// The pose of the start penetrates contacts by this much, m, within ten times the tolerance: they count as closed, and the pose
-    /// moves onto them, by the square root of that where a gap has a fold.
+    /// The pose of the start penetrates contacts by this much, m, within ten times the tolerance:
+    /// they count as closed, and the pose moves onto them, by the square root of that where a gap
+    /// has a fold.
     StartPenetrates(f64),
-    /// The start moves by this much, relative to its largest position or rate, onto contacts that are closed to within the
-    /// tolerance: more than that, since it is near a pose in which its gaps hardly depend on it.
+    /// The start moves by this much, relative to its largest position or rate, onto contacts that
+    /// are closed to within the tolerance: more than that, since it is near a pose in which its
+    /// gaps hardly depend on it.
     StartMoves(f64),
-    /// A condition that is to end the run holds at its start: it is met where it comes to hold again.
+    /// A condition that is to end the run holds at its start: it is met where it comes to hold
+    /// again.
     ConditionHolds(Condition),
     /// A pivot of the closed form is small: the phase is integrated with multipliers.
     SmallPivot,
-    /// The contacts are closed on another branch than that of the closed form: the phase is integrated with multipliers.
+    /// The contacts are closed on another branch than that of the closed form: the phase is
+    /// integrated with multipliers.
     OtherBranch,
-    /// A gap, a reaction or a condition turns too often to be followed, however short the step: it is taken for noise, and from
-    /// here to the end of its phase may be met late.
+    /// A gap, a reaction or a condition turns too often to be followed, however short the step: it
+    /// is taken for noise, and from here to the end of its phase may be met late.
     GuardUnresolved,
     /// A contact has opened and strikes, its gap between zero but for what is not resolved: it may
     /// have come and gone since the phase began.
@@ -42,12 +46,12 @@ pub enum LoggedDecision {
         /// When the phase began.
         since: f64,
     },
-    /// A load varies so fast that no step, however short, is proved to have seen all of it: what it does within 1e-7 of a step
-    /// may be missing.
+    /// A load varies so fast that no step, however short, is proved to have seen all of it: what it
+    /// does within 1e-7 of a step may be missing.
     LoadUnresolved,
-    /// A condition has a pole, and beside it perhaps a root that is nearer to it than their times are told apart: whether it is
-    /// met there is not decided. Or it is zero but for rounding, or turns so often that it is not followed any farther. The first
-    /// such place of a phase.
+    /// A condition has a pole, and beside it perhaps a root that is nearer to it than their times
+    /// are told apart: whether it is met there is not decided. Or it is zero but for rounding, or
+    /// turns so often that it is not followed any farther. The first such place of a phase.
     ConditionUndecided,
     /// Another method integrates from here on.
     Method(Choice),
@@ -55,9 +59,11 @@ pub enum LoggedDecision {
     SingularPosition,
     /// Redundant supports: of the possible reactions the least-norm ones are given.
     ReactionsNotUnique,
-    /// Redundant supports: a contact that bore is relieved by others that depend on it, and stays closed.
+    /// Redundant supports: a contact that bore is relieved by others that depend on it, and stays
+    /// closed.
     BearingChanged,
-    /// Friction lets several motions follow from a state (Painlevé's paradox): which, and why one of them is taken.
+    /// Friction lets several motions follow from a state (Painlevé's paradox): which, and why one
+    /// of them is taken.
     SeveralMotions {
         /// What the contacts do in each.
         motions: Vec<String>,
@@ -66,20 +72,23 @@ pub enum LoggedDecision {
         /// What the one has that is taken.
         why: &'static str,
     },
-    /// Redundant contacts slide with different friction: how they share their load decides how the system moves, and nothing
-    /// decides that. One of the possible motions is taken.
+    /// Redundant contacts slide with different friction: how they share their load decides how the
+    /// system moves, and nothing decides that. One of the possible motions is taken.
     MotionNotDetermined,
-    /// So many contacts with friction touch that one motion was looked for: that the law allows others is not excluded.
+    /// So many contacts with friction touch that one motion was looked for: that the law allows
+    /// others is not excluded.
     MotionsNotCounted,
-    /// The law of impact with friction allows so many outcomes; the first is taken: contacts in their order, sticking before
-    /// sliding before open.
+    /// The law of impact with friction allows so many outcomes; the first is taken: contacts in
+    /// their order, sticking before sliding before open.
     SeveralImpacts(usize),
     /// Of the possible impulses the least-norm ones are given.
     ImpulsesNotUnique,
-    /// The last impacts of a sequence were taken for one, in which sliding contacts gain this energy, J: until the sequence ends friction
-    /// takes it again, where it would not have acted during the flights.
+    /// The last impacts of a sequence were taken for one, in which sliding contacts gain this
+    /// energy, J: until the sequence ends friction takes it again, where it would not have acted
+    /// during the flights.
     FrictionAhead(f64),
-    /// Restitution was scaled by this factor < 1: with all of it the impact would have gained energy.
+    /// Restitution was scaled by this factor < 1: with all of it the impact would have gained
+    /// energy.
     RestitutionScaled(f64),
     /// The outcome of simultaneous impacts depends on their order.
     ImpactOrder(ImpactOrder),

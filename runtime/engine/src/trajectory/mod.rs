@@ -30,8 +30,8 @@ pub use log::{LogEntry, LoggedDecision};
 pub(crate) use recorded_phase::RecordedPhase;
 pub(crate) use work::{Work, blur};
 
-/// A motion from its start to the event that ended it. Of a run that was only observed it has the events and what it ends with,
-/// and no motion in between.
+/// A motion from its start to the event that ended it. Of a run that was only observed it has the
+/// events and what it ends with, and no motion in between.
 pub struct Trajectory {
     pub(crate) context: Arc<RunContext>,
     pub(crate) phases: Vec<RecordedPhase>,
@@ -180,7 +180,8 @@ impl Trajectory {
         [self.start_time(), self.end_time()]
     }
 
-    /// The full state at a time, coordinates then rates; at the nearer end for times outside the run.
+    /// The full state at a time, coordinates then rates; at the nearer end for times outside the
+    /// run.
     pub fn state(&self, t: f64) -> Vec<f64> {
         let at = self.point(t).filter(|_| !self.phases.is_empty());
         let state = at.map(|point| self.context.layout().public_state(point.state()).to_vec());
@@ -195,7 +196,8 @@ impl Trajectory {
         Output::parse(self.layout(), text)
     }
 
-    /// An expression of the model's names as a function of time; at an event it has the value after it.
+    /// An expression of the model's names as a function of time; at an event it has the value after
+    /// it.
     ///
     /// # Errors
     /// It is no expression, or names something that the model does not have.
@@ -204,7 +206,8 @@ impl Trajectory {
         Ok(move |t| self.value(&output, t))
     }
 
-    /// An output at a time; NaN if nothing was computed, or kept, as of a run that was only observed before its end. At an event it has the value after it.
+    /// An output at a time; NaN if nothing was computed, or kept, as of a run that was only
+    /// observed before its end. At an event it has the value after it.
     pub fn value(&self, output: &Output, t: f64) -> f64 {
         let Some(point) = self.point(t) else { return f64::NAN };
         let point = match self.phase_at(t) {
@@ -231,14 +234,16 @@ impl Trajectory {
         below.iter().map(|contact| layout.contacts[contact].supports[0]).collect()
     }
 
-    /// Ends of the integrator's steps in order of time; between two neighbours the motion is one polynomial.
+    /// Ends of the integrator's steps in order of time; between two neighbours the motion is one
+    /// polynomial.
     pub fn times(&self) -> Vec<f64> {
         let mut times: Vec<f64> = self.phases.iter().flat_map(RecordedPhase::times).collect();
         times.dedup();
         times
     }
 
-    /// The times of [`times`](Self::times); those at which velocities jump twice, before the jump and after it.
+    /// The times of [`times`](Self::times); those at which velocities jump twice, before the jump
+    /// and after it.
     pub fn instants(&self) -> Vec<Instant> {
         let mut jumps =
             self.events.iter().filter(|event| event.before.is_some()).map(|event| event.t).peekable();
@@ -318,8 +323,9 @@ impl Trajectory {
         before.filter(|_| is_before)
     }
 
-    /// The turning points of an output, in order of time, those at events among them: where a velocity jumps, its values before
-    /// and after. Those that stand out by less than the error bound do not count.
+    /// The turning points of an output, in order of time, those at events among them: where a
+    /// velocity jumps, its values before and after. Those that stand out by less than the error
+    /// bound do not count.
     pub fn extrema(&self, output: &Output) -> Vec<Extremum> {
         let largest = self.times().iter().fold(0.0, |most: f64, &t| most.max(self.value(output, t).abs()));
         let delta = (10.0 * self.tolerance).max(64.0 * f64::EPSILON) * largest;
@@ -335,7 +341,8 @@ impl Trajectory {
                 let [t0, t1] = [span[0], span[1]];
                 let at = |theta: f64| t0 + theta * (t1 - t0);
                 let value = |theta: f64| self.value_in(output, k, at(theta));
-                // An output that is not finite somewhere in a step, tan φ say, has its turning points elsewhere.
+                // An output that is not finite somewhere in a step, tan φ say, has its turning
+                // points elsewhere.
                 let _ = root_isolation::extrema(value, delta, |extremum| {
                     let minimum = extremum.kind == ExtremumKind::Minimum;
                     turns.push(Extremum { t: at(extremum.theta), value: extremum.value, minimum });
@@ -346,8 +353,9 @@ impl Trajectory {
         extrema::along(ways, delta)
     }
 
-    /// The least and the greatest value of an output over the run, at turning points and at the ends of steps, before and
-    /// after events; none where nothing was computed or no value is finite.
+    /// The least and the greatest value of an output over the run, at turning points and at the
+    /// ends of steps, before and after events; none where nothing was computed or no value is
+    /// finite.
     pub fn range(&self, output: &Output) -> Option<[f64; 2]> {
         let ends =
             self.phases.iter().enumerate().flat_map(|(k, phase)| {

@@ -18,14 +18,16 @@ pub trait Observer {
         false
     }
 
-    /// Something happens at a time. It is told before the step is shown that holds this time or begins there: the motion after the
-    /// event is that of the step that begins there, or of the end of the run.
+    /// Something happens at a time. It is told before the step is shown that holds this time or
+    /// begins there: the motion after the event is that of the step that begins there, or of the
+    /// end of the run.
     fn event(&mut self, t: f64) {
         let _ = t;
     }
 
-    /// Velocities jump at the end of this step, which has been shown: its end is the motion before the event. It is told after
-    /// [`event`](Self::event), for each of several impacts at one time with the motion before the first.
+    /// Velocities jump at the end of this step, which has been shown: its end is the motion before
+    /// the event. It is told after [`event`](Self::event), for each of several impacts at one time
+    /// with the motion before the first.
     fn jump(&mut self, before: &dyn Step) {
         let _ = before;
     }
@@ -33,9 +35,10 @@ pub trait Observer {
     /// A step, or the part of one before an event.
     fn step(&mut self, step: &dyn Step);
 
-    /// An event in full, after the step that it ended, when nothing that follows changes it any more. Whether the observer has taken
-    /// it: then the trajectory does not keep it, and a run of any number of events needs no more memory. The first event and those that
-    /// end the run are kept even so.
+    /// An event in full, after the step that it ended, when nothing that follows changes it any
+    /// more. Whether the observer has taken it: then the trajectory does not keep it, and a run of
+    /// any number of events needs no more memory. The first event and those that end the run are
+    /// kept even so.
     fn happened(&mut self, event: &Event) -> bool {
         let _ = event;
         false

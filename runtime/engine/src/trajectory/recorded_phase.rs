@@ -11,7 +11,8 @@ use crate::integration::phase_point::PhasePoint;
 use crate::model::{ContactSet, Form};
 use crate::system::{DenseOutput, PhaseEquations};
 
-/// What a projection moves a state by at most, in natural units: some errors of a step at the loosest tolerances.
+/// What a projection moves a state by at most, in natural units: some errors of a step at the
+/// loosest tolerances.
 const NEAR: f64 = 1e-3;
 
 /// A phase that has been integrated.
@@ -112,8 +113,8 @@ impl RecordedPhase {
         PhasePoint::new(Arc::clone(&self.phase), self.closed, t, reduced)
     }
 
-    /// The motion at a time as it is read: within a step of a projected phase, whose ends alone are projected, on its constraints
-    /// too.
+    /// The motion at a time as it is read: within a step of a projected phase, whose ends alone are
+    /// projected, on its constraints too.
     pub(crate) fn interpolate_on_constraints(&self, context: &RunContext, t: f64) -> PhasePoint {
         let (point, info) = (self.interpolate(t), self.phase.info());
         if info.form != Form::Multipliers || !self.is_within_step(t) {

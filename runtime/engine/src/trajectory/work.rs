@@ -1,5 +1,6 @@
-//! The power of all forces that have no potential: that of friction, or where others act dE/dt along the accelerations of the
-//! equations, E = T + V. Powers are told in joules per natural time: of motions that take 1e±130 s one per second is no number.
+//! The power of all forces that have no potential: that of friction, or where others act dE/dt
+//! along the accelerations of the equations, E = T + V. Powers are told in joules per natural time:
+//! of motions that take 1e±130 s one per second is no number.
 
 use crate::context::{Numbers, RunContext};
 use crate::integration::phase_point::PhasePoint;
@@ -9,22 +10,24 @@ use crate::numerics::root_isolation::{NODES, last_coefficients};
 use crate::numerics::zero::SOLVED;
 use crate::trajectory::RecordedPhase;
 
-/// The last two of a step's coefficients may be this part of the largest; those that the integral leaves out are as small as the
-/// square of it.
+/// The last two of a step's coefficients may be this part of the largest; those that the integral
+/// leaves out are as small as the square of it.
 const RESOLVED: f64 = 1e-6;
 /// A step over which the power is not so smooth is halved at most so many times.
 const DEEPEST: u32 = 10;
 /// Halves whose coefficients are not less than this part of the whole's tell no more than it does.
 const NO_BETTER: f64 = 0.25;
-/// A step shorter than this, in natural times, is not halved: a method makes such steps towards a singularity, where powers are
-/// noise.
+/// A step shorter than this, in natural times, is not halved: a method makes such steps towards a
+/// singularity, where powers are noise.
 const SHORT: f64 = 1e-7;
-/// The difference of the energy is taken over this part of the time in which a state moves by itself, of the natural time and of the
-/// step, inside of which forces are smooth: an error of its fourth power.
+/// The difference of the energy is taken over this part of the time in which a state moves by
+/// itself, of the natural time and of the step, inside of which forces are smooth: an error of its
+/// fourth power.
 const SPAN: f64 = 1e-3;
 
-/// Weights of Clenshaw's and Curtis's quadrature over 0 ≤ θ ≤ 1 at [`NODES`], the last of which only compares (Clenshaw and
-/// Curtis, *A method for numerical integration on an automatic computer*, Numer. Math. 2, 1960).
+/// Weights of Clenshaw's and Curtis's quadrature over 0 ≤ θ ≤ 1 at [`NODES`], the last of which
+/// only compares (Clenshaw and Curtis, *A method for numerical integration on an automatic
+/// computer*, Numer. Math. 2, 1960).
 const AT_NODES: [f64; NODES.len()] = {
     let [ends, one, two, three, middle] = [
         0.007_936_507_936_507_936,
@@ -53,7 +56,8 @@ impl Work {
         self.add_of(context, phase, span, &|point, step| power(context, point, step));
     }
 
-    /// Takes note of the energy on the way: between two turns of a pendulum it may be far larger than at them.
+    /// Takes note of the energy on the way: between two turns of a pendulum it may be far larger
+    /// than at them.
     pub(crate) fn note(&mut self, energy: &Energy<f64>) {
         self.largest = self.largest.max(energy.kinetic).max(energy.potential.abs());
     }
@@ -81,7 +85,8 @@ impl Work {
         tells
     }
 
-    /// Adds that of a power, J per natural time, which depends on a point of the motion and on the length of the step.
+    /// Adds that of a power, J per natural time, which depends on a point of the motion and on the
+    /// length of the step.
     pub(crate) fn add_of(
         &mut self,
         context: &RunContext,
@@ -111,7 +116,8 @@ impl Work {
         let [t0, t1] = part.span;
         let middle = 0.5 * (t0 + t1);
         let halves = [[t0, middle], [middle, t1]].map(|span| Part::new(run, span, power));
-        // What no half tells better is rounding, of the energy of a stiff spring say; a kink is in one of them.
+        // What no half tells better is rounding, of the energy of a stiff spring say; a kink is in
+        // one of them.
         let is_noise =
             halves.iter().flatten().all(|half| !half.is_resolved && half.tail > NO_BETTER * part.tail);
         let left = if is_noise { 0 } else { left - 1 };
@@ -129,7 +135,8 @@ struct Part {
 }
 
 impl Part {
-    /// None of a part without length: steps towards a singularity may be as short as times are told apart.
+    /// None of a part without length: steps towards a singularity may be as short as times are told
+    /// apart.
     fn new(
         (context, phase): (&RunContext, &RecordedPhase),
         span: [f64; 2],
@@ -163,8 +170,8 @@ impl Part {
     }
 }
 
-/// What a quadrature at [`NODES`] leaves out: the coefficients of Chebyshev's polynomials behind the last two, which shrink as
-/// these have from the two before.
+/// What a quadrature at [`NODES`] leaves out: the coefficients of Chebyshev's polynomials behind
+/// the last two, which shrink as these have from the two before.
 fn left_out(powers: &[f64; NODES.len()]) -> f64 {
     let [first, second, third, fourth] = last_coefficients(powers).map(f64::abs);
     let (before, last) = (first.max(second), third.max(fourth));
@@ -198,7 +205,8 @@ fn change_of_energy(context: &RunContext, point: &PhasePoint, step: f64) -> f64 
     (4.0 * gain(dt) - gain(2.0 * dt)) / 3.0
 }
 
-/// What the rounding of the energy makes of such differences over a step; nothing where none is taken.
+/// What the rounding of the energy makes of such differences over a step; nothing where none is
+/// taken.
 pub(crate) fn blur(context: &RunContext, point: &PhasePoint, step: f64) -> f64 {
     if !context.is_worked_on() {
         return 0.0;

@@ -1,5 +1,6 @@
-//! Pointers of C as slices and texts. The callers, functions of FMI, are given them by an importer, who vouches for them: they
-//! point to as many values as are said, which live until the function returns, and which nobody else writes meanwhile.
+//! Pointers of C as slices and texts. The callers, functions of FMI, are given them by an importer,
+//! who vouches for them: they point to as many values as are said, which live until the function
+//! returns, and which nobody else writes meanwhile.
 
 #![allow(unsafe_code, reason = "pointers of C")]
 
@@ -23,7 +24,8 @@ pub(crate) unsafe fn text<'a>(pointer: *const c_char) -> Option<&'a str> {
 /// Values; none where they are absent.
 ///
 /// # Safety
-/// The pointer is null or that of so many values, which live long enough and are not written meanwhile.
+/// The pointer is null or that of so many values, which live long enough and are not written
+/// meanwhile.
 pub(crate) unsafe fn values<'a, T>(pointer: *const T, count: usize) -> &'a [T] {
     if pointer.is_null() || count == 0 {
         return &[];

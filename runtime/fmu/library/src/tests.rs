@@ -75,8 +75,9 @@ fn descriptions_of_others_are_refused() {
     assert!(nowhere.starts_with("cannot read the unit's resource"), "{nowhere}");
 }
 
-/// Explicit Euler steps, with an event wherever an indicator is no more positive: a ball from 1 m meets the ground at √(2/g), with
-/// the velocity √(2 g), to the order of a step, and bounces with e = 0.8 of it.
+/// Explicit Euler steps, with an event wherever an indicator is no more positive: a ball from 1 m
+/// meets the ground at √(2/g), with the velocity √(2 g), to the order of a step, and bounces with e =
+/// 0.8 of it.
 #[test]
 fn an_importer_with_eulers_steps_bounces_a_ball() {
     let unit = Unit::unpack(BALL, "euler");

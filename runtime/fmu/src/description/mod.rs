@@ -14,7 +14,8 @@ type Xml = Writer<Vec<u8>>;
 /// An attribute; left out where it has no value.
 type Attribute<'a> = (&'a str, Option<String>);
 
-/// Relative tolerance for importers that integrate: events are then located to about as many digits.
+/// Relative tolerance for importers that integrate: events are then located to about as many
+/// digits.
 const TOLERANCE: f64 = 1e-9;
 
 /// The category of messages.

@@ -1,5 +1,5 @@
-//! Which variables are outputs, derivatives of states, computed at the initialisation, event indicators. Nothing is said about what
-//! depends on what: everything may depend on everything.
+//! Which variables are outputs, derivatives of states, computed at the initialisation, event
+//! indicators. Nothing is said about what depends on what: everything may depend on everything.
 
 use super::{Xml, element};
 use crate::interface::{Interface, Quantity};

@@ -10,7 +10,8 @@ pub(super) fn name(unit: Option<SiUnit>) -> Option<String> {
     unit.map(SiUnit::symbol).filter(|symbol| !symbol.is_empty())
 }
 
-/// Those of the variables, each once, in their order. Units that differ in the radian alone may have one symbol: the first stands.
+/// Those of the variables, each once, in their order. Units that differ in the radian alone may
+/// have one symbol: the first stands.
 pub(super) fn write(xml: &mut Xml, interface: &Interface) -> Result<()> {
     let mut known: Vec<(String, SiUnit)> = Vec::new();
     for unit in interface.variables.iter().filter_map(|variable| variable.unit) {

@@ -30,7 +30,8 @@ pub(crate) struct Lowering<'a> {
 }
 
 impl<'a> Lowering<'a> {
-    /// Of a program whose constants have the first registers and whose inputs, so many, the following.
+    /// Of a program whose constants have the first registers and whose inputs, so many, the
+    /// following.
     pub fn new(
         program: &'a Program,
         constants: &[Id],

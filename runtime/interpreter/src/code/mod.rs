@@ -1,6 +1,7 @@
 //! Straight-line arithmetic over registers: constants, then inputs, then what is computed.
 //!
-//! The operations are those of the emitted code in the same order of operands, so that their bits are the same.
+//! The operations are those of the emitted code in the same order of operands, so that their bits
+//! are the same.
 
 mod lowering;
 

@@ -1,4 +1,5 @@
-//! The names of a model, as derived code has them. They last as long as the program, once for each declaration.
+//! The names of a model, as derived code has them. They last as long as the program, once for each
+//! declaration.
 
 mod contacts;
 mod geometry;

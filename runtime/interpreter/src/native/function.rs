@@ -1,11 +1,14 @@
 //! Compiled functions. Their memory is kept as long as the program runs, as names are.
 //!
-//! Measured (`cargo bench -p liftoff-tests --features jit --bench speed -- interpreted`): see the book. Calling what is compiled is
-//! the only unsafe code of this crate. It is sound because
+//! Measured (`cargo bench -p liftoff-tests --features jit --bench speed --
+//! interpreted`): see the book. Calling what is compiled is the only unsafe code of this crate. It
+//! is sound because
 //!
-//! - a pointer is taken from Cranelift once its function is finished, and the module that owns its memory is never freed;
-//! - the functions read and write nothing but `registers[r]` for registers r of the code that they were compiled from, all less than
-//!   its count, and `left`, `right`, `kept`, `sums` at columns less than its count: both are asserted before every call;
+//! - a pointer is taken from Cranelift once its function is finished, and the module that owns its
+//!   memory is never freed;
+//! - the functions read and write nothing but `registers[r]` for registers r of the code that they
+//!   were compiled from, all less than its count, and `left`, `right`, `kept`, `sums` at columns
+//!   less than its count: both are asserted before every call;
 //! - they call nothing but `sin_cos`, which writes to two such registers.
 
 use core::mem::transmute;

@@ -1,4 +1,5 @@
-//! What is compiled once it has been run often: most functions of a model are called a few times in a run.
+//! What is compiled once it has been run often: most functions of a model are called a few times in
+//! a run.
 
 use core::sync::atomic::{AtomicU32, Ordering};
 use std::sync::OnceLock;

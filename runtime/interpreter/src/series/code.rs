@@ -111,7 +111,8 @@ impl SeriesCode {
         self.operations().any(|(operation, _)| matches!(operation, SeriesOperation::Magnitude(..)))
     }
 
-    /// One order: coefficient n of everything from that of the state, which follows the constants in the registers.
+    /// One order: coefficient n of everything from that of the state, which follows the constants
+    /// in the registers.
     pub(super) fn order(&self, ops: &mut impl SeriesOps<f64>, registers: &mut [f64], is_first: bool) {
         let mut values = &self.values[..];
         for &SeriesInstruction { operation, to } in &self.instructions {

@@ -44,7 +44,8 @@ impl SeriesCode {
         self.order(&mut tape.coefficients(n), registers, false);
     }
 
-    /// What an order has left in the registers; `one` is the coefficient of 1, the rate of the time.
+    /// What an order has left in the registers; `one` is the coefficient of 1, the rate of the
+    /// time.
     fn copy_results(&self, registers: &[f64], one: f64, rates: &mut [f64], guard: &mut [f64]) {
         let at = |register: Register| registers[register as usize];
         rates.fill(0.0);

@@ -1,5 +1,6 @@
-//! Operations on Taylor coefficients: linear ones are plain arithmetic, the others take a column of the tape. Sines and cosines
-//! are by their recurrence whatever the program makes them of, which is where their values come from.
+//! Operations on Taylor coefficients: linear ones are plain arithmetic, the others take a column of
+//! the tape. Sines and cosines are by their recurrence whatever the program makes them of, which is
+//! where their values come from.
 
 use std::collections::BTreeMap;
 
@@ -255,7 +256,8 @@ impl<'a> SeriesWriter<'a> {
         }
     }
 
-    /// What is made by addition theorems: its value is, its coefficients are those of a sine and cosine.
+    /// What is made by addition theorems: its value is, its coefficients are those of a sine and
+    /// cosine.
     fn wave(&mut self, id: Id, wave: &program::WaveStep) {
         let [sine, cosine] = match self.waves.get(&wave.angle) {
             Some(&known) => known,

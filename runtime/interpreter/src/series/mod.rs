@@ -1,5 +1,5 @@
-//! The Taylor series of closed forms and of the full equations: one order after the other of everything that varies along a
-//! motion.
+//! The Taylor series of closed forms and of the full equations: one order after the other of
+//! everything that varies along a motion.
 
 mod code;
 mod expansion;

@@ -39,7 +39,8 @@ pub(crate) struct FullCode {
 #[derive(Debug)]
 pub(crate) struct HeldCode {
     pub set: (u64, u64),
-    /// Rates and accelerations, then of each pivot what it is left of and itself, then the reactions of closed rows.
+    /// Rates and accelerations, then of each pivot what it is left of and itself, then the
+    /// reactions of closed rows.
     pub code: Code,
     /// How many numbers tell of pivots.
     pub pivots: usize,

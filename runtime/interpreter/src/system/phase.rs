@@ -130,8 +130,8 @@ impl<S: Number> InterpretedPhase<S> {
         code.evaluate(&self.system.constants, &[y], outputs);
     }
 
-    /// The motion by the code of the contact set, if it has some and its pivots can be trusted: `take` gets rates and accelerations,
-    /// and the reactions of the closed rows.
+    /// The motion by the code of the contact set, if it has some and its pivots can be trusted:
+    /// `take` gets rates and accelerations, and the reactions of the closed rows.
     fn held(&self, y: &[S], take: impl FnOnce(&HeldCode, &[S], &[S])) -> bool {
         let Some(held) = self.held.map(|k| &self.system.full().held[k]).filter(|_| S::PLAIN) else {
             return false;

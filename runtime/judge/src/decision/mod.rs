@@ -1,5 +1,6 @@
-//! Which contacts stay closed: 0 ≤ g̈ ⟂ λ ≥ 0, and where both are zero the same of their derivatives, order by order. With
-//! W and b of the undecided contacts at order k (those that bear are kept closed),
+//! Which contacts stay closed: 0 ≤ g̈ ⟂ λ ≥ 0, and where both are zero the same of their
+//! derivatives, order by order. With W and b of the undecided contacts at order k (those that bear
+//! are kept closed),
 //!
 //! ```text
 //! 0 ≤ g̈ₖ = W λₖ + bₖ ⟂ λₖ ≥ 0

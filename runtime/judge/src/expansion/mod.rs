@@ -22,7 +22,8 @@ pub(crate) struct Expansion<'a, S> {
     pub scene: &'a Scene<S>,
     pub inputs: Inputs<S>,
     pub series: Series<S>,
-    /// The least pivot beside the largest of its matrix: how far its constraints are from depending on one another.
+    /// The least pivot beside the largest of its matrix: how far its constraints are from depending
+    /// on one another.
     pub firmness: f64,
     /// Coefficients of the multipliers of the joints, of the contacts, of the slips.
     joints: Vec<Vec<S>>,
@@ -52,7 +53,8 @@ impl<'a, S: Scalar> Expansion<'a, S> {
         }
     }
 
-    /// Series of motion with these contacts closed, to an order; none where rows contradict one another.
+    /// Series of motion with these contacts closed, to an order; none where rows contradict one
+    /// another.
     pub fn solve(scene: &'a Scene<S>, state: &State<S>, closed: &[usize], order: usize) -> Option<Self> {
         let mut expansion = Self::new(scene, state);
         let kkt = Kkt::assemble(scene, &expansion.series, scene.slots(closed));

@@ -1,10 +1,12 @@
-//! Impacts. With W of the joints alone and ġ⁻ of all contacts that touch: Newton, where none of them leaves already,
+//! Impacts. With W of the joints alone and ġ⁻ of all contacts that touch: Newton, where none of
+//! them leaves already,
 //!
 //! ```text
 //! 0 ≤ ġ⁺ + e ġ⁻ ⟂ P ≥ 0,    ġ⁺ = W P + ġ⁻
 //! ```
 //!
-//! else, or where one that acts declares it, Poisson: 0 ≤ ġᶜ ⟂ Pᶜ ≥ 0, then 0 ≤ ġ⁺ ⟂ P − (1 + e) Pᶜ ≥ 0.
+//! else, or where one that acts declares it, Poisson: 0 ≤ ġᶜ ⟂ Pᶜ ≥ 0, then 0 ≤ ġ⁺ ⟂ P − (1 + e) Pᶜ
+//! ≥ 0.
 
 mod rough;
 
@@ -21,8 +23,8 @@ pub(crate) struct Impact<S> {
     pub v: Vec<S>,
 }
 
-/// The impact of contacts that touch, with an applied impulse on the coordinates, while others are held
-/// closed; `plastic`: without restitution.
+/// The impact of contacts that touch, with an applied impulse on the coordinates, while others are
+/// held closed; `plastic`: without restitution.
 pub(crate) fn collide<S: Scalar>(
     scene: &Scene<S>,
     state: &State<S>,
@@ -89,7 +91,8 @@ impl<S: Scalar> Blow<S> {
         Self { matrix, approach: touching.iter().map(rate).collect(), pushed, free, responses }
     }
 
-    /// By Newton's law, or by Poisson's where a contact leaves already or one that acts declares it.
+    /// By Newton's law, or by Poisson's where a contact leaves already or one that acts declares
+    /// it.
     fn impulses(&self, e: Vec<S>, poisson: impl Fn(usize) -> bool) -> Result<Vec<S>, Undecided> {
         let leaves = self.approach.iter().any(|&rate| rate > S::ZERO);
         let declared = !leaves && {

@@ -7,12 +7,14 @@ use crate::expansion::Expansion;
 use crate::numerics::root::first;
 use liftoff_core::scalar::Scalar;
 
-/// Terms below this part of the largest one in a step are zero where a difference may begin with zero.
+/// Terms below this part of the largest one in a step are zero where a difference may begin with
+/// zero.
 const ZERO: f64 = 1e-12;
 /// The last terms of a difference within a step are this part of the first.
 const TAIL: f64 = 1e-20;
 const PASSES: usize = 4;
-/// A difference whose series reach less than this part of the motion's is not analytic: it is passed.
+/// A difference whose series reach less than this part of the motion's is not analytic: it is
+/// passed.
 const POLE: f64 = 1e-9;
 
 impl Follower<'_> {
@@ -99,7 +101,8 @@ fn leading(series: &[Number], h: f64) -> usize {
     sizes.iter().position(|&size| size > ZERO * largest).unwrap_or(series.len())
 }
 
-/// How far a series reaches, if it is no further than this: its first terms are those within that reach.
+/// How far a series reaches, if it is no further than this: its first terms are those within that
+/// reach.
 fn converges(series: &[Number], reach: f64) -> f64 {
     (0..PASSES).fold(reach, |reach, _| nearer(series, reach))
 }

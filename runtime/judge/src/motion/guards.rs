@@ -17,7 +17,8 @@ pub(super) enum Guard {
     Over(usize),
 }
 
-/// Roots nearer than this part of a step are one event: a start in doubles tells no more of their order.
+/// Roots nearer than this part of a step are one event: a start in doubles tells no more of their
+/// order.
 const TOGETHER: f64 = 1e-13;
 
 impl Follower<'_> {

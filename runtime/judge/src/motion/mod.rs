@@ -1,4 +1,5 @@
-//! A motion followed by the judge alone: series of a step, the first root of any gap, reaction or foot in it, a decision.
+//! A motion followed by the judge alone: series of a step, the first root of any gap, reaction or
+//! foot in it, a decision.
 
 mod conditions;
 mod guards;
@@ -69,7 +70,8 @@ struct Follower<'a> {
 
 /// Steps of one motion at most.
 const STEPS: usize = 20_000;
-/// Gaps at a start below this, in natural lengths, and their rates relative to the largest speed, are closed.
+/// Gaps at a start below this, in natural lengths, and their rates relative to the largest speed,
+/// are closed.
 const CLOSED: f64 = 1e-11;
 /// A start further off its constraints, in natural lengths, is none.
 const OFF: f64 = 1e-6;

@@ -1,5 +1,5 @@
-//! Infinitely many impacts: once the flights between them are too low to matter, the rest of them takes Δ r/(1 − r), Δ the
-//! last interval, r the ratio of the last two.
+//! Infinitely many impacts: once the flights between them are too low to matter, the rest of them
+//! takes Δ r/(1 − r), Δ the last interval, r the ratio of the last two.
 
 use super::{Follower, Number};
 use crate::decision::Undecided;

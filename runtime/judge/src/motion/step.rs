@@ -74,8 +74,8 @@ impl Follower<'_> {
         }
     }
 
-    /// The state after a step, if the equations agree there. Close to a position where constraints depend on one another
-    /// terms of high order are noise that fewer terms do without.
+    /// The state after a step, if the equations agree there. Close to a position where constraints
+    /// depend on one another terms of high order are noise that fewer terms do without.
     fn verified(&self, expansion: &Expansion<Number>, s: Number, bearing: &[usize]) -> Option<State<Number>> {
         let state = expansion.state(s);
         if self.agrees(expansion, s, &state, bearing, VERIFIED) {
@@ -86,8 +86,9 @@ impl Follower<'_> {
         self.agrees(&fewer, s, &state, bearing, VERIFIED).then_some(state)
     }
 
-    /// Over a position where constraints depend on one another, from afar: the motion is smooth there, while rounding in the
-    /// terms of high order grows as if the series ended there. Fewer terms reach beyond.
+    /// Over a position where constraints depend on one another, from afar: the motion is smooth
+    /// there, while rounding in the terms of high order grows as if the series ended there. Fewer
+    /// terms reach beyond.
     fn hop(
         &mut self,
         expansion: &Expansion<Number>,
@@ -114,8 +115,8 @@ impl Follower<'_> {
         Ok(false)
     }
 
-    /// Past a position where constraints depend on one another: the terms of high order are noise there, while few are
-    /// enough for a short step.
+    /// Past a position where constraints depend on one another: the terms of high order are noise
+    /// there, while few are enough for a short step.
     fn leap(
         &mut self,
         expansion: &Expansion<Number>,

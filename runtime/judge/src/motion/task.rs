@@ -126,7 +126,8 @@ pub struct Task<'a> {
     pub conditions: &'a [Condition],
     /// Whether any impact ends it.
     pub ends_at_impacts: bool,
-    /// Entries of the state that the others follow from, as far as contacts are closed; all if there are none.
+    /// Entries of the state that the others follow from, as far as contacts are closed; all if
+    /// there are none.
     pub kept: &'a [usize],
     /// Terms of the series; [`Task::TERMS`].
     pub terms: usize,

@@ -1,11 +1,13 @@
-//! 0 ≤ w = W z + b ⟂ z ≥ 0 by Lemke's method with the lexicographic rule (Cottle, Pang, Stone, *The Linear Complementarity
-//! Problem*, 4.4 and 4.9); for W positive semi-definite it finds a solution or shows that there is none.
+//! 0 ≤ w = W z + b ⟂ z ≥ 0 by Lemke's method with the lexicographic rule (Cottle, Pang, Stone, *The
+//! Linear Complementarity Problem*, 4.4 and 4.9); for W positive semi-definite it finds a solution
+//! or shows that there is none.
 
 use crate::numerics::linear::negligible;
 use crate::tape::whole;
 use liftoff_core::scalar::Scalar;
 
-/// z, basic: so many of its entries are positive as rows are independent at most; none if there is no solution.
+/// z, basic: so many of its entries are positive as rows are independent at most; none if there is
+/// no solution.
 pub(crate) fn solve<S: Scalar>(matrix: &[Vec<S>], bias: &[S]) -> Option<Vec<S>> {
     let m = bias.len();
     if bias.iter().all(|&b| b >= S::ZERO) {

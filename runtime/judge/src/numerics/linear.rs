@@ -1,8 +1,10 @@
-//! Dense systems by elimination with full pivoting; equations that depend on others are left out, and what they lack is told.
+//! Dense systems by elimination with full pivoting; equations that depend on others are left out,
+//! and what they lack is told.
 
 use liftoff_core::scalar::{Real, Scalar};
 
-/// What is rounding, relative to what it was computed from: 1e-20 of a double-double, 1e-10 of a double.
+/// What is rounding, relative to what it was computed from: 1e-20 of a double-double, 1e-10 of a
+/// double.
 pub(crate) fn negligible<S: Scalar>() -> f64 {
     S::EPSILON.to_f64().powf(0.65)
 }
@@ -73,7 +75,8 @@ impl<S: Scalar> Factors<S> {
         least / largest
     }
 
-    /// A solution, zero where it is not determined; the largest contradiction, and the size of the right-hand side.
+    /// A solution, zero where it is not determined; the largest contradiction, and the size of the
+    /// right-hand side.
     pub fn solve(&self, right: &[S]) -> (Vec<S>, f64, f64) {
         let n = self.rows.len();
         let mut y: Vec<S> = self.rows.iter().map(|&i| right[i] * self.row_scales[i]).collect();

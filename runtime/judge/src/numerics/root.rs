@@ -1,5 +1,5 @@
-//! The first point at which a polynomial falls below zero, from its Bernstein coefficients: between the least and the
-//! greatest of them it lies.
+//! The first point at which a polynomial falls below zero, from its Bernstein coefficients: between
+//! the least and the greatest of them it lies.
 
 use crate::tape::whole;
 use liftoff_core::scalar::{Real, Scalar};
@@ -13,7 +13,8 @@ pub(crate) fn value<S: Scalar>(coefficients: &[S], s: S) -> S {
     coefficients.iter().rev().fold(S::ZERO, |sum, &c| sum * s + c)
 }
 
-/// A dip shallower than this, with the polynomial well above zero behind it, is a touch: a start in doubles says no more.
+/// A dip shallower than this, with the polynomial well above zero behind it, is a touch: a start in
+/// doubles says no more.
 const SHALLOW: f64 = 1e-14;
 /// Well above zero.
 const CLEAR: f64 = 1e-9;

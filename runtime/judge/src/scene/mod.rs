@@ -1,5 +1,5 @@
-//! A declaration in maximal coordinates: every body has x, y of its centre of mass and an angle, every point mass x and y.
-//! Whatever ties or touches them is a row
+//! A declaration in maximal coordinates: every body has x, y of its centre of mass and an angle,
+//! every point mass x and y. Whatever ties or touches them is a row
 //!
 //! ```text
 //! J q̇ + d = 0  (two-sided),   ġ = J q̇ + d  (one-sided),   d = ∂g/∂t
@@ -56,7 +56,8 @@ pub struct Scene<S> {
     pub masses: Vec<S>,
     /// Applied force on each coordinate.
     pub forces: Vec<Node>,
-    /// Two-sided constraints; what images across the mirror keep is among them, so that a contact and its image are one.
+    /// Two-sided constraints; what images across the mirror keep is among them, so that a contact
+    /// and its image are one.
     pub joints: Vec<Row>,
     /// One-sided constraints in the order declared.
     pub contacts: Vec<Contact<S>>,
@@ -118,7 +119,8 @@ pub enum SceneError {
     /// A support whose law the judge does not have.
     #[error("support `{0}` has friction, or a surface that moves, which are not judged")]
     Friction(String),
-    /// What is there while a condition holds; the judge has all contacts, springs and loads at all times.
+    /// What is there while a condition holds; the judge has all contacts, springs and loads at all
+    /// times.
     #[error("{0} is there while a condition holds only; the judge has all that is declared at all times")]
     Switch(String),
 }
@@ -127,7 +129,8 @@ pub enum SceneError {
 const MOST: usize = 150;
 
 impl<S: Scalar> Scene<S> {
-    /// The scene of a declaration with values of its parameters; public states have these coordinates.
+    /// The scene of a declaration with values of its parameters; public states have these
+    /// coordinates.
     ///
     /// # Errors
     /// See [`SceneError`].

@@ -39,8 +39,8 @@ impl Comparison<'_> {
         motion
     }
 
-    /// What was done at given times from a time on; what was taken away before is taken away again, what struck then has
-    /// struck. What was waited for is left to be found.
+    /// What was done at given times from a time on; what was taken away before is taken away again,
+    /// what struck then has struck. What was waited for is left to be found.
     fn done_from(&self, t: f64) -> Vec<(f64, Action)> {
         let record = self.record;
         let to_find = |at: f64, action: &Action| {

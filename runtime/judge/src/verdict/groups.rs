@@ -25,7 +25,8 @@ impl Comparison<'_> {
         self.grouped(self.record.events.iter().map(one))
     }
 
-    /// The judge's own events; without impacts that the record sums up in the end of infinitely many.
+    /// The judge's own events; without impacts that the record sums up in the end of infinitely
+    /// many.
     pub(super) fn judged(&self, from: f64, groups: &[Group], motion: &Motion) -> Vec<Group> {
         let near = TOGETHER * self.record.time;
         let one = |event: &Event| Group {
@@ -48,8 +49,8 @@ impl Comparison<'_> {
         all
     }
 
-    /// Whether the record says that it does not tell whether these contacts open then, and nothing else of them: the states
-    /// are compared all the same.
+    /// Whether the record says that it does not tell whether these contacts open then, and nothing
+    /// else of them: the states are compared all the same.
     fn is_undecided(&self, group: &Group, recorded: &[Group]) -> bool {
         let window = self.record.time * self.record.within.sqrt();
         let near = |t: f64| (t - group.t).abs() < window;

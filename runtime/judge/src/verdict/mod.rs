@@ -1,5 +1,6 @@
-//! A finished motion against the judge's own: event by event, state by state. Where they part slowly, as neighbours of a
-//! sensitive motion do, the judge begins again from the last event that agrees.
+//! A finished motion against the judge's own: event by event, state by state. Where they part
+//! slowly, as neighbours of a sensitive motion do, the judge begins again from the last event that
+//! agrees.
 
 mod follow;
 mod groups;
@@ -175,7 +176,8 @@ impl Comparison<'_> {
         all
     }
 
-    /// How far two events are apart; none where nothing is left to compare, an error where they are not the same.
+    /// How far two events are apart; none where nothing is left to compare, an error where they are
+    /// not the same.
     fn paired(
         &self,
         (own, other): (Option<&Group>, Option<&Group>),

@@ -1,4 +1,5 @@
-//! The forms of a model as the page reads them: points by their indices, what stands still by its place.
+//! The forms of a model as the page reads them: points by their indices, what stands still by its
+//! place.
 
 use super::place::{Direction, Spot};
 use super::rounds::Round;

@@ -1,10 +1,13 @@
-//! A motion as a page that plays it, one HTML file that needs nothing beside itself; or as a picture that moves.
+//! A motion as a page that plays it, one HTML file that needs nothing beside itself; or as a
+//! picture that moves.
 //!
-//! - `geometry`, `rounds`: what moves, and where contacts act; `quantities`: what is drawn over time;
+//! - `geometry`, `rounds`: what moves, and where contacts act; `quantities`: what is drawn over
+//!   time;
 //! - `sampling`: the motion as cubics, few and close; `rounding`: as whole numbers;
 //! - `scenery`: what stands still, and what happens; `motion`: all of it as the page reads it;
 //! - `page/`: the page's style and scripts;
-//! - [`live`]: sliders beside it, and the engine that runs it again; `moving_picture`: the motion as an SVG, or modes of vibration.
+//! - [`live`]: sliders beside it, and the engine that runs it again; `moving_picture`: the motion
+//!   as an SVG, or modes of vibration.
 
 mod geometry;
 pub mod live;
@@ -76,7 +79,8 @@ pub struct About<'a> {
     pub stopped: Option<&'a str>,
 }
 
-/// The page of a motion: it plays, scrubs and steps it, with contacts, reactions, graphs and events.
+/// The page of a motion: it plays, scrubs and steps it, with contacts, reactions, graphs and
+/// events.
 ///
 /// # Errors
 /// An output that is no expression of the model.
@@ -113,12 +117,14 @@ pub fn page(record: &Trajectory, about: &About) -> Result<String, MotionError> {
     Ok(html::page(about.title, STYLE, &body(&head(record, about), &motion.json())))
 }
 
-/// The page of no motion yet: in a frame of another page it plays what [`played`] gives, as often as one is posted to it.
+/// The page of no motion yet: in a frame of another page it plays what [`played`] gives, as often
+/// as one is posted to it.
 pub fn empty_page() -> String {
     html::page("Motion", STYLE, &body("", "null"))
 }
 
-/// A motion and what is told of it, for a page that is shown already: serialised, it is posted to that.
+/// A motion and what is told of it, for a page that is shown already: serialised, it is posted to
+/// that.
 #[derive(Serialize)]
 pub struct Played {
     head: String,

@@ -38,7 +38,8 @@ pub(super) struct Phase {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(super) off: Vec<usize>,
     pub(super) times: Vec<f64>,
-    /// Of each quantity, at the start and at both thirds and the end of each interval; one value if it never changes.
+    /// Of each quantity, at the start and at both thirds and the end of each interval; one value if
+    /// it never changes.
     pub(super) values: Vec<Vec<Option<i64>>>,
 }
 

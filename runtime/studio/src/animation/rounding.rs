@@ -8,8 +8,8 @@ pub(super) const CLOSENESS: f64 = 1e-5;
 /// Below this part of its group a quantity is rounding.
 const NOISE: f64 = 1e-6;
 
-/// The size of what each quantity's graph shows, from rows of values: for positions of the whole scene, else from its low
-/// to its high values, so that a pole does not count; never nothing.
+/// The size of what each quantity's graph shows, from rows of values: for positions of the whole
+/// scene, else from its low to its high values, so that a pole does not count; never nothing.
 pub(super) fn sizes(quantities: &[AnimatedQuantity], rows: &[Vec<f64>]) -> Vec<f64> {
     let columns: Vec<Vec<f64>> = (0..quantities.len()).map(|i| column(rows, i)).collect();
     let of = |group: Group| {

@@ -1,5 +1,6 @@
-//! A motion as cubics: each interval has the values at its ends and at its thirds, and the cubic through them is as close
-//! to the dense output as asked. Between two phases everything may jump, so each has samples of its own at both ends.
+//! A motion as cubics: each interval has the values at its ends and at its thirds, and the cubic
+//! through them is as close to the dense output as asked. Between two phases everything may jump,
+//! so each has samples of its own at both ends.
 
 use super::quantities::Function;
 use liftoff::Segment;
@@ -10,7 +11,8 @@ const TOGETHER: usize = 8;
 /// Halvings of an interval at most: at a pole a cubic is never close.
 const HALVINGS: u32 = 10;
 
-/// About as many values as a motion may have: where they are used up, or steps are too many, cubics are less close.
+/// About as many values as a motion may have: where they are used up, or steps are too many, cubics
+/// are less close.
 const MOST: usize = 2_000_000;
 
 /// A phase as cubics.
@@ -41,8 +43,8 @@ impl<'a, 'b> Sampler<'a, 'b> {
         Self { functions, tolerances, left }
     }
 
-    /// The phases that take time, or else the last, as cubics between these steps of the integrator; the time read at the
-    /// end of a phase is the last before the next one.
+    /// The phases that take time, or else the last, as cubics between these steps of the
+    /// integrator; the time read at the end of a phase is the last before the next one.
     pub fn phases(&mut self, segments: &[Segment], steps: &[f64]) -> Vec<Sampled> {
         let together = TOGETHER.max(steps.len() / self.left.max(1));
         let last = segments.iter().rposition(lasts).or(segments.len().checked_sub(1));

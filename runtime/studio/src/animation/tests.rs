@@ -93,8 +93,8 @@ fn spread(record: &Trajectory, function: &dyn Fn(f64) -> f64) -> f64 {
     values.iter().fold(f64::MIN, |a, b| a.max(*b)) - values.iter().fold(f64::MAX, |a, b| a.min(*b))
 }
 
-/// Cubics are asked to be within `CLOSENESS` where they were compared; where they were not, they may be twice as far, and
-/// rounding adds a tenth.
+/// Cubics are asked to be within `CLOSENESS` where they were compared; where they were not, they
+/// may be twice as far, and rounding adds a tenth.
 fn agrees(record: &Trajectory) {
     let motion = Motion::from_run(record, &About::default()).unwrap();
     let functions: Vec<_> = motion.quantities.iter().map(|q| record.function(&q.name).unwrap()).collect();

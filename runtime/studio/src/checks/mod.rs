@@ -1,8 +1,8 @@
-//! What can be asked of any model's default run, beside what [`liftoff_verification::cases`] has: cases, groups of them and
-//! verdicts; and the page of verdicts.
+//! What can be asked of any model's default run, beside what [`liftoff_verification::cases`] has:
+//! cases, groups of them and verdicts; and the page of verdicts.
 //!
-//! A [`Group`] has cases about one difficulty, written for its scenes; a [`General`] one asks the same of any model's default
-//! run. `stability` on the command line judges both.
+//! A [`Group`] has cases about one difficulty, written for its scenes; a [`General`] one asks the
+//! same of any model's default run. `stability` on the command line judges both.
 //!
 //! ```
 //! use liftoff::prelude::*;

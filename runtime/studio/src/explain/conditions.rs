@@ -12,11 +12,12 @@ use crate::html::{escaped, page as skeleton};
 
 const STYLE: &str = "p { padding-left: 2em; text-indent: -2em; line-height: 2 }\n";
 
-/// The conditions and first integrals of a model, contact set by contact set, or of the set with these supports closed.
+/// The conditions and first integrals of a model, contact set by contact set, or of the set with
+/// these supports closed.
 ///
 /// # Errors
-/// The mistakes of a declaration that has any; what the contact set, or the start, has that a condition in closed form cannot
-/// have.
+/// The mistakes of a declaration that has any; what the contact set, or the start, has that a
+/// condition in closed form cannot have.
 pub fn conditions(
     layout: &Layout,
     supports: Option<&str>,

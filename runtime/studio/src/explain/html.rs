@@ -1,5 +1,5 @@
-//! Equations as a page that needs nothing beside itself: KaTeX sets them where there is JavaScript, and their LaTeX is
-//! read where there is none.
+//! Equations as a page that needs nothing beside itself: KaTeX sets them where there is JavaScript,
+//! and their LaTeX is read where there is none.
 
 mod sections;
 #[cfg(test)]

@@ -1,5 +1,5 @@
-//! The equations of a model for people, derived again from the declaration that it carries: as text, as LaTeX and, with
-//! feature `report`, as a page.
+//! The equations of a model for people, derived again from the declaration that it carries: as
+//! text, as LaTeX and, with feature `report`, as a page.
 
 pub mod conditions;
 pub mod export;

@@ -46,7 +46,8 @@ impl Destination {
     }
 }
 
-/// The open files of this process, which a link of the kernel names: a new file under that name would reach nobody.
+/// The open files of this process, which a link of the kernel names: a new file under that name
+/// would reach nobody.
 fn stream(path: &Path) -> Option<Destination> {
     let folder = path.parent()?;
     let own = format!("/proc/{}/fd", std::process::id());

@@ -1,8 +1,9 @@
 //! Files written whole or not at all: first beside their place under another name, then renamed.
 //!
-//! What was there stays as it was until all is written. Devices, pipes and the standard streams are written to directly; of a
-//! symbolic link the file that it names is replaced. An existing file keeps its permissions, but not its hard links. Folders that
-//! are not there are made; `-` is the standard output.
+//! What was there stays as it was until all is written. Devices, pipes and the standard streams are
+//! written to directly; of a symbolic link the file that it names is replaced. An existing file
+//! keeps its permissions, but not its hard links. Folders that are not there are made; `-` is the
+//! standard output.
 
 mod destination;
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Pages that need nothing beside themselves.
 
-/// The style that all pages share: light and dark, and the colours of [`Colour`](crate::plot::Colour) in both.
+/// The style that all pages share: light and dark, and the colours of
+/// [`Colour`](crate::plot::Colour) in both.
 const STYLE: &str = include_str!("page.css");
 
 /// A page: `style` is added to the shared one, `body` is HTML.
@@ -16,7 +17,8 @@ pub fn page(title: &str, style: &str, body: &str) -> String {
 /// Width of charts that phones show whole, pixels.
 const PHONE: u32 = 400;
 
-/// A figure that fits its screen: drawn as it is by itself, and once more so wide as it is on phones.
+/// A figure that fits its screen: drawn as it is by itself, and once more so wide as it is on
+/// phones.
 ///
 /// # Errors
 /// As its drawing.
@@ -25,7 +27,8 @@ pub fn fitting<E>(draw: impl Fn(Option<u32>) -> Result<String, E>) -> Result<Str
     Ok(format!("<figure class=wide><div class=desk>{desk}</div><div class=phone>{phone}</div></figure>\n"))
 }
 
-/// `text` as HTML and XML, in elements and in attributes. Characters that XML does not have are replaced.
+/// `text` as HTML and XML, in elements and in attributes. Characters that XML does not have are
+/// replaced.
 pub fn escaped(text: &str) -> String {
     let mut html = String::with_capacity(text.len());
     for c in text.chars() {

@@ -55,9 +55,9 @@ fn anchor(fall: f64) -> Anchor {
     }
 }
 
-/// The graph as SVG: sets with code of their own in full boxes, others in dashed ones, each with its degrees of
-/// freedom; the legend says what the arrows stand for. Of many sets only how many there are with each number of closed
-/// contacts.
+/// The graph as SVG: sets with code of their own in full boxes, others in dashed ones, each with
+/// its degrees of freedom; the legend says what the arrows stand for. Of many sets only how many
+/// there are with each number of closed contacts.
 pub fn svg(modes: &Modes) -> String {
     Graph(modes).svg()
 }
@@ -87,7 +87,8 @@ impl Graph<'_> {
         svg.finished(&format!("Modes of {}", self.0.layout().name), size)
     }
 
-    /// The changes but those by which a contact closes and sticks at once: they pass over the boxes in which it slides.
+    /// The changes but those by which a contact closes and sticks at once: they pass over the boxes
+    /// in which it slides.
     fn drawn(&self) -> Vec<ModeTransition> {
         self.0.transitions.iter().filter(|of| of.change != Change::ClosesSticking).copied().collect()
     }

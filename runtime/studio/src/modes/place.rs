@@ -1,4 +1,5 @@
-//! Where the boxes stand: columns by the number of closed contacts, each in the middle of the height.
+//! Where the boxes stand: columns by the number of closed contacts, each in the middle of the
+//! height.
 
 use super::Node;
 use crate::plot::svg::plane::{Box2, Px};

@@ -41,7 +41,8 @@ pub(super) fn ladder() -> Trajectory {
     models![Ladder].find("ladder").unwrap().run(&spec).unwrap()
 }
 
-/// Dropped from a metre, g = 8 m/s²: it strikes the floor at ½ s with 4 m/s and leaves it with 2 m/s.
+/// Dropped from a metre, g = 8 m/s²: it strikes the floor at ½ s with 4 m/s and leaves it with 2
+/// m/s.
 pub(super) fn ball() -> Trajectory {
     let parameters = [("m", 1.0), ("g", 8.0), ("e", 0.5)];
     let spec = RunSpec::with(&parameters).start(&[("x", 0.0), ("y", 1.0), ("x'", 1.0)]).until("t = 2");

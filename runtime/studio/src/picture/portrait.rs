@@ -44,7 +44,8 @@ impl<'a> Portrait<'a> {
         Self { size: (width, height), ..self }
     }
 
-    /// As SVG text: starts as dots, events as rings, a rate that an impact changes at once as a dotted line.
+    /// As SVG text: starts as dots, events as rings, a rate that an impact changes at once as a
+    /// dotted line.
     ///
     /// # Errors
     /// A coordinate that the model does not have.

@@ -6,7 +6,8 @@ use crate::run_spec::RunSpec;
 /// Points nearer than this part of the size count as one only where they lie on one another.
 const APART: f64 = 1e-9;
 
-/// The start of a run or the nominal figure: the one of which the points are the better told apart and the angles seen.
+/// The start of a run or the nominal figure: the one of which the points are the better told apart
+/// and the angles seen.
 ///
 /// # Errors
 /// A spec that the model cannot start from.

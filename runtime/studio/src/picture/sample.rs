@@ -1,5 +1,5 @@
-//! Curves read off the dense output of a motion: as many points as a drawing needs, a gap where nothing is finite, and
-//! both values where an event makes one jump.
+//! Curves read off the dense output of a motion: as many points as a drawing needs, a gap where
+//! nothing is finite, and both values where an event makes one jump.
 
 use crate::registry::MotionError;
 use liftoff::Trajectory;
@@ -45,8 +45,8 @@ pub(super) fn traced(record: &Trajectory, x: Value, y: Value) -> Traced {
     over(record, x, y, record.interval())
 }
 
-/// Points of one output against another over an interval, dense enough for a drawing; a point that is not a number breaks
-/// the line where it jumps.
+/// Points of one output against another over an interval, dense enough for a drawing; a point that
+/// is not a number breaks the line where it jumps.
 ///
 /// # Errors
 /// An output that the model does not have.
@@ -107,7 +107,8 @@ pub(super) fn seen(values: impl Iterator<Item = f64>) -> [f64; 2] {
     if ends[0] <= ends[1] { ends } else { [0.0, 0.0] }
 }
 
-/// The same without what is near a pole: far from nearly all other values, and from those next to it too.
+/// The same without what is near a pole: far from nearly all other values, and from those next to
+/// it too.
 fn bounded(pieces: &[Piece], axis: usize) -> [f64; 2] {
     let all = pieces.iter().flat_map(|piece| &piece.points).map(|point| point[axis]);
     let mut finite: Vec<f64> = all.filter(|value| value.is_finite()).collect();

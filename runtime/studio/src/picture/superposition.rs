@@ -163,7 +163,8 @@ fn end(phase: &Phase) -> f64 {
     phase.spans.last().map_or(f64::NEG_INFINITY, |span| span[1])
 }
 
-/// Points that lines of the model go through: bodies, springs, threads; and points that are all there is.
+/// Points that lines of the model go through: bodies, springs, threads; and points that are all
+/// there is.
 struct Lines {
     heavy: Vec<Vec<usize>>,
     /// And until when: to the cut of a thread.

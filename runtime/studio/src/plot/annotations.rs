@@ -1,4 +1,5 @@
-//! What several panels over one axis share: shaded bands, lines across, words above, lines of text below.
+//! What several panels over one axis share: shaded bands, lines across, words above, lines of text
+//! below.
 
 use super::axes::{Axes, across};
 use super::legend::wide;
@@ -63,8 +64,8 @@ impl Annotations {
         }
     }
 
-    /// The words over the panels of a figure, none over another: names of bands in the lowest row, those of lines above;
-    /// none where they do not fit.
+    /// The words over the panels of a figure, none over another: names of bands in the lowest row,
+    /// those of lines above; none where they do not fit.
     pub(super) fn words(&self, x: &Axis, width: u32) -> Option<Vec<Placed>> {
         let mut words: Vec<Placed> = Vec::new();
         for band in self.bands.iter().filter(|band| !band.name.is_empty()) {

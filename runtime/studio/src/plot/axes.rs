@@ -17,7 +17,8 @@ pub(super) const MARGIN: f64 = 12.0;
 const WORD: Px = [6.6, 13.0];
 /// Half the width of a letter, upwards, in pixels.
 const HALF_LETTER: f64 = 5.0;
-/// Length of a tick, and from the axis to the middle of a label below it and to the end of one beside it, pixels.
+/// Length of a tick, and from the axis to the middle of a label below it and to the end of one
+/// beside it, pixels.
 const TICK: f64 = 5.0;
 const LABEL: Px = [10.0, 14.5];
 /// From the edges of the area to the middle of the names of the axes, pixels.
@@ -139,7 +140,8 @@ fn ticks(axis: &Axis, [start, end]: [f64; 2]) -> impl Iterator<Item = (f64, Stri
     axis.labelled().into_iter().filter(|&tick| (-1e-9..=1.0 + 1e-9).contains(&axis.part(tick))).map(at)
 }
 
-/// An axis at the left side of a frame with its labels left of it, or at the right side with labels right of it.
+/// An axis at the left side of a frame with its labels left of it, or at the right side with labels
+/// right of it.
 pub(super) fn upright(svg: &mut Svg, axis: &Axis, frame: Box2, side: f64) {
     let Box2 { least: [left, top], most: [right, bottom] } = frame;
     let (x, anchor) = if side < 0.0 { (left, Anchor::End) } else { (right, Anchor::Start) };

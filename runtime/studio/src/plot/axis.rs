@@ -22,7 +22,8 @@ pub struct Axis {
     pub name: String,
     /// Linear or logarithmic.
     pub scale: Scale,
-    /// From the first value drawn to the last, in the chart's direction: a descending pair turns it round.
+    /// From the first value drawn to the last, in the chart's direction: a descending pair turns it
+    /// round.
     pub range: [f64; 2],
     /// Values with a label; empty: chosen.
     pub ticks: Vec<f64>,
@@ -42,7 +43,8 @@ impl Axis {
         Self::linear(name, range)
     }
 
-    /// A logarithmic axis that holds `values`: over many decades it ends on powers of ten, over few on 1, 2 or 5 times one.
+    /// A logarithmic axis that holds `values`: over many decades it ends on powers of ten, over few
+    /// on 1, 2 or 5 times one.
     pub fn decades(name: &str, values: impl IntoIterator<Item = f64>) -> Self {
         let [low, high] = span(values.into_iter().map(f64::log10)).map(|place| 10f64.powf(place));
         let marks = logarithmic_marks([low / 1.1, high * 1.1]);
@@ -126,7 +128,8 @@ impl Axis {
     }
 }
 
-/// Least and greatest value; round a single one, or values that differ by rounding only, as much again.
+/// Least and greatest value; round a single one, or values that differ by rounding only, as much
+/// again.
 fn span(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
     let finite = values.into_iter().filter(|v| v.is_finite());
     let [low, high] = finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| [a.min(v), b.max(v)]);
@@ -149,7 +152,8 @@ fn round_step(width: f64, count: f64) -> f64 {
     times.unwrap_or(10.0) * unit
 }
 
-/// Powers of ten from below the range to above it; over less than three decades also twice and five times them.
+/// Powers of ten from below the range to above it; over less than three decades also twice and five
+/// times them.
 fn logarithmic_marks([low, high]: [f64; 2]) -> Vec<f64> {
     // Numbers end soon after.
     let [low, high] = [low, high].map(|end| end.clamp(1e-300, 1e300));

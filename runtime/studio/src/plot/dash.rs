@@ -31,8 +31,8 @@ impl Dash {
         Pen { dashes, ..Pen::new(colour, width) }
     }
 
-    /// The colour and the dashes of the curve of this number: no two of the first thirty are alike, and in grey print
-    /// the first five are told apart by their dashes.
+    /// The colour and the dashes of the curve of this number: no two of the first thirty are alike,
+    /// and in grey print the first five are told apart by their dashes.
     pub fn choose(number: usize) -> (Colour, Self) {
         const DASHES: [Dash; 5] = [Dash::Solid, Dash::Dashed, Dash::Dotted, Dash::Long, Dash::Sparse];
         (Colour::CURVES[number % Colour::CURVES.len()], DASHES[number % DASHES.len()])

@@ -40,7 +40,8 @@ pub struct LegendSquare {
     pub colour: Colour,
 }
 
-/// Draws the entries from left to right at the top of `area`, on as many lines as they need; what is left of it below.
+/// Draws the entries from left to right at the top of `area`, on as many lines as they need; what
+/// is left of it below.
 pub(super) fn lines(svg: &mut Svg, area: Box2, entries: &[LegendLine]) -> Box2 {
     let lengths = entries.iter().map(|entry| LONG + 30.0 + wide(&entry.name));
     let (places, rest) = places(area, 0.0, lengths);
@@ -80,7 +81,8 @@ pub(super) fn wide(text: &str) -> f64 {
     8.0 * text.chars().count() as f64
 }
 
-/// The left end and the middle of each entry, the first one indented; and what is left of the area below.
+/// The left end and the middle of each entry, the first one indented; and what is left of the area
+/// below.
 fn places(area: Box2, indent: f64, lengths: impl Iterator<Item = f64>) -> (Vec<[f64; 2]>, Box2) {
     let first = area.least[0] + LEFT + MARGIN;
     let (mut left, mut top) = (first + indent, area.least[1]);

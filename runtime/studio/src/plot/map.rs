@@ -26,7 +26,8 @@ const VIRIDIS: [[u8; 3]; 8] = [
 pub enum Shade {
     /// That of a category.
     Colour(Colour),
-    /// A place on the scale viridis, in 250ths: even to the eye and in grey, told apart by colour-blind readers too.
+    /// A place on the scale viridis, in 250ths: even to the eye and in grey, told apart by
+    /// colour-blind readers too.
     Step(u8),
 }
 
@@ -72,7 +73,8 @@ pub struct Dot {
     pub shade: Shade,
 }
 
-/// A map: rectangles and dots over two axes; legend and caption stand above, the colour bar to the right.
+/// A map: rectangles and dots over two axes; legend and caption stand above, the colour bar to the
+/// right.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Map {
     /// Horizontal axis.
@@ -111,7 +113,8 @@ impl Map {
         let axes = Axes::within(plot, [&self.x, &self.y]);
         for patch in &self.patches {
             let mut area = axes.rectangle([patch.x, patch.y]);
-            // It reaches a pixel under those drawn after it, so that no line is seen between neighbours.
+            // It reaches a pixel under those drawn after it, so that no line is seen between
+            // neighbours.
             area.most[0] = (area.most[0] + 1.0).min(axes.frame.most[0]);
             area.least[1] = (area.least[1] - 1.0).max(axes.frame.least[1]);
             svg.rectangle(area, patch.shade.fill());

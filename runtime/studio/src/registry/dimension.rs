@@ -5,8 +5,8 @@ use liftoff_core::model::{self, Layout};
 /// Powers of length, time and mass.
 pub type Dimension = [f64; 3];
 
-/// The dimension of each parameter; none where the model has numbers with a dimension in it, or a parameter whose dimension its
-/// equations leave open.
+/// The dimension of each parameter; none where the model has numbers with a dimension in it, or a
+/// parameter whose dimension its equations leave open.
 pub(super) fn of_parameters(layout: &Layout) -> Option<Vec<Dimension>> {
     let powers = |dimension: &Option<model::Dimension>| dimension.map(|dimension| dimension.powers());
     layout.covariant.then(|| layout.dimensions.iter().map(powers).collect()).flatten()

@@ -99,7 +99,8 @@ impl Entry {
         Ok(self.for_interpreter()?.precise(&self.model(parameters)?.parameters))
     }
 
-    /// The model on values with their derivatives, given those of all parameters in the order of the layout.
+    /// The model on values with their derivatives, given those of all parameters in the order of
+    /// the layout.
     ///
     /// # Errors
     /// The declaration cannot be derived again.
@@ -150,8 +151,9 @@ impl Entry {
         Ok(run)
     }
 
-    /// Runs it with these options and keeps the events and the last state alone: however long the run, it takes no more memory
-    /// than its events do. The observer sees each step; `&mut ()` looks at none.
+    /// Runs it with these options and keeps the events and the last state alone: however long the
+    /// run, it takes no more memory than its events do. The observer sees each step; `&mut ()`
+    /// looks at none.
     pub fn observe_by(
         &self,
         options: RunOptions,
@@ -170,8 +172,9 @@ impl Entry {
         self.measure(spec, request, &mut || ControlFlow::Continue(()))
     }
 
-    /// Measures its error against its run time, method by method and tolerance by tolerance, until `go_on` breaks; that is
-    /// asked before each in each of the [rounds](liftoff_verification::precision::ROUNDS).
+    /// Measures its error against its run time, method by method and tolerance by tolerance, until
+    /// `go_on` breaks; that is asked before each in each of the
+    /// [rounds](liftoff_verification::precision::ROUNDS).
     pub fn measure(
         &self,
         spec: &RunSpec,

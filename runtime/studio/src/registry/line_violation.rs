@@ -1,4 +1,5 @@
-//! Points that start behind a line although nothing is wrong with the contacts: lines keep only what is declared on them.
+//! Points that start behind a line although nothing is wrong with the contacts: lines keep only
+//! what is declared on them.
 
 use super::Configuration;
 use liftoff_core::model::geometry::{Fixture, Shape};

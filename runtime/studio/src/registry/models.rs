@@ -36,8 +36,9 @@ impl Models {
     }
 }
 
-/// [`Models`](crate::registry::Models) of these types: each derives `BarSystem`. Where it implements
-/// [`DefaultRun`](crate::run_spec::DefaultRun) too, its default run is known; where it does not, every run says its parameters.
+/// [`Models`](crate::registry::Models) of these types: each derives `BarSystem`. Where it
+/// implements [`DefaultRun`](crate::run_spec::DefaultRun) too, its default run is known; where it
+/// does not, every run says its parameters.
 ///
 /// ```
 /// use liftoff::prelude::*;

@@ -36,8 +36,8 @@ impl Place {
         }
     }
 
-    /// Refuses a unit that does not measure what has this name. Of unknown names, and where the declaration leaves the dimension
-    /// of a parameter open, every unit is taken.
+    /// Refuses a unit that does not measure what has this name. Of unknown names, and where the
+    /// declaration leaves the dimension of a parameter open, every unit is taken.
     pub fn check_unit(self, layout: &'static Layout, name: &str, unit: Option<SiUnit>) -> Result<(), String> {
         let measured = if self == Self::Release { "t" } else { name };
         let checked = Units::from_layout(layout).check(measured, unit);

@@ -1,4 +1,5 @@
-//! Numbers as expressions of named variables, with a unit behind them: `75*pi/180`, `2.5 mm`, `lambda deg`.
+//! Numbers as expressions of named variables, with a unit behind them: `75*pi/180`, `2.5 mm`,
+//! `lambda deg`.
 
 use core::fmt;
 use liftoff::__private::expression::si_unit::SiUnit;

@@ -159,7 +159,8 @@ impl Default for RunSpec {
 
 /// A bar system with a default run.
 ///
-/// It is known by the struct's name (`StepLadder` as `step-ladder`) and by the first paragraph of its documentation.
+/// It is known by the struct's name (`StepLadder` as `step-ladder`) and by the first paragraph of
+/// its documentation.
 pub trait DefaultRun {
     /// The default run; it gives all parameters.
     fn default_run() -> RunSpec;

@@ -14,7 +14,8 @@ pub struct Unfolded {
 }
 
 impl Entry {
-    /// Both halves of a mirrored model, interpreted: no compiler has seen them. Its default run has the parameters of this one.
+    /// Both halves of a mirrored model, interpreted: no compiler has seen them. Its default run has
+    /// the parameters of this one.
     ///
     /// # Errors
     /// It has no mirror, or both halves are no model.
@@ -27,12 +28,14 @@ impl Entry {
 }
 
 impl Unfolded {
-    /// The model of both halves. Coordinates of the mirrored model keep their names; the image of `phi` is `phi_image`.
+    /// The model of both halves. Coordinates of the mirrored model keep their names; the image of
+    /// `phi` is `phi_image`.
     pub fn model(&self) -> &Entry {
         &self.model
     }
 
-    /// All coordinates of a symmetric position, given those of the mirrored model in the order of its layout.
+    /// All coordinates of a symmetric position, given those of the mirrored model in the order of
+    /// its layout.
     ///
     /// # Errors
     /// Parameters that it does not have, or that are not given.
@@ -42,7 +45,8 @@ impl Unfolded {
         Ok(names.zip(self.halves.position(&parameters, mirrored)).collect())
     }
 
-    /// Π: the mirror image of a displacement δq from a symmetric position, as joints allow it, is Π δq.
+    /// Π: the mirror image of a displacement δq from a symmetric position, as joints allow it, is Π
+    /// δq.
     ///
     /// # Errors
     /// Parameters that it does not have, or that are not given.

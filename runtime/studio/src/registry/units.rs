@@ -3,7 +3,8 @@
 use liftoff::__private::expression::si_unit::{SiUnit, si_unit, unit};
 use liftoff_core::model::{self, Layout};
 
-/// What parameters of a model are measured in, as far as its declaration tells, and outputs with them.
+/// What parameters of a model are measured in, as far as its declaration tells, and outputs with
+/// them.
 pub struct Units {
     layout: &'static Layout,
     parameters: Vec<Option<SiUnit>>,

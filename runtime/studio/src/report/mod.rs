@@ -1,5 +1,5 @@
-//! A model on one self-contained page: declaration and drawing, equations, contact sets, default run, error against run time,
-//! numerical checks.
+//! A model on one self-contained page: declaration and drawing, equations, contact sets, default
+//! run, error against run time, numerical checks.
 
 mod audit;
 mod equations;
@@ -76,7 +76,8 @@ pub struct Report {
     pub missing: Vec<String>,
 }
 
-/// The report of a model, with sliders where there is an engine; none where `go_on`, which is asked before each part, breaks.
+/// The report of a model, with sliders where there is an engine; none where `go_on`, which is asked
+/// before each part, breaks.
 pub fn report(
     model: &'static Entry,
     engine: Option<Engine>,

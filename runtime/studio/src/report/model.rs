@@ -63,7 +63,8 @@ fn meaning_or_kind(meaning: &str, kind: &str) -> String {
     if meaning.is_empty() { kind.to_owned() } else { escaped(meaning) }
 }
 
-/// In SI units: `kg m²/s²`; empty where powers are no whole numbers, as of parameters that only occur as a product.
+/// In SI units: `kg m²/s²`; empty where powers are no whole numbers, as of parameters that only
+/// occur as a product.
 fn unit([length, time, mass]: Dimension) -> String {
     let powers = [("kg", mass), ("m", length), ("s", time)];
     if powers.iter().any(|(_, power)| power.fract() != 0.0) {

@@ -1,4 +1,5 @@
-//! The default run in pictures: coordinates, reactions and energies against time, and positions on the way.
+//! The default run in pictures: coordinates, reactions and energies against time, and positions on
+//! the way.
 
 use super::Subject;
 use crate::html::fitting;

@@ -3,7 +3,8 @@
 use super::Mistake;
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 
-/// All mistakes, each with its line and what it is about underlined; in the colours of a terminal where they are asked for.
+/// All mistakes, each with its line and what it is about underlined; in the colours of a terminal
+/// where they are asked for.
 pub fn rendered(path: &str, source: &str, mistakes: &[Mistake], coloured: bool) -> String {
     let renderer = if coloured { Renderer::styled() } else { Renderer::plain() };
     let report = mistakes.iter().map(|Mistake { text, at }| {

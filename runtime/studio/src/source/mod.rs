@@ -1,4 +1,5 @@
-//! What a source file declares, before anything compiles it: its equations, and its models to be run.
+//! What a source file declares, before anything compiles it: its equations, and its models to be
+//! run.
 
 mod diagnostics;
 
@@ -83,7 +84,8 @@ fn parse_file(source: &str) -> Result<File, Vec<Mistake>> {
     syn::parse2(tokens).map_err(|errors| mistakes(errors).into_iter().map(placed).collect())
 }
 
-/// Blanks in place of a byte order mark and of a line `#!/usr/bin/…`, so that all else stays where it is.
+/// Blanks in place of a byte order mark and of a line `#!/usr/bin/…`, so that all else stays where
+/// it is.
 fn without_head(source: &str) -> String {
     const MARK: &str = "\u{feff}";
     let marked = if source.starts_with(MARK) { MARK.len() } else { 0 };

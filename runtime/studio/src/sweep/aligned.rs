@@ -1,7 +1,7 @@
 //! Tables as text, of sweeps and of runs.
 
-/// A line for each row, columns as wide as their widest entry: to the right, that of `left` to the left. Rows may be shorter than
-/// the first.
+/// A line for each row, columns as wide as their widest entry: to the right, that of `left` to the
+/// left. Rows may be shorter than the first.
 pub fn aligned(rows: &[Vec<String>], left: Option<usize>) -> Vec<String> {
     let mut columns = Columns::default();
     rows.iter().for_each(|row| columns.widen(row));

@@ -1,12 +1,14 @@
-//! Curves in the plane of two varied names across which what is observed changes, followed by continuation: from a point x of a curve
-//! with the unit tangent t and the normal n, in parts of the ranges,
+//! Curves in the plane of two varied names across which what is observed changes, followed by
+//! continuation: from a point x of a curve with the unit tangent t and the normal n, in parts of
+//! the ranges,
 //!
 //! ```text
 //! y = x + h t,    x′ on y + s n, where what is observed changes from the one to the other,    t′ ∥ x′ − x
 //! ```
 //!
-//! A curve is found on a coarse grid and followed both ways, to the edge of the ranges, to itself, or to where a third outcome meets the
-//! two. No derivative is taken: a contact that touches and one that is first are found alike.
+//! A curve is found on a coarse grid and followed both ways, to the edge of the ranges, to itself,
+//! or to where a third outcome meets the two. No derivative is taken: a contact that touches and
+//! one that is first are found alike.
 
 use super::criterion::Criterion;
 use super::plan::Plan;
@@ -25,7 +27,8 @@ const TURN: f64 = 0.7;
 const TURNS: [f64; 7] = [0.0, 0.5, -0.5, 1.0, -1.0, 1.4, -1.4];
 /// How far from the step the curve is looked for, in steps.
 const REACH: [f64; 4] = [0.05, 0.2, 0.5, 1.0];
-/// A third outcome between two within this, in parts of the ranges, is that of events which the tolerance of runs takes for one.
+/// A third outcome between two within this, in parts of the ranges, is that of events which the
+/// tolerance of runs takes for one.
 const SLIVER: f64 = 1e-6;
 /// Parts of a bracket of which the ends are looked at together.
 const PARTS: usize = 8;
@@ -145,7 +148,8 @@ impl Tracer<'_> {
         Ok(found.into_iter().map(|(_, boundary)| boundary).collect())
     }
 
-    /// Changes from one end of an edge to the other, each with a guess of its direction, across the edge.
+    /// Changes from one end of an edge to the other, each with a guess of its direction, across the
+    /// edge.
     fn changes(
         &self,
         (mut from, to): (Place, Place),
@@ -257,7 +261,8 @@ impl Tracer<'_> {
         self.across(&here.sides, ahead, along.map(|x| sign * x), room.max(SMALLEST))
     }
 
-    /// The change from the left side to the right one nearest to a place, along a direction that points to the left.
+    /// The change from the left side to the right one nearest to a place, along a direction that
+    /// points to the left.
     fn across(&self, sides: &Sides, at: Place, n: Place, step: f64) -> Result<Option<Place>, SweepError> {
         let ends =
             |reach: &f64| [reach * step, -reach * step].map(|by| moved(at, n, by).map(|x| x.clamp(0.0, 1.0)));
@@ -271,7 +276,8 @@ impl Tracer<'_> {
         }
     }
 
-    /// The place between two at which the one side ends and the other begins, if nothing but a sliver lies between.
+    /// The place between two at which the one side ends and the other begins, if nothing but a
+    /// sliver lies between.
     fn crossing(&self, sides: &Sides, a: Place, b: Place) -> Result<Option<Place>, SweepError> {
         let left = self.edge_of(&sides.left, a, b)?;
         let right = self.edge_of(&sides.right, b, a)?;

@@ -56,7 +56,8 @@ impl<'a> Sweep<'a> {
         self
     }
 
-    /// Varies a parameter, a coordinate or rate at the start, or a name that settings use: see [`Varied::parse`].
+    /// Varies a parameter, a coordinate or rate at the start, or a name that settings use: see
+    /// [`Varied::parse`].
     pub fn vary(mut self, text: &str) -> Result<Self, SweepError> {
         self.varied.push(Varied::parse(text)?);
         Ok(self)
@@ -79,7 +80,8 @@ impl<'a> Sweep<'a> {
         self.assign(Place::Start, text)
     }
 
-    /// Starts with the energy of a pose at rest: sets one of its coordinates, `name=formula` of the varied names.
+    /// Starts with the energy of a pose at rest: sets one of its coordinates, `name=formula` of the
+    /// varied names.
     pub fn energy_of(self, text: &str) -> Result<Self, SweepError> {
         self.assign(Place::EnergyOf, text)
     }
@@ -94,7 +96,8 @@ impl<'a> Sweep<'a> {
         Ok(self)
     }
 
-    /// Reads this of each member: see [`Observation`]. For a threshold of a number `observation = value`.
+    /// Reads this of each member: see [`Observation`]. For a threshold of a number
+    /// `observation = value`.
     pub fn observe(mut self, text: &str) -> Result<Self, SweepError> {
         let (observation, criterion) = Criterion::split(text)?;
         self.observations.push(Observation::parse(observation, self.model.layout())?);

@@ -1,4 +1,5 @@
-//! The table of a sweep as a columnar file: columns with units, rows, and what the file says of the sweep.
+//! The table of a sweep as a columnar file: columns with units, rows, and what the file says of the
+//! sweep.
 
 use super::cell::{Cell, Outcome};
 use super::journal::Identity;
@@ -12,7 +13,8 @@ use std::path::Path;
 const KINDS: [(Kind, &str); 3] = [(Kind::Integer, "integer"), (Kind::Number, "number"), (Kind::Text, "text")];
 
 impl Sweep<'_> {
-    /// Refuses a sweep whose table would have two columns of one name, which columnar files cannot have.
+    /// Refuses a sweep whose table would have two columns of one name, which columnar files cannot
+    /// have.
     ///
     /// # Errors
     /// The name.

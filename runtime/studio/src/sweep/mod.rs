@@ -1,9 +1,10 @@
 //! Many runs of one model over ranges of its parameters and starts.
 //!
-//! A [`Sweep`] varies names: over grids, at random, or along Sobol's sequence. A varied name is a parameter, a coordinate or
-//! rate at the start, or a name of its own that settings use in their formulas. Of each member [`Observation`]s are read,
-//! on the thread that ran it; a member ends as soon as all has been seen that is observed. A member's values depend neither
-//! on the number of threads nor on the other members.
+//! A [`Sweep`] varies names: over grids, at random, or along Sobol's sequence. A varied name is a
+//! parameter, a coordinate or rate at the start, or a name of its own that settings use in their
+//! formulas. Of each member [`Observation`]s are read, on the thread that ran it; a member ends as
+//! soon as all has been seen that is observed. A member's values depend neither on the number of
+//! threads nor on the other members.
 //!
 //! ```
 //! use liftoff::prelude::*;
@@ -34,11 +35,13 @@
 //! # Ok::<(), Box<dyn core::error::Error>>(())
 //! ```
 //!
-//! With a [journal](Sweep::journal) a sweep that was interrupted goes on where it was, and a sample that is enlarged computes
-//! what is new; of a journal that was damaged it computes the damaged rows once more. [`Sweep::run_shard`] computes a part of a
-//! sweep, in memory of a few bytes a member, and [`merge`] makes the parts one table; processes that send each other messages
-//! ([`Processes`](liftoff_processes::Processes)) share one by [`Sweep::team`] and [`Sweep::work`]. [`Sweep::thresholds`] narrows
-//! down where what is observed changes, [`Sweep::boundaries`] follows the curves in a plane across which it does.
+//! With a [journal](Sweep::journal) a sweep that was interrupted goes on where it was, and a sample
+//! that is enlarged computes what is new; of a journal that was damaged it computes the damaged
+//! rows once more. [`Sweep::run_shard`] computes a part of a sweep, in memory of a few bytes a
+//! member, and [`merge`] makes the parts one table; processes that send each other messages
+//! ([`Processes`](liftoff_processes::Processes)) share one by [`Sweep::team`] and [`Sweep::work`].
+//! [`Sweep::thresholds`] narrows down where what is observed changes, [`Sweep::boundaries`] follows
+//! the curves in a plane across which it does.
 
 mod aligned;
 mod boundary;

@@ -1,4 +1,5 @@
-//! What is read of each member: `first open`, `first open phi`, `t of last impact`, `count impact`, `max N(A)`, `end`.
+//! What is read of each member: `first open`, `first open phi`, `t of last impact`, `count impact`,
+//! `max N(A)`, `end`.
 
 use super::SweepError;
 use liftoff::__private::event::Occurrence;

@@ -4,8 +4,9 @@ use super::plan::Plan;
 use super::{MOST_MEMBERS, Outcome, Spread, Sweep, SweepError, Varied};
 
 impl Sweep<'_> {
-    /// Runs as many members as each name has values: the first takes the first of all names, and so on. Nothing is kept: what was
-    /// read of each is told as soon as it has run, from any thread; members that were not run are not told.
+    /// Runs as many members as each name has values: the first takes the first of all names, and so
+    /// on. Nothing is kept: what was read of each is told as soon as it has run, from any thread;
+    /// members that were not run are not told.
     pub fn each_paired(&self, told: &(dyn Fn(usize, Outcome) + Sync)) -> Result<(), SweepError> {
         let plan = Plan::new(self)?;
         let columns = listed(&self.varied)?;

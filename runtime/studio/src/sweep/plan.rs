@@ -102,8 +102,8 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// Runs the members at these points and passes each outcome on with its index among them, from any thread; stops where the
-    /// sweep is stopped or telling fails.
+    /// Runs the members at these points and passes each outcome on with its index among them, from
+    /// any thread; stops where the sweep is stopped or telling fails.
     pub(super) fn run(
         &self,
         points: &(dyn Fn(usize) -> Vec<f64> + Sync),
@@ -136,7 +136,8 @@ impl<'a> Plan<'a> {
         failed.into_inner().unwrap_or_else(PoisonError::into_inner).map_or(Ok(()), Err)
     }
 
-    /// What came of these members; of those that have not been begun within the time of a batch nothing.
+    /// What came of these members; of those that have not been begun within the time of a batch
+    /// nothing.
     pub(super) fn batch(&self, pool: Option<&ThreadPool>, members: &[Given]) -> Vec<Found> {
         let (begun, stop) = (Instant::now(), AtomicBool::new(self.is_cancelled()));
         let found = Mutex::new(Vec::with_capacity(members.len()));

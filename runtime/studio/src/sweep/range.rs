@@ -73,8 +73,8 @@ impl Spread {
 }
 
 impl Varied {
-    /// Reads `name=low:high:count`, `name=low:high`, either with `:log` behind it, or `name=value,value,…`. Ends and
-    /// values are formulas: `phi=0.1:pi/2:50`.
+    /// Reads `name=low:high:count`, `name=low:high`, either with `:log` behind it, or
+    /// `name=value,value,…`. Ends and values are formulas: `phi=0.1:pi/2:50`.
     ///
     /// # Errors
     /// Another form, a range that is empty or reversed, a value that is no number.

@@ -61,14 +61,15 @@ impl Sweep<'_> {
         Ok((plan, self.sample.points(&self.varied)?))
     }
 
-    /// Where what is observed changes along the one name that is varied: every change between neighbours of a coarse grid,
-    /// narrowed down to this width by bisection.
+    /// Where what is observed changes along the one name that is varied: every change between
+    /// neighbours of a coarse grid, narrowed down to this width by bisection.
     pub fn thresholds(&self, width: f64) -> Result<Vec<Threshold>, SweepError> {
         thresholds(&Plan::new(self)?, &self.varied, &self.criterion, width)
     }
 
-    /// The curves in the plane of the two names that are varied across which what is observed changes, found on a coarse grid and
-    /// followed by continuation, each point to within this part of the ranges.
+    /// The curves in the plane of the two names that are varied across which what is observed
+    /// changes, found on a coarse grid and followed by continuation, each point to within this part
+    /// of the ranges.
     pub fn boundaries(&self, width: f64) -> Result<Vec<Boundary>, SweepError> {
         boundaries(&Plan::new(self)?, &self.varied, &self.criterion, width)
     }

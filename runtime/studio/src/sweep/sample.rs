@@ -19,12 +19,13 @@ pub enum Sample {
         /// What they are drawn from.
         seed: u64,
     },
-    /// So many points of Sobol's sequence with the directions of Joe and Kuo, which fills the ranges more evenly.
+    /// So many points of Sobol's sequence with the directions of Joe and Kuo, which fills the
+    /// ranges more evenly.
     Sobol {
         /// Number of points.
         count: usize,
-        /// What the whole sequence is shifted by, modulo its ranges; none: not at all, so that the first point is at the
-        /// lower ends.
+        /// What the whole sequence is shifted by, modulo its ranges; none: not at all, so that the
+        /// first point is at the lower ends.
         seed: Option<u64>,
     },
 }
@@ -217,7 +218,8 @@ mod tests {
         assert_eq!(few, many[..10]);
         assert_ne!(few, other);
         assert!(many.iter().all(|point| (2.0..3.0).contains(&point[0]) && (1.0..100.0).contains(&point[1])));
-        // Half of the values below the middle: the geometric one of the logarithmic range; ± 4 standard deviations.
+        // Half of the values below the middle: the geometric one of the logarithmic range; ± 4
+        // standard deviations.
         let below = |i: usize, middle: f64| many.iter().filter(|point| point[i] < middle).count();
         assert!((437..563).contains(&below(0, 2.5)) && (437..563).contains(&below(1, 10.0)));
     }

@@ -13,7 +13,8 @@ const LISTED: usize = 10;
 pub const SHOWN: usize = 20;
 
 impl Table {
-    /// How many members, what was observed how often, least, median and greatest numbers, which failed and why.
+    /// How many members, what was observed how often, least, median and greatest numbers, which
+    /// failed and why.
     pub fn summary(&self) -> String {
         summary(self)
     }

@@ -16,7 +16,8 @@ pub struct Table {
     pub total: usize,
     /// How many of the rows were computed now; a journal had the others.
     pub computed: usize,
-    /// How many lines of the journal were not as they had been written; their members were computed once more.
+    /// How many lines of the journal were not as they had been written; their members were computed
+    /// once more.
     pub damaged: usize,
     pub(super) varied: Vec<Varied>,
     pub(super) observations: Vec<Observation>,
@@ -77,8 +78,8 @@ impl Table {
         crate::file::write(path, self.csv()).map_err(failed)
     }
 
-    /// Writes the same to a columnar file, all of it or nothing: columns with units; numbers and names that a member does not
-    /// have are missing there.
+    /// Writes the same to a columnar file, all of it or nothing: columns with units; numbers and
+    /// names that a member does not have are missing there.
     ///
     /// # Errors
     /// Two columns have one name; the build does not have the format; the file cannot be written.

@@ -24,7 +24,8 @@ pub fn figure_so_wide(rows: &[WorkPrecisionRow], width: Option<u32>) -> String {
     Figure { description, size: (width, height * charts.len().max(1) as u32) }.charts(&charts)
 }
 
-/// The panels of all systems; those without a point to show are left out. A method has one colour in all of them.
+/// The panels of all systems; those without a point to show are left out. A method has one colour
+/// in all of them.
 pub fn charts(rows: &[WorkPrecisionRow]) -> Vec<Chart> {
     let run = ("largest error over the run", (|row| row.run_error) as Quantity);
     let state = ("error of the final state", (|row| row.state_error) as Quantity);

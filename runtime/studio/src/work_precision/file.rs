@@ -47,7 +47,8 @@ pub fn written(rows: &[WorkPrecisionRow], path: &Path) -> Result<(), FileError> 
     crate::file::write(path, table).map_err(|error| failed(error.into()))
 }
 
-/// A line as scripts of other tools print it. On `fig1a` the error is that of the first event, on others of the state.
+/// A line as scripts of other tools print it. On `fig1a` the error is that of the first event, on
+/// others of the state.
 #[derive(serde::Deserialize)]
 struct Line {
     scene: String,
@@ -57,9 +58,9 @@ struct Line {
     microseconds: f64,
 }
 
-/// Rows of another tool, named after the file, from CSV with the columns `scene,tolerance,error,end_error,microseconds`.
-/// The scene `fig1a` is the model `falling-pair`: its `error` is that of the lift-off, `end_error` that of the end, both
-/// times.
+/// Rows of another tool, named after the file, from CSV with the columns
+/// `scene,tolerance,error,end_error,microseconds`. The scene `fig1a` is the model `falling-pair`:
+/// its `error` is that of the lift-off, `end_error` that of the end, both times.
 pub fn peers(path: &Path) -> Result<Vec<WorkPrecisionRow>, FileError> {
     let failed = |source| FileError::File { what: "read", path: path.to_owned(), source };
     let tool = path.file_stem().map_or("peer".into(), |stem| stem.to_string_lossy().into_owned());

@@ -38,7 +38,8 @@ pub enum Expected {
     Refusal(String),
     /// These numbers, or else a typed error.
     Either(Vec<Expectation>),
-    /// This text and these numbers; with an error that begins with `excuse` there is nothing to compare, and no verdict.
+    /// This text and these numbers; with an error that begins with `excuse` there is nothing to
+    /// compare, and no verdict.
     Unless {
         /// The exact text of the answer.
         text: String,

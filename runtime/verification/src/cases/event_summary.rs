@@ -15,8 +15,8 @@ pub fn first(record: &Trajectory) -> String {
     after_start(record).first().map_or_else(String::new, describe)
 }
 
-/// The same where a reaction or gap touches zero exactly: no floating point tells that from a crossing within rounding,
-/// so that it may be called undecided or not.
+/// The same where a reaction or gap touches zero exactly: no floating point tells that from a
+/// crossing within rounding, so that it may be called undecided or not.
 pub fn touched(record: &Trajectory) -> String {
     after_start(record).first().map_or_else(String::new, kind_and_supports)
 }
@@ -48,7 +48,8 @@ fn after_start(record: &Trajectory) -> &[Event] {
     record.events().get(1..).unwrap_or_default()
 }
 
-/// One event: kind and supports, `open P, Q`; ` (undecided)` after a touch whose side is not resolved.
+/// One event: kind and supports, `open P, Q`; ` (undecided)` after a touch whose side is not
+/// resolved.
 pub fn describe(event: &Event) -> String {
     let undecided = if event.is_undecided() { " (undecided)" } else { "" };
     kind_and_supports(event) + undecided

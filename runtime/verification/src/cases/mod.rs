@@ -1,5 +1,5 @@
-//! Numerical checks: cases with the outcome that mechanics, a closed form or another way of computing demands, the
-//! outcome measured, and a verdict.
+//! Numerical checks: cases with the outcome that mechanics, a closed form or another way of
+//! computing demands, the outcome measured, and a verdict.
 //!
 //! A [`Group`] has cases about one difficulty, written for its scenes.
 //!

@@ -2,7 +2,8 @@
 
 use super::verdict::{Outcome, Verdict};
 
-/// One line for each case: outcome, id, method, what was expected and what was measured, what the judge finds.
+/// One line for each case: outcome, id, method, what was expected and what was measured, what the
+/// judge finds.
 pub fn text(verdicts: &[Verdict]) -> String {
     let width = |of: fn(&Verdict) -> &str| verdicts.iter().map(|v| of(v).chars().count()).max().unwrap_or(0);
     let [id, expected] = [width(|v| &v.id), width(|v| &v.expected)];

@@ -84,7 +84,8 @@ impl Case {
         self.measured(limit, &|| false).1
     }
 
-    /// The same; none where meanwhile `is_enough`, which is asked many times a second. What goes on is left to itself.
+    /// The same; none where meanwhile `is_enough`, which is asked many times a second. What goes on
+    /// is left to itself.
     pub fn judge_unless(self, limit: Duration, is_enough: &dyn Fn() -> bool) -> Option<Verdict> {
         let (is_whole, verdict) = self.measured(limit, is_enough);
         is_whole.then_some(verdict)

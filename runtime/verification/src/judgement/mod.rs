@@ -1,4 +1,5 @@
-//! Runs before an independent judge, which shares neither equations nor contact decisions with them.
+//! Runs before an independent judge, which shares neither equations nor contact decisions with
+//! them.
 
 mod conditions;
 mod record;
@@ -44,7 +45,8 @@ pub fn judge(run: &Trajectory, held: &[&str]) -> Verdict {
     ask(run, held, |judge, record| judge.verdict(record, MOST_WORK))
 }
 
-/// What must hold of any motion, asked of a run: no jump, no penetration, nothing that pulls, no energy gained.
+/// What must hold of any motion, asked of a run: no jump, no penetration, nothing that pulls, no
+/// energy gained.
 pub fn audit(run: &Trajectory, held: &[&str]) -> Verdict {
     ask(run, held, Judge::audit)
 }
@@ -69,7 +71,8 @@ fn keep(run: &Trajectory, testimony: Result<Testimony, Verdict>) {
     WITNESSED.with(|last| *last.borrow_mut() = Some(witnessed));
 }
 
-/// What is found, in passing, of the last run that this thread was a witness of; none if there was none.
+/// What is found, in passing, of the last run that this thread was a witness of; none if there was
+/// none.
 pub(crate) fn found() -> Option<Opinion> {
     let Witnessed { testimony, audit } = WITNESSED.with(RefCell::take)?;
     let judge = match testimony {

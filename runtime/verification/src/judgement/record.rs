@@ -8,8 +8,8 @@ use super::conditions::translated;
 
 /// Where in a segment states are compared.
 const INSIDE: [f64; 3] = [0.23, 0.5, 0.81];
-/// Natural units relative to the largest entry: far above the error of a run at a tight tolerance, far below what another
-/// decision makes. At a loose one errors are [`GROWN`] tolerances.
+/// Natural units relative to the largest entry: far above the error of a run at a tight tolerance,
+/// far below what another decision makes. At a loose one errors are [`GROWN`] tolerances.
 const WITHIN: f64 = 1e-6;
 /// Tolerances of a run that its errors come to.
 const GROWN: f64 = 1e4;
@@ -119,7 +119,8 @@ fn convert_event(run: &Trajectory, event: &Event) -> Option<RecordedEvent> {
     Some(RecordedEvent { t: event.t, change, contacts: names(event), state })
 }
 
-/// What an event is to the judge; none if it is nothing that changes a motion or that the judge waits for.
+/// What an event is to the judge; none if it is nothing that changes a motion or that the judge
+/// waits for.
 pub(crate) fn change_of(run: &Trajectory, event: &Event) -> Option<Change> {
     Some(match event.kind {
         EventKind::Open | EventKind::Slack => Change::Open,

@@ -89,7 +89,8 @@ pub struct Measurement {
     pub method: &'static str,
     /// Relative tolerance of the run.
     pub tolerance: f64,
-    /// Error of the final state, see [`Reference::state_error`]; none where there is nothing to compare.
+    /// Error of the final state, see [`Reference::state_error`]; none where there is nothing to
+    /// compare.
     pub state_error: Option<f64>,
     /// The largest over the run, see [`Reference::run_error`].
     pub run_error: Option<f64>,
@@ -110,8 +111,9 @@ pub struct Measurement {
 }
 
 impl Precision {
-    /// Makes the reference, with the simulation's own method for the order of events. Where that cannot be made the
-    /// measurements have times but no errors. `system` makes the model's equations in double-double, see [`Reference::compute`].
+    /// Makes the reference, with the simulation's own method for the order of events. Where that
+    /// cannot be made the measurements have times but no errors. `system` makes the model's
+    /// equations in double-double, see [`Reference::compute`].
     pub fn new(simulation: Simulation, system: impl Fn(&[f64]) -> Arc<dyn System<DoubleDouble>>) -> Self {
         let verdict = Verdict::NotJudged { why: "there is no motion".to_owned() };
         let truth = Err(ReferenceError::from(ReplayError::Empty).into());

@@ -1,5 +1,6 @@
-//! A reference by the independent judge: its own motion, its own events, twice with series of different order. Of the run it
-//! has the start, what is done and waited for, and the names that its events go by.
+//! A reference by the independent judge: its own motion, its own events, twice with series of
+//! different order. Of the run it has the start, what is done and waited for, and the names that
+//! its events go by.
 
 use liftoff::{Event, EventKind};
 use liftoff::{Scales, Trajectory};
@@ -15,7 +16,8 @@ use std::sync::Arc;
 
 /// Terms of the series the second time.
 const FEWER: usize = Task::TERMS - 5;
-/// An event of the run and one of the judge's further apart than this, relative or in natural times, are two.
+/// An event of the run and one of the judge's further apart than this, relative or in natural
+/// times, are two.
 const NEAR: f64 = 1e-6;
 
 pub(super) fn judged(
@@ -109,7 +111,8 @@ impl<'a> Pairing<'a> {
         found.is_empty() || found.iter().any(|&i| event.supports.iter().any(|name| self.contacts[i] == *name))
     }
 
-    /// Of infinitely many impacts runs sum up more or less: the judge's are put in, and those that need not be are marked.
+    /// Of infinitely many impacts runs sum up more or less: the judge's are put in, and those that
+    /// need not be are marked.
     fn sum_up(&self, all: &mut Vec<ReferenceEvent>) -> Result<(), ReferenceError> {
         let settles: Vec<Event> =
             self.run.events().iter().filter(|event| event.kind == EventKind::Settle).cloned().collect();

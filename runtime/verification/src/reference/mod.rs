@@ -1,12 +1,14 @@
 //! A motion to more digits than doubles have, by a method that had no part in it.
 //!
-//! By the independent judge, which has of the finished run only its start and what was asked for. What is beyond the judge is
-//! replayed: the run tells which contacts were closed when, and which guard ended each phase. Each phase is integrated in
-//! double-double by Gragg's extrapolated method, to the root of that guard nearest to where the run found it; impacts are
-//! solved from the contacts that acted. What is trusted of the run is then its contact sets, its equations and the order of its
-//! events.
+//! By the independent judge, which has of the finished run only its start and what was asked for.
+//! What is beyond the judge is replayed: the run tells which contacts were closed when, and which
+//! guard ended each phase. Each phase is integrated in double-double by Gragg's extrapolated
+//! method, to the root of that guard nearest to where the run found it; impacts are solved from the
+//! contacts that acted. What is trusted of the run is then its contact sets, its equations and the
+//! order of its events.
 //!
-//! Either twice over, with series of different order or at two tolerances: their difference bounds the error.
+//! Either twice over, with series of different order or at two tolerances: their difference bounds
+//! the error.
 
 mod error;
 mod judged;
@@ -36,7 +38,8 @@ pub enum Source {
     Judge,
     /// A closed form.
     ClosedForm,
-    /// The run once more, with its own contact sets and equations: not independent, since the judge cannot do it.
+    /// The run once more, with its own contact sets and equations: not independent, since the judge
+    /// cannot do it.
     Replay {
         /// Why.
         why: String,
@@ -103,7 +106,8 @@ impl Reference {
     /// the surer that its events are found again.
     ///
     /// # Errors
-    /// The motion cannot be computed, or not to more digits than doubles have; or the judge finds another.
+    /// The motion cannot be computed, or not to more digits than doubles have; or the judge finds
+    /// another.
     pub fn compute(
         run: &Trajectory,
         held: &[&str],
@@ -119,7 +123,8 @@ impl Reference {
         }
     }
 
-    /// The motion of a run once more in double-double, with the contacts and equations of the run but by another method.
+    /// The motion of a run once more in double-double, with the contacts and equations of the run
+    /// but by another method.
     ///
     /// # Errors
     /// The motion cannot be computed once more, or not to more digits than doubles have.
@@ -220,7 +225,8 @@ impl Reference {
         &self.events
     }
 
-    /// The largest error of the times of these events; none if they are others. Touches count in neither.
+    /// The largest error of the times of these events; none if they are others. Touches count in
+    /// neither.
     pub fn lateness<'e>(&self, events: impl Iterator<Item = &'e Event>) -> Option<f64> {
         let pairs = self.paired(events)?;
         let late = pairs.iter().map(|&(known, t)| self.time_difference(known, DoubleDouble::from_f64(t)));

@@ -36,7 +36,8 @@ fn errors_fall_with_the_tolerance() -> Outcome {
     let rows = precision.measure(Dop853, &TOLERANCES);
     for (row, tolerance) in rows.iter().zip(TOLERANCES) {
         assert_eq!((row.method, row.tolerance, &row.reason), ("dop853", tolerance, &None));
-        // Some twenty steps each at their tolerance, on a motion that does not part from its neighbours.
+        // Some twenty steps each at their tolerance, on a motion that does not part from its
+        // neighbours.
         assert!(row.state_error.is_some_and(|error| error < 100.0 * tolerance), "{row:?}");
         assert!(row.event_error.is_some_and(|error| error < 100.0 * tolerance), "{row:?}");
         assert!(0.0 < row.least && row.least <= row.median);

@@ -1,5 +1,6 @@
-//! Runs computed once more in double-double, against values of 30 digits by mpmath: quadrature for the falling pair, a
-//! Taylor method for the double pendulum, closed forms for impacts. Parameters and starts are the doubles given.
+//! Runs computed once more in double-double, against values of 30 digits by mpmath: quadrature for
+//! the falling pair, a Taylor method for the double pendulum, closed forms for impacts. Parameters
+//! and starts are the doubles given.
 
 use liftoff::EventKind;
 use liftoff::Scales;
@@ -128,7 +129,8 @@ fn impacts_keep_their_digits() -> Outcome {
     Ok(())
 }
 
-/// A blow J across the bars at C: hinge impulse J/4, so that α̇ = −3J/2ml, β̇ = 9J/2ml and ẏ = −J/m at B.
+/// A blow J across the bars at C: hinge impulse J/4, so that α̇ = −3J/2ml, β̇ = 9J/2ml and ẏ = −J/m
+/// at B.
 #[test]
 fn a_blow_keeps_its_digits() -> Outcome {
     let run = Simulation::new(&StruckChain { m: 1.0, l: 1.0 })?.impulse("C", [0.0, 1.0], 0.5)?;
@@ -175,7 +177,8 @@ fn infinitely_many_impacts_have_their_end() -> Outcome {
     Ok(())
 }
 
-/// Velocities of points, reactions and energies end runs: y = 1 − gt²/2 falls at the speed 2 after 2/g.
+/// Velocities of points, reactions and energies end runs: y = 1 − gt²/2 falls at the speed 2 after
+/// 2/g.
 #[test]
 fn conditions_are_found_by_the_judge() -> Outcome {
     let model = Ball { m: 2.0, g: 9.81, e: 0.0 };
@@ -201,7 +204,8 @@ fn conditions_are_found_by_the_judge() -> Outcome {
     Ok(())
 }
 
-/// A bar that comes down turned by half: level with B to the left of A, while the figure has it on the right.
+/// A bar that comes down turned by half: level with B to the left of A, while the figure has it on
+/// the right.
 #[test]
 fn the_other_branch_of_a_closed_form_is_followed() -> Outcome {
     let bar = BouncingBar { m: 1.0, l: 1.0, g: 9.81, e: 0.0 };

@@ -36,7 +36,8 @@ struct Rod {
     g: f64,
 }
 
-/// A model and its start by values of parameters and then of the start, with the names of those that are varied.
+/// A model and its start by values of parameters and then of the start, with the names of those
+/// that are varied.
 struct Case<M> {
     known: Vec<(&'static str, f64)>,
     vary: &'static [&'static str],
@@ -162,7 +163,8 @@ fn a_series_of_swings_gives_length_and_start() {
     assert_eq!(fitted.ending, Ending::Converged);
 }
 
-/// A ladder on smooth floor and wall leaves the wall at two thirds of the height that it starts from.
+/// A ladder on smooth floor and wall leaves the wall at two thirds of the height that it starts
+/// from.
 #[test]
 fn an_opening_gives_the_start_without_errors() {
     let theta = 1.1f64;
@@ -192,8 +194,9 @@ fn height(t: f64, e: f64, g: f64, h: f64) -> f64 {
     if since < 0.0 { h - 0.5 * g * t * t } else { e * g * strikes * since - 0.5 * g * since * since }
 }
 
-/// Of 200 series with noise 95 % of the intervals have the true value, within four standard deviations of the binomial
-/// distribution, and s² is σ² on average; with weights that differ, given up to a common factor.
+/// Of 200 series with noise 95 % of the intervals have the true value, within four standard
+/// deviations of the binomial distribution, and s² is σ² on average; with weights that differ,
+/// given up to a common factor.
 #[test]
 fn intervals_cover_as_often_as_they_say() {
     let (e, g, h, sigma) = (0.6, 9.81, 1.0, 0.01);
@@ -228,7 +231,8 @@ fn intervals_cover_as_often_as_they_say() {
     assert!((mean - 1.0).abs() < 4.0 * (2.0 / freedom).sqrt(), "{mean}");
 }
 
-/// A straight line through data with noise has the errors of the textbooks: y′ of a ball without gravity to speak of.
+/// A straight line through data with noise has the errors of the textbooks: y′ of a ball without
+/// gravity to speak of.
 #[test]
 fn errors_and_correlations_are_those_of_a_straight_line() {
     let points = [(0.1, 1.02), (0.2, 1.09), (0.3, 1.17), (0.4, 1.18), (0.5, 1.27)];

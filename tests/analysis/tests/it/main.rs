@@ -1,4 +1,5 @@
-//! What follows from models, in one program: each of its files would compile the same models and runs again.
+//! What follows from models, in one program: each of its files would compile the same models and
+//! runs again.
 
 mod fit;
 mod on_the_way;

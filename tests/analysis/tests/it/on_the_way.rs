@@ -1,4 +1,5 @@
-//! What a run passes that ends no phase or has derivatives to one side only: touches, singular positions, given times at events.
+//! What a run passes that ends no phase or has derivatives to one side only: touches, singular
+//! positions, given times at events.
 
 use liftoff::prelude::*;
 use liftoff_analysis::{Sensitivities, SensitivityError, Variable};
@@ -50,8 +51,9 @@ struct Rod {
     g: f64,
 }
 
-/// From φ₀ with the energy of rest upright φ̇² = (3g/l) (1 − cos φ): the reaction touches zero where cos φ = 1/3. φ is a function of √(g/l) t,
-/// so that at a fixed time 2g ∂φ/∂g = t φ̇ and 2g ∂φ̇/∂g = φ̇ + t φ̈, with φ̈ = (3g/2l) sin φ; and those by l are opposite.
+/// From φ₀ with the energy of rest upright φ̇² = (3g/l) (1 − cos φ): the reaction touches zero
+/// where cos φ = 1/3. φ is a function of √(g/l) t, so that at a fixed time 2g ∂φ/∂g = t φ̇ and 2g
+/// ∂φ̇/∂g = φ̇ + t φ̈, with φ̈ = (3g/2l) sin φ; and those by l are opposite.
 #[test]
 fn derivatives_at_a_touch_are_those_at_its_time() {
     let [m, l, g] = [1.3, 0.8, 9.0_f64];
@@ -95,7 +97,8 @@ struct Cranks {
     g: f64,
 }
 
-/// φ̈ = −λ sin φ with λ = (m + c) g/(l (⅔ m + c)): φ ≈ φ₀ + ω t − λ sin φ₀ t²/2 up to t³, and its derivative by g.
+/// φ̈ = −λ sin φ with λ = (m + c) g/(l (⅔ m + c)): φ ≈ φ₀ + ω t − λ sin φ₀ t²/2 up to t³, and its
+/// derivative by g.
 #[test]
 fn a_singular_position_is_named_and_derivatives_end_there() {
     let [m, l, c, d, g] = [1.0, 1.0, 2.0, 2.0, 9.81];
@@ -133,7 +136,8 @@ struct Ball {
     g: f64,
 }
 
-/// A ball that reaches the floor at a given time has rates before or behind its impact there, as g falls or grows.
+/// A ball that reaches the floor at a given time has rates before or behind its impact there, as g
+/// falls or grows.
 #[test]
 fn a_given_time_at_an_event_has_derivatives_to_one_side_only() {
     let ball = |g: f64| {

@@ -1,4 +1,5 @@
-//! Least and greatest outputs beside closed forms: inside, at bounds, through events, and what is refused.
+//! Least and greatest outputs beside closed forms: inside, at bounds, through events, and what is
+//! refused.
 
 use liftoff::__private::event::Occurrence;
 use liftoff::EventFilter;
@@ -62,8 +63,9 @@ fn quarter(variable: Variable, bounds: Option<[f64; 2]>) -> Result<Best, Optimum
         .solve()
 }
 
-/// The period is that of √((i/m + d²)/d), whatever the amplitude: it is least for d = √(i/m) (Kater's pendulum). Slopes of 1e-7
-/// of the time and a curvature of 1 of it give d to 1e-7; runs have ten digits.
+/// The period is that of √((i/m + d²)/d), whatever the amplitude: it is least for d = √(i/m)
+/// (Kater's pendulum). Slopes of 1e-7 of the time and a curvature of 1 of it give d to 1e-7; runs
+/// have ten digits.
 #[test]
 fn a_period_is_least_where_the_centre_is_as_far_as_the_radius_of_gyration() {
     let least = (0.03_f64 / 2.0).sqrt();
@@ -146,7 +148,8 @@ fn a_search_that_is_held_up_says_by_what() {
     assert!(found.value > found.first && found.value <= 0.8, "{found:?}");
 }
 
-/// A slope of 1e6 at the start says nothing of those near the end, where x is 3 at the first impact, and y′ as near to 1 as may be.
+/// A slope of 1e6 at the start says nothing of those near the end, where x is 3 at the first
+/// impact, and y′ as near to 1 as may be.
 #[test]
 fn a_steep_start_does_not_end_the_search_too_soon() {
     let target = (impact(1), Some("(x - 3)^2 + (y' - 1)^4"), false);

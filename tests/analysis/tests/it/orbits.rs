@@ -80,7 +80,8 @@ fn on_two_feet([l, alpha, gamma]: [f64; 3], rate: f64) -> Vec<f64> {
     vec![-gamma, x, y, rate, -rate * arm[1], rate * arm[0]]
 }
 
-/// ω⁺² = c² (ω⁺² + (4 g/l)(m l²/(m l² + j)) sin α sin γ), c = (m l² cos 2α + j)/(m l² + j): its multiplier is c².
+/// ω⁺² = c² (ω⁺² + (4 g/l)(m l²/(m l² + j)) sin α sin γ), c = (m l² cos 2α + j)/(m l² + j): its
+/// multiplier is c².
 #[test]
 fn a_rimless_wheel_rolls_at_the_rate_of_its_closed_form() {
     for (j, alpha, gamma) in [(0.01, 0.3, 0.15), (0.2, 0.25, 0.1)] {
@@ -101,7 +102,8 @@ fn a_rimless_wheel_rolls_at_the_rate_of_its_closed_form() {
     }
 }
 
-/// Along γ feet move on circles, which a step along a tangent leaves. ω is as above, to ten times what the orbits of a branch may miss by.
+/// Along γ feet move on circles, which a step along a tangent leaves. ω is as above, to ten times
+/// what the orbits of a branch may miss by.
 #[test]
 fn a_rimless_wheel_is_followed_to_a_steeper_slope() {
     let (m, j, l, alpha, g) = (1.3, 0.01, 0.8, 0.3, 9.0);
@@ -229,8 +231,9 @@ fn belt(p: &[f64]) -> Belt {
     Belt { m: p[0], g: p[1], k: p[2], mu: p[3], mu_s: p[4], w: p[5] }
 }
 
-/// A block that sticks to a belt and slips back, seen where it turns back while it slips. With ω² = k/m and k d = (μ_s − μ) m g it slips for
-/// (π + 2 atan(w/(ω d)))/ω and sticks for 2 d/w, and what it did before is forgotten where it sticks.
+/// A block that sticks to a belt and slips back, seen where it turns back while it slips. With ω² =
+/// k/m and k d = (μ_s − μ) m g it slips for (π + 2 atan(w/(ω d)))/ω and sticks for 2 d/w, and what
+/// it did before is forgotten where it sticks.
 #[test]
 fn a_cycle_of_stick_and_slip_is_followed_to_a_faster_belt() {
     let [m, g, k, mu, mu_s] = [1.3, 9.0, 4.0, 0.2, 0.5];
@@ -295,9 +298,10 @@ fn juggled(p: &[f64]) -> Juggled {
     Juggled { m: p[0], a: p[1], w: p[2], e: p[3], g: p[4] }
 }
 
-/// One impact a period T, at the phase θ with a ω cos θ = (g T/2)(1 − e)/(1 + e). Of its map of the time and the velocity of impacts the
-/// determinant is e² and the trace 1 + e² − (1 + e)² (a ω²/g) sin θ, so that it begins in a fold at θ = 0 and ends in a flip at
-/// a ω² sin θ = 2 g (1 + e²)/(1 + e)².
+/// One impact a period T, at the phase θ with a ω cos θ = (g T/2)(1 − e)/(1 + e). Of its map of the
+/// time and the velocity of impacts the determinant is e² and the trace 1 + e² − (1 + e)² (a ω²/g)
+/// sin θ, so that it begins in a fold at θ = 0 and ends in a flip at a ω² sin θ = 2 g (1 + e²)/(1 +
+/// e)².
 #[test]
 fn a_juggled_ball_has_the_fold_and_the_flip_of_its_closed_form() {
     let (a, w, e, g) = (0.028, 20.0, 0.6, 9.0);

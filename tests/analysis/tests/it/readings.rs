@@ -1,4 +1,5 @@
-//! Derivatives of outputs at given times and behind events, against central differences of runs by the engine's own methods.
+//! Derivatives of outputs at given times and behind events, against central differences of runs by
+//! the engine's own methods.
 
 use liftoff::prelude::*;
 use liftoff_core::scalar::Dual4;
@@ -6,7 +7,8 @@ use liftoff_core::system::varied;
 use liftoff_fixtures::{Belt, Block, BouncingBar, Zigzag};
 use liftoff_replay::{Moment, Reading, ReplayError, replay_outputs};
 
-/// Half the step of the differences, relative: its sixth power is 1e-18, and rounding of runs at 1e-13 gives 1e-10.
+/// Half the step of the differences, relative: its sixth power is 1e-18, and rounding of runs at
+/// 1e-13 gives 1e-10.
 const STEP: f64 = 1e-3;
 /// Ten times that, as derivatives of outputs that turn fast have larger parts of higher order.
 const AGREES: f64 = 1e-8;
@@ -93,7 +95,8 @@ fn outputs_of_chains_that_lift_off() {
     let run = (case.run)(case.values);
     assert!(run.events().len() >= 3);
     case.check(&moments(&run));
-    // The order in which they are asked for is kept; steps of other lengths have other errors, of the tolerance each.
+    // The order in which they are asked for is kept; steps of other lengths have other errors, of
+    // the tolerance each.
     let output = run.output("phi_inner").unwrap();
     let at = |t: f64| Reading { moment: Moment::Time(t), output: Some(&output) };
     let [late, soon] = [0.5, 0.2].map(at);

@@ -10,8 +10,9 @@ fn resting<M: BarSystem>(model: &M, start: Pose) -> Result<Vec<Equilibrium>, Ana
     equilibria(&Subject::new(&simulation, precise::<M>(model.parameters().as_ref())).unwrap())
 }
 
-/// Five feet under a plank with its centre of mass above the middle one: each bears between nothing and what the lever of the far end
-/// lets it, the end feet a half, those next to them two thirds, the middle one all.
+/// Five feet under a plank with its centre of mass above the middle one: each bears between nothing
+/// and what the lever of the far end lets it, the end feet a half, those next to them two thirds,
+/// the middle one all.
 #[test]
 fn reactions_of_a_plank_are_known_between_bounds() {
     let plank = Plank { m: 2.0, i: 1.0, c: 2.0, d: 1.0, g: 10.0 };
@@ -70,8 +71,8 @@ struct Leaning {
     g: f64,
 }
 
-/// It can stay where tan φ ≥ (1 − μ ν)/2μ, and nowhere below. At the border both friction forces are at their limits: the wall bears
-/// N(B) = μ m g/(1 + μ ν).
+/// It can stay where tan φ ≥ (1 − μ ν)/2μ, and nowhere below. At the border both friction forces
+/// are at their limits: the wall bears N(B) = μ m g/(1 + μ ν).
 #[test]
 fn a_ladder_with_friction_stays_where_its_cones_meet() {
     let (m, l, mu, nu, g) = (2.0, 3.0, 0.4, 0.3, 9.81);
@@ -135,7 +136,8 @@ fn equilibria_with_time_are_refused() {
     assert_eq!(error, Err(AnalysisError::Timed));
 }
 
-/// It hangs at y = l + m g/k, 1 m down or 10 km: there is no end before k = 0, whatever is asked for. There it goes on beyond bounds.
+/// It hangs at y = l + m g/k, 1 m down or 10 km: there is no end before k = 0, whatever is asked
+/// for. There it goes on beyond bounds.
 #[test]
 fn a_weight_on_a_spring_hangs_however_soft_the_spring_is() {
     let [m, l, c, g] = [1.0, 1.0, 0.5, 9.81];

@@ -1,4 +1,5 @@
-//! Derivatives of runs against closed forms, laws of similarity and differences of runs computed in double-double.
+//! Derivatives of runs against closed forms, laws of similarity and differences of runs computed in
+//! double-double.
 
 use liftoff::prelude::*;
 use liftoff_analysis::{Sensitivities, SensitivityError, Variable};
@@ -69,7 +70,8 @@ impl<M: BarSystem> Case<M> {
         )
     }
 
-    /// The same by central differences of the sixth order of runs computed once more in double-double.
+    /// The same by central differences of the sixth order of runs computed once more in
+    /// double-double.
     fn by_differences(&self, run: &Trajectory, k: usize) -> (Vec<f64>, Vec<f64>) {
         let variable = &self.variables()[k];
         let h = 2e-4 * variable.unit;
@@ -342,7 +344,8 @@ fn impacts_with_friction_have_the_derivatives_of_their_differences() {
     }
 }
 
-/// A block that falls flat but for a little on a corner, and then on the other while the first one touches.
+/// A block that falls flat but for a little on a corner, and then on the other while the first one
+/// touches.
 #[derive(BarSystem)]
 #[gravity(g)]
 #[body(block, points(A = (-b, -h), B = (b, -h), C = (0, 0)), mass = m, inertia = m * (b * b + h * h) / 3, centre = (0, 0))]

@@ -36,8 +36,8 @@ fn a_double_pendulum_of_bars_has_its_frequencies() {
     assert!((found[0].shape[0] / found[0].shape[1] - ratio).norm() < 1e-12);
 }
 
-/// From any pose all four equilibria are found, the one beside it first; as many modes grow as bars stand. Where both bars are
-/// horizontal no force tells which way to look.
+/// From any pose all four equilibria are found, the one beside it first; as many modes grow as bars
+/// stand. Where both bars are horizontal no force tells which way to look.
 #[test]
 fn a_double_pendulum_has_four_equilibria() {
     let all = [(0.0, 0.0, 0), (PI, PI, 2), (0.0, PI, 1), (PI, 0.0, 1)];
@@ -104,8 +104,8 @@ fn frame(lambda: f64, angles: [f64; 4]) -> Subject {
     subject(&Frame { m1: 1.0 - lambda, m2: lambda, l: 1.3, g: 9.81 }, start)
 }
 
-/// Upright, the antisymmetric motion of Fig. 1b grows √[(1/3 + 2λ)/(1/12 + λ − λ²)] times as fast as the symmetric one, λ the outer
-/// bars' part of the mass.
+/// Upright, the antisymmetric motion of Fig. 1b grows √[(1/3 + 2λ)/(1/12 + λ − λ²)] times as fast
+/// as the symmetric one, λ the outer bars' part of the mass.
 #[test]
 fn the_symmetric_motion_of_the_frame_is_unstable() {
     for lambda in [0.0, 0.25, 0.5, 0.75, 1.0] {
@@ -173,7 +173,8 @@ struct Ladder {
     g: f64,
 }
 
-/// T = ⅙ m l² φ̇², V = ½ m g l sin φ + ½ k (l cos φ − r)²: the constrained mode, and what bears there.
+/// T = ⅙ m l² φ̇², V = ½ m g l sin φ + ½ k (l cos φ − r)²: the constrained mode, and what bears
+/// there.
 #[test]
 fn a_ladder_held_by_a_spring_vibrates() {
     let (m, l, k, r, g) = (3.0, 2.0, 400.0, 0.9, 9.81);

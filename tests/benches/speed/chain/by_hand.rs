@@ -1,5 +1,6 @@
-//! What an expert writes for a chain of n equal bars, lengths and masses 1, g over the length given: straight-line LDLᵀ, and
-//! the recursion from the last bar to the first; sines inlined, products and sums fused.
+//! What an expert writes for a chain of n equal bars, lengths and masses 1, g over the length
+//! given: straight-line LDLᵀ, and the recursion from the last bar to the first; sines inlined,
+//! products and sums fused.
 
 use core::fmt::Write;
 
@@ -14,8 +15,8 @@ pub fn recursion(bars: usize) -> (String, usize) {
     (format!("{SINES}\n{RECURSION}\nconst N: usize = {bars};\n"), OPERATIONS_OF_A_BAR * bars)
 }
 
-/// `M_ij = w_ij cos(θᵢ − θⱼ)`, `fᵢ = −Σ w_ij sin(θᵢ − θⱼ) ω²ⱼ − w_i g sin θᵢ`, w_ij the masses that i and j both carry, n − j − ½
-/// for i < j, n − i − ⅔ for i = j; eliminated from the last bar on.
+/// `M_ij = w_ij cos(θᵢ − θⱼ)`, `fᵢ = −Σ w_ij sin(θᵢ − θⱼ) ω²ⱼ − w_i g sin θᵢ`, w_ij the masses that
+/// i and j both carry, n − j − ½ for i < j, n − i − ⅔ for i = j; eliminated from the last bar on.
 pub fn ldl(bars: usize) -> (String, usize) {
     let mut text = Straight::default();
     for i in 0..bars {

@@ -1,5 +1,5 @@
-//! The right-hand side of a pinned chain of equal bars: accelerations of the bars' absolute angles from angles and rates,
-//! generated and written by hand, of independent states.
+//! The right-hand side of a pinned chain of equal bars: accelerations of the bars' absolute angles
+//! from angles and rates, generated and written by hand, of independent states.
 
 mod by_hand;
 pub mod sources;

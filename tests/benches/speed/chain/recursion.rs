@@ -1,6 +1,6 @@
-/// Leaves first: what the bars beyond bar i need at its last end for an acceleration x is A x + p; bar i adds its own and
-/// loses what its turning takes, `A' = A + 1 − u uᵀ/d`, u = (A + ½) n, d = n·A n + ⅓ (R. Featherstone, *Rigid Body Dynamics
-/// Algorithms*, 2008, § 7.3).
+/// Leaves first: what the bars beyond bar i need at its last end for an acceleration x is A x + p;
+/// bar i adds its own and loses what its turning takes, `A' = A + 1 − u uᵀ/d`, u = (A + ½) n, d =
+/// n·A n + ⅓ (R. Featherstone, *Rigid Body Dynamics Algorithms*, 2008, § 7.3).
 impl Rhs {
     #[inline(never)]
     pub fn rhs(&self, q: &[f64; N], u: &[f64; N], a: &mut [f64; N]) {

@@ -9,7 +9,8 @@ impl Rhs {
     }
 }
 
-/// x = q π/2 + r, |r| ≤ π/4, two parts of π/2 and fdlibm's polynomials, as an expert writes it for angles of a few turns.
+/// x = q π/2 + r, |r| ≤ π/4, two parts of π/2 and fdlibm's polynomials, as an expert writes it for
+/// angles of a few turns.
 #[inline(always)]
 fn sine(x: f64) -> (f64, f64) {
     const ROUND: f64 = 6_755_399_441_055_744.0;

@@ -24,8 +24,8 @@ const N: usize = {bars};
     )
 }
 
-/// A program that writes the nanoseconds of each, in turn; it fails where their results differ by more than a condition of
-/// n² (of the mass matrix) times 100 roundings.
+/// A program that writes the nanoseconds of each, in turn; it fails where their results differ by
+/// more than a condition of n² (of the mass matrix) times 100 roundings.
 pub fn driver(bars: usize, crates: &[String]) -> String {
     let mut list = String::new();
     for name in crates {

@@ -31,7 +31,8 @@ struct Telescope {
     w: f64,
 }
 
-/// With the reduced mass μ and d = l + b sin ωt: d² φ̇ stays, and μ (d̈ − d φ̇²) pushes the masses apart.
+/// With the reduced mass μ and d = l + b sin ωt: d² φ̇ stays, and μ (d̈ − d φ̇²) pushes the masses
+/// apart.
 #[test]
 fn a_telescope_pushes_two_masses_apart() {
     let (m, p, l, b, w, spin) = (1.5, 0.8, 1.2, 0.3, 4.0, 0.9);
@@ -152,7 +153,8 @@ struct Gears {
     k: f64,
 }
 
-/// The second wheel's inertia and spring count fourfold: (I₁ + 4 I₂) φ̈ = c − 4 k φ, so that φ = c/4k (1 − cos Ωt).
+/// The second wheel's inertia and spring count fourfold: (I₁ + 4 I₂) φ̈ = c − 4 k φ, so that φ =
+/// c/4k (1 − cos Ωt).
 #[test]
 fn gears_turn_together() {
     let (m, p, l, b, c, k) = (1.5, 0.8, 1.2, 0.7, 0.9, 2.0);
@@ -233,8 +235,8 @@ struct LetGo {
     s: f64,
 }
 
-/// Let go before, the masses pass each other; else it is refused where it comes to zero. One that is not there yet, and below zero,
-/// is refused when it is armed only.
+/// Let go before, the masses pass each other; else it is refused where it comes to zero. One that
+/// is not there yet, and below zero, is refused when it is armed only.
 #[test]
 fn a_driven_distance_on_a_condition_is_above_zero_while_it_is_there() {
     let pose = [("x", 0.0), ("y", 0.0), ("w", 0.0), ("x'", 0.0), ("y'", 0.0), ("u'", -0.5), ("w'", 0.0)];

@@ -7,7 +7,8 @@ use liftoff_core::batch::{Batch, BatchLanes, NoClosedForm};
 use liftoff_core::model::Array;
 use liftoff_fixtures::{Belt, Bob, FallingPair, HangingChain, Ladder};
 
-/// The same bits as one by one, in a reduced phase and in a free one; the last states are fewer than stand side by side.
+/// The same bits as one by one, in a reduced phase and in a free one; the last states are fewer
+/// than stand side by side.
 #[test]
 fn a_batch_has_the_bits_of_one() {
     let ladder = Ladder { m: 3.0, l: 2.0, g: 9.81 };
@@ -50,8 +51,8 @@ fn a_batch_slides_with_friction() {
     assert!(((accelerated(&rough) - accelerated(&smooth)).abs() - 0.3 * 9.81).abs() < 1e-14);
 }
 
-/// Computed another way than one state is, with the same bits whatever is beside it; folded and stretched too. M has a condition of
-/// some hundred.
+/// Computed another way than one state is, with the same bits whatever is beside it; folded and
+/// stretched too. M has a condition of some hundred.
 #[test]
 fn chains_side_by_side_agree_with_one() {
     let chain = HangingChain { m: 0.7, l: 1.3, g: 9.81 };

@@ -28,7 +28,8 @@ struct Swept {
     w: f64,
 }
 
-/// Along the bar r̈ = ω² r, so that r = r₀ cosh ωt; across it N = 2 m ω ṙ; at r = l it leaves the bar.
+/// Along the bar r̈ = ω² r, so that r = r₀ cosh ωt; across it N = 2 m ω ṙ; at r = l it leaves the
+/// bar.
 #[test]
 fn a_turning_bar_flings_a_bead_off_its_end() {
     let (m, l, w) = (1.3, 2.0, 1.5);
@@ -118,8 +119,8 @@ struct Wedge {
     mu: f64,
 }
 
-/// With N across the wedge and R = ±μ N along it the block has ẍ = −(N sin α − R cos α)/p, the wedge ü = (N sin α − R cos α)/m;
-/// across the wedge they move together: (ẍ − ü) sin α = ÿ cos α.
+/// With N across the wedge and R = ±μ N along it the block has ẍ = −(N sin α − R cos α)/p, the
+/// wedge ü = (N sin α − R cos α)/m; across the wedge they move together: (ẍ − ü) sin α = ÿ cos α.
 #[test]
 fn a_block_slides_down_a_wedge_that_gives_way() {
     let (m, p, l, g, a) = (3.0, 1.2, 4.0, 9.81, 0.6_f64);
@@ -162,7 +163,8 @@ struct Bead {
     e: f64,
 }
 
-/// From rest on the bar r = r₀ cosh ωt; at r = l it is thrown back with e of its rate, after which r = l cosh ωτ − e √(l² − r₀²) sinh ωτ.
+/// From rest on the bar r = r₀ cosh ωt; at r = l it is thrown back with e of its rate, after which
+/// r = l cosh ωτ − e √(l² − r₀²) sinh ωτ.
 #[test]
 fn a_bead_is_stopped_at_the_end_of_its_bar() {
     let (l, w, e, r) = (2.0_f64, 1.5, 0.6, 0.5_f64);

@@ -61,7 +61,8 @@ fn an_elastic_point_bounces_until_the_limit() {
     assert!((run.value(&energy, 100.0) - 1.0).abs() < 1e-12);
 }
 
-/// A flight is a parabola, one polynomial from impact to impact, also where it lasts many natural times; the drop begins with a step of one.
+/// A flight is a parabola, one polynomial from impact to impact, also where it lasts many natural
+/// times; the drop begins with a step of one.
 #[test]
 fn a_flight_is_one_step_of_taylors_method() {
     for e in [1.0, 0.9] {
@@ -85,8 +86,8 @@ fn a_start_may_be_an_impact() {
     assert_eq!(kinds, [EventKind::Start, EventKind::Close]);
 }
 
-/// A sequence that begins below what can be followed ends by the contact's own restitution; a flight of no height that
-/// loses nothing has no end.
+/// A sequence that begins below what can be followed ends by the contact's own restitution; a
+/// flight of no height that loses nothing has no end.
 #[test]
 fn tiny_flights() {
     let start = |v: f64| Pose::new("y", 0.0).with("y'", -v);

@@ -46,7 +46,8 @@ fn impacts_that_crowd_are_counted() {
     let budget = Budget { impacts: 50, ..Budget::UNLIMITED };
     let error = run.limit(1e4).budget(budget).run().unwrap_err();
     let &RunCause::Budget { t, of: Exhausted::Impacts(50) } = error.cause() else { panic!("{error}") };
-    // Flights of 2 v: fifty of them within one natural time where v is about 0.01, of the end at √2 (1 + e)/(1 − e).
+    // Flights of 2 v: fifty of them within one natural time where v is about 0.01, of the end at √2
+    // (1 + e)/(1 − e).
     let end = 2f64.sqrt() * 1.99 / 0.01;
     assert!((end - 4.0..end).contains(&t), "{t} {end}");
 }

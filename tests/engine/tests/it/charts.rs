@@ -1,5 +1,5 @@
-//! Motions on the branch of sin α = ± sin β that is not the one of the nominal figure: the closed form does not hold
-//! there. No coordinate may jump and no event may add energy.
+//! Motions on the branch of sin α = ± sin β that is not the one of the nominal figure: the closed
+//! form does not hold there. No coordinate may jump and no event may add energy.
 
 use core::f64::consts::PI;
 
@@ -76,7 +76,8 @@ fn a_start_on_the_other_branch_is_kept() {
     }
 }
 
-/// Where both branches meet, rates between them satisfy both contacts to first order: one of these opens, unless it is held.
+/// Where both branches meet, rates between them satisfy both contacts to first order: one of these
+/// opens, unless it is held.
 #[test]
 fn rates_where_the_branches_meet_are_kept_or_refused() {
     let upright = Pose::new("phi_inner", PI / 2.0).with("phi_outer", PI / 2.0);
@@ -99,8 +100,8 @@ fn a_turned_rod_stays_turned() {
     }
 }
 
-/// sin φ_inner = sin φ_outer is flat at π/2: its rounding leaves the angle that was not given unknown by 2e-8, from which the
-/// bars would fall long before their time.
+/// sin φ_inner = sin φ_outer is flat at π/2: its rounding leaves the angle that was not given
+/// unknown by 2e-8, from which the bars would fall long before their time.
 #[test]
 fn a_start_where_gaps_are_flat_is_on_the_closed_form() {
     let bars = liftoff_fixtures::Zigzag { m1: 1.0, m2: 1.0, l: 1.0, g: 9.81 };

@@ -2,8 +2,8 @@
 
 use liftoff::prelude::*;
 
-/// Fig. 1a with a gap of width w much narrower than the bars, so that they turn nearly upright on the corners:
-/// y = (w/2) tan φ has the pivot cos φ.
+/// Fig. 1a with a gap of width w much narrower than the bars, so that they turn nearly upright on
+/// the corners: y = (w/2) tan φ has the pivot cos φ.
 #[derive(BarSystem, Clone, Debug)]
 #[gravity(g)]
 #[bar(AD, mass = m, length = l)]

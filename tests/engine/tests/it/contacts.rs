@@ -80,7 +80,8 @@ fn two_roots_in_one_step_are_found() {
             let expected = (sum + (sum * sum - 1.0).sqrt()) / 3.0;
             println!("{excess:e} {} {:e}", open, open.state[0].sin() - expected);
             assert_eq!(open.kind, EventKind::Open);
-            // A root of a parabola that dips by 2ε·¼ under zero moves by the reaction's error over √(ε/2).
+            // A root of a parabola that dips by 2ε·¼ under zero moves by the reaction's error over
+            // √(ε/2).
             assert!((open.state[0].sin() - expected).abs() < 1e-11 / excess.sqrt(), "{open}");
         }
     }
@@ -127,8 +128,9 @@ fn a_frame_collapses() {
     }
 }
 
-/// Nearly flat, the ladder is pushed onto its wall. What bears there is 1e-8 of the weight, less than is known at these tolerances:
-/// the contact stays closed as it was decided, and time goes on. φ = φ₀ − ¾ t² to 1e-8, so that it lies flat at √(4 φ₀/3).
+/// Nearly flat, the ladder is pushed onto its wall. What bears there is 1e-8 of the weight, less
+/// than is known at these tolerances: the contact stays closed as it was decided, and time goes on.
+/// φ = φ₀ − ¾ t² to 1e-8, so that it lies flat at √(4 φ₀/3).
 #[test]
 fn a_reaction_within_its_bound_does_not_stop_the_time() {
     for (tolerance, flat) in [(1e-4, 1e-8), (1e-6, 1e-8), (1e-5, 1e-7)] {

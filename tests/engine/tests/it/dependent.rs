@@ -215,8 +215,8 @@ fn a_plank_is_lifted_from_many_feet_as_from_two() {
     }
 }
 
-/// Six rough feet hold and lift as the outermost two: the plank tips about P0 or P5, φ̈ by the moments
-/// about it, or rises with the surplus of the force.
+/// Six rough feet hold and lift as the outermost two: the plank tips about P0 or P5, φ̈ by the
+/// moments about it, or rises with the surplus of the force.
 #[test]
 fn a_plank_is_lifted_from_many_rough_feet() {
     let inertia = |r: f64| 100.0 / 12.0 + r * r;

@@ -29,8 +29,8 @@ struct Rolling {
     mu: f64,
 }
 
-/// Down a slope that falls to the right a disc rolls with ⅔ g sin α where tan α < 3μ; else it slides with g (sin α − μ cos α) and spins
-/// up with 2μ g cos α/r.
+/// Down a slope that falls to the right a disc rolls with ⅔ g sin α where tan α < 3μ; else it
+/// slides with g (sin α − μ cos α) and spins up with 2μ g cos α/r.
 #[test]
 fn a_disc_rolls_or_slides_down_a_slope() {
     let (r, g, a) = (0.4, 9.81, 0.5_f64);
@@ -52,7 +52,8 @@ fn a_disc_rolls_or_slides_down_a_slope() {
     }
 }
 
-/// x = v t − ½ g μ t² on a slope that is all but level: x is not what the contact determines, as (r − y cos α)/sin α.
+/// x = v t − ½ g μ t² on a slope that is all but level: x is not what the contact determines, as (r
+/// − y cos α)/sin α.
 #[test]
 fn a_disc_slides_on_a_level_slope() {
     let (r, g, mu, v) = (0.4, 9.81, 0.2, 2.0);
@@ -86,8 +87,8 @@ struct OnTop {
     g: f64,
 }
 
-/// From rest at θ₀ a disc leaves where 7 cos θ = 4 cos θ₀, by v² = (4/3) g (R + r)(cos θ₀ − cos θ) and N = 0; it has turned by
-/// θ (R + r)/r.
+/// From rest at θ₀ a disc leaves where 7 cos θ = 4 cos θ₀, by v² = (4/3) g (R + r)(cos θ₀ − cos θ)
+/// and N = 0; it has turned by θ (R + r)/r.
 #[test]
 fn a_disc_rolls_off_another() {
     let (r, c, start) = (0.3, 0.9, 0.2_f64);
@@ -164,8 +165,9 @@ struct Curling {
     e: f64,
 }
 
-/// A disc with the velocity v meets one at rest head-on and spins by ω: P = (1 + e) m v/2 along the centres; across them, as it slips
-/// to the end, μ P, which turns both the same way by 2μP/mr and 2μP/mc.
+/// A disc with the velocity v meets one at rest head-on and spins by ω: P = (1 + e) m v/2 along the
+/// centres; across them, as it slips to the end, μ P, which turns both the same way by 2μP/mr and
+/// 2μP/mc.
 #[test]
 fn spinning_discs_collide_with_friction() {
     let (m, r, c, mu, e, v, spin) = (1.3, 0.5, 0.8, 0.1, 0.7, 2.0, 20.0);
@@ -239,7 +241,8 @@ impl Cradle {
     }
 }
 
-/// Balls apart from each other strike one after another: of e = 1 only the last moves; of any e the last has ((1 + e)/2)⁴.
+/// Balls apart from each other strike one after another: of e = 1 only the last moves; of any e the
+/// last has ((1 + e)/2)⁴.
 #[test]
 fn a_cradle_with_gaps_passes_the_motion_on() {
     let record = Cradle { m: 0.4, r: 0.1, e: 1.0 }.run(1e-3);
@@ -252,8 +255,9 @@ fn a_cradle_with_gaps_passes_the_motion_on() {
     assert!((Cradle::velocities(&record)[4] - 0.9_f64.powi(4)).abs() < 1e-10);
 }
 
-/// Balls that touch answer at once: the gap that closes gives back e of its rate, the others stay closed, as the law of Newton has it
-/// for all contacts. The last four go on together: a = v − e and a + 4 v = 1.
+/// Balls that touch answer at once: the gap that closes gives back e of its rate, the others stay
+/// closed, as the law of Newton has it for all contacts. The last four go on together: a = v − e
+/// and a + 4 v = 1.
 #[test]
 fn a_cradle_without_gaps_answers_at_once() {
     for e in [1.0, 0.6, 0.0] {
@@ -283,7 +287,8 @@ struct Clearance {
     c: f64,
 }
 
-/// Round the hole with the relative velocity w the pin goes at w/(c − r), pressed by the reduced mass times w²/(c − r).
+/// Round the hole with the relative velocity w the pin goes at w/(c − r), pressed by the reduced
+/// mass times w²/(c − r).
 #[test]
 fn a_pin_goes_round_a_hole_of_a_free_plate() {
     let (m, p, r, c, w) = (2.0, 0.5, 0.3, 0.5, 1.4);
@@ -317,8 +322,9 @@ struct Hoop {
     g: f64,
 }
 
-/// With 2.25 g r as the square of its velocity at the bottom it passes the level of the centre and is held from outside where
-/// v² < −g r cos θ; at the height h above the bottom v² = v₀² − 2 g h and N = m (v²/r + g (1 − h/r)), to the centre.
+/// With 2.25 g r as the square of its velocity at the bottom it passes the level of the centre and
+/// is held from outside where v² < −g r cos θ; at the height h above the bottom v² = v₀² − 2 g h
+/// and N = m (v²/r + g (1 − h/r)), to the centre.
 #[test]
 fn a_bead_on_a_hoop_is_held_from_both_sides() {
     let (m, r, c, g) = (1.3, 0.5, 0.2, 9.81_f64);
@@ -357,15 +363,16 @@ struct Rocker {
     g: f64,
 }
 
-/// It rolls: at the tilt φ its middle is r φ from where it touches, ½ (m l²/12 + m r² φ²) φ̇² + m g r (cos φ + φ sin φ) keeps its
-/// value, and a quarter of a period is ∫ dφ/φ̇.
+/// It rolls: at the tilt φ its middle is r φ from where it touches, ½ (m l²/12 + m r² φ²) φ̇² + m g
+/// r (cos φ + φ sin φ) keeps its value, and a quarter of a period is ∫ dφ/φ̇.
 #[test]
 fn a_plank_rocks_on_a_cylinder() {
     let (m, l, r, g, tilt) = (2.0, 1.3, 0.4, 9.81, 0.5_f64);
     let height = |phi: f64| phi.cos() + phi * phi.sin();
     let rate =
         |phi: f64| (2.0 * g * r * (height(tilt) - height(phi)) / (l * l / 12.0 + r * r * phi * phi)).sqrt();
-    // φ = φ₀ sin u makes the integrand even and smooth at both ends: midpoints converge faster than any power.
+    // φ = φ₀ sin u makes the integrand even and smooth at both ends: midpoints converge faster than
+    // any power.
     let parts = 200;
     let at = |k: u32| core::f64::consts::FRAC_PI_2 * (f64::from(k) + 0.5) / f64::from(parts);
     let quarter: f64 = (0..parts).map(|k| tilt * at(k).cos() / rate(tilt * at(k).sin())).sum::<f64>()

@@ -10,7 +10,8 @@ fn value(run: &Trajectory, output: &str, t: f64) -> f64 {
     run.value(&run.output(output).unwrap(), t)
 }
 
-/// Along the way of the friction oscillator: turning points 15.42…, 13.42…, at last 15 − √205, each F nearer to the middle.
+/// Along the way of the friction oscillator: turning points 15.42…, 13.42…, at last 15 − √205, each
+/// F nearer to the middle.
 #[test]
 fn friction_takes_its_force_times_the_way() {
     let oscillator = Belt { m: 1.0, g: 10.0, k: 1.0, mu: 0.1, mu_s: 0.1, w: 0.0 };
@@ -29,8 +30,8 @@ fn friction_takes_its_force_times_the_way() {
     assert_eq!(most, value(&run, "D", 40.0));
 }
 
-/// A block without a spring is carried along: the slip v₀ of its start takes ½ m v₀², whatever the speed of the belt, which does the
-/// work m v₀ w on it.
+/// A block without a spring is carried along: the slip v₀ of its start takes ½ m v₀², whatever the
+/// speed of the belt, which does the work m v₀ w on it.
 #[test]
 fn a_moving_surface_does_work() {
     for w in [-0.7, 0.0, 1.5] {
@@ -46,7 +47,8 @@ fn a_moving_surface_does_work() {
     }
 }
 
-/// Thrown onto the belt, with the impulses P and −μ P: P |w_n|/2 and μ P times the mean slip are lost.
+/// Thrown onto the belt, with the impulses P and −μ P: P |w_n|/2 and μ P times the mean slip are
+/// lost.
 #[test]
 fn an_impact_takes_what_its_impulses_do_along_the_slip() {
     let belt = Belt { m: 2.0, g: 10.0, k: 0.0, mu: 0.2, mu_s: 0.2, w: 0.5 };

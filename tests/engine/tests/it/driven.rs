@@ -4,7 +4,8 @@ use liftoff::method::MethodId;
 use liftoff::prelude::*;
 use liftoff_fixtures::QuickReturn;
 
-/// The completed rates satisfy the drive up to a rounding of its own rate; tan ψ = (h + r sin φ)/(r cos φ).
+/// The completed rates satisfy the drive up to a rounding of its own rate; tan ψ = (h + r sin φ)/(r
+/// cos φ).
 #[test]
 fn a_start_fits_a_drive_of_any_rate_and_size() {
     for (omega, size) in [(1.0, 1.0), (1e6, 1.0), (1.0, 1e-6), (1e6, 1e-6)] {

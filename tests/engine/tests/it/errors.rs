@@ -58,7 +58,8 @@ fn models() {
     }
 }
 
-/// Balls and bars that are lost beside others touch nothing that can be told; alone they may be of any size.
+/// Balls and bars that are lost beside others touch nothing that can be told; alone they may be of
+/// any size.
 #[test]
 fn entries_lost_beside_the_largest() {
     let cradle =
@@ -94,7 +95,8 @@ fn starts() {
     assert_eq!(told, "an energy level gives the rate of one degree of freedom, here are 2");
 }
 
-/// Contacts that the given coordinates contradict are open; those that they do not mention stay closed.
+/// Contacts that the given coordinates contradict are open; those that they do not mention stay
+/// closed.
 #[test]
 fn poses_are_completed() {
     for form in [Form::Reduced, Form::Multipliers] {
@@ -144,9 +146,10 @@ fn massless_motion_is_singular() {
 
 /// Without inner masses det M ∝ sin² φ_inner once C is open; the rates grow beyond all bounds.
 ///
-/// The inner bars then pull at nothing, the outer ones fall for themselves, each about its foot: by hand,
-/// N (1 + 3 cos² φ) = m (g − ½ l φ̇² sin φ), and no foot leaves the floor before the inner bars are straight. That the run comes to
-/// φ_inner = 1e-3, where rounding ε/φ² is 2e-10 of N, is the tolerance of 1e-6.
+/// The inner bars then pull at nothing, the outer ones fall for themselves, each about its foot: by
+/// hand, N (1 + 3 cos² φ) = m (g − ½ l φ̇² sin φ), and no foot leaves the floor before the inner
+/// bars are straight. That the run comes to φ_inner = 1e-3, where rounding ε/φ² is 2e-10 of N, is
+/// the tolerance of 1e-6.
 #[test]
 fn no_contact_opens_where_the_inertia_vanishes() {
     for method in MethodId::ALL {
@@ -212,7 +215,8 @@ struct Stribeck {
 
 const STRIBECK: Stribeck = Stribeck { m: 1.0, mu: 0.2, c: 0.5, limit: 0.3, w: 0.0, f: 0.0, g: 10.0 };
 
-/// Static friction is compared with that of sliding at v = 0, however fast the belt is: μ(1) = 0.7 > μₛ, and μ(−1) = 0.1 < μₛ.
+/// Static friction is compared with that of sliding at v = 0, however fast the belt is: μ(1) = 0.7 >
+/// μₛ, and μ(−1) = 0.1 < μₛ.
 #[test]
 fn static_friction_is_that_of_no_slip() {
     for w in [0.0, 1.0, -1.0, 30.0] {
@@ -226,7 +230,8 @@ fn static_friction_is_that_of_no_slip() {
     }
 }
 
-/// μ = 0.2 − 0.05 v² vanishes at v = 2, where f = 4 has brought it: m v̇ = f − μ m g = 2 + v²/2, t = atan 1.
+/// μ = 0.2 − 0.05 v² vanishes at v = 2, where f = 4 has brought it: m v̇ = f − μ m g = 2 + v²/2, t =
+/// atan 1.
 #[test]
 fn friction_that_becomes_negative_ends_a_run() {
     for method in [MethodId::Auto, MethodId::Taylor, MethodId::Dop853, MethodId::Radau] {

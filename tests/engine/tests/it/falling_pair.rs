@@ -1,4 +1,5 @@
-//! Fig. 1a from start to landing, equations written by hand. Reference numbers: `models/data/references.json`.
+//! Fig. 1a from start to landing, equations written by hand. Reference numbers:
+//! `models/data/references.json`.
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_3};
 
@@ -122,7 +123,8 @@ fn slides_off_its_bar() {
     assert!((integral(&stop.state) / integral(&off.state) - 1.0).abs() < 1e-11);
 }
 
-/// Where a foot is at the end of its bar the gap is zero, and opens by rounding alone in some of these runs: that is no bounce.
+/// Where a foot is at the end of its bar the gap is zero, and opens by rounding alone in some of
+/// these runs: that is no bounce.
 #[test]
 fn a_foot_that_has_slid_off_does_not_settle() {
     for rate in 1..=60 {

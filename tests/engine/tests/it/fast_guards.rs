@@ -6,7 +6,8 @@ use liftoff::{LogEntry, LoggedDecision};
 use liftoff_fixtures::DoublePendulum;
 use liftoff_fixtures::RodOnSupports;
 
-/// When a condition ends a run of the pendulum from a = 1 at rest, and a then. a falls from 1 through zero.
+/// When a condition ends a run of the pendulum from a = 1 at rest, and a then. a falls from 1
+/// through zero.
 fn end(condition: &str) -> [f64; 2] {
     let model = DoublePendulum { m: 1.0, l: 1.0, g: 1.0 };
     let start = Pose::new("a", 1.0).with("b", 1.0);
@@ -16,7 +17,8 @@ fn end(condition: &str) -> [f64; 2] {
     [run.end_time(), run.value(&a, run.end_time())]
 }
 
-/// The bound of a condition is 1e-12 of its sides (the default tolerance), the time of a root that over its rate.
+/// The bound of a condition is 1e-12 of its sides (the default tolerance), the time of a root that
+/// over its rate.
 #[test]
 fn the_first_of_many_roots() {
     for omega in [300.0, 1000.0, 1e5] {
@@ -42,7 +44,8 @@ fn a_spike() {
     }
 }
 
-/// The same by a method that has no series of its own; a condition on a reaction that is made of other functions.
+/// The same by a method that has no series of its own; a condition on a reaction that is made of
+/// other functions.
 #[test]
 fn a_spike_by_every_method() {
     spikes(Tsit5);
@@ -84,8 +87,8 @@ fn a_root_beside_a_pole() {
     assert!((a - expected).abs() < 1e-11, "{a} {expected}");
 }
 
-/// tan(ω a) = C has a root 1/ωC before each pole, nearer to it than the tolerance. It is met there, or it is told that this is
-/// not decided. From rest at 1 the pendulum falls to −1 and comes back.
+/// tan(ω a) = C has a root 1/ωC before each pole, nearer to it than the tolerance. It is met there,
+/// or it is told that this is not decided. From rest at 1 the pendulum falls to −1 and comes back.
 #[test]
 fn a_root_nearer_to_a_pole_than_the_tolerance() {
     close_to_poles(Tsit5);
@@ -139,8 +142,8 @@ fn a_root_that_a_pole_hides_is_undecided() {
     }
 }
 
-/// E is T + V: what is left of it is rounding, of no sign that would tell anything. A noise of steep functions is not followed
-/// without end either.
+/// E is T + V: what is left of it is rounding, of no sign that would tell anything. A noise of
+/// steep functions is not followed without end either.
 #[test]
 fn a_condition_of_rounding_is_undecided_and_soon() {
     let model = DoublePendulum { m: 1.0, l: 1.0, g: 9.81 };
@@ -161,7 +164,8 @@ fn a_condition_of_rounding_is_undecided_and_soon() {
     }
 }
 
-/// A rod falls from 5 with 1000 rad/s: its lower end is y − |sin ωt|/2 high, y = 5 − t²/2. Before t = 3 it is above.
+/// A rod falls from 5 with 1000 rad/s: its lower end is y − |sin ωt|/2 high, y = 5 − t²/2. Before t =
+/// 3 it is above.
 #[test]
 fn a_spinning_rod_strikes_with_the_first_end_that_reaches() {
     let start = Pose::new("theta", 0.0).with("theta'", 1000.0).with("y", 5.0);

@@ -17,7 +17,8 @@ fn a_loop_flows() {
     );
 }
 
-/// Of every kind that has a closed form the energy stays: by series, and where a root has a kink by steps.
+/// Of every kind that has a closed form the energy stays: by series, and where a root has a kink by
+/// steps.
 #[test]
 fn the_energy_stays() {
     fn check<M: BarSystem>(model: &M, state: M::State<f64>) {

@@ -1,5 +1,5 @@
-//! Poses of four-bars given by the crank alone, against intersections of circles: round full turns, near change points, and past
-//! what the bars reach.
+//! Poses of four-bars given by the crank alone, against intersections of circles: round full turns,
+//! near change points, and past what the bars reach.
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
@@ -38,7 +38,8 @@ fn four_bar([a, b, c, d]: [f64; 4]) -> FourBar {
     FourBar { m: 1.0, a, b, c, d, g: 9.81 }
 }
 
-/// The angles of rocker and coupler, the coupler's end to the left of the diagonal; none where the circles do not meet.
+/// The angles of rocker and coupler, the coupler's end to the left of the diagonal; none where the
+/// circles do not meet.
 fn angles(of: &FourBar, phi: f64) -> Option<[f64; 2]> {
     let [ax, ay] = [of.a * phi.cos(), of.a * phi.sin()];
     let diagonal = (of.d - ax).hypot(ay);
@@ -70,8 +71,8 @@ fn start(of: &FourBar, pose: Pose) -> Result<Vec<f64>, String> {
     Ok(run.events()[0].state[..3].to_vec())
 }
 
-/// Cranks that go round, also past positions where the bars are nearly in one line: there a step of the crank by 11° would come
-/// onto the other branch.
+/// Cranks that go round, also past positions where the bars are nearly in one line: there a step of
+/// the crank by 11° would come onto the other branch.
 #[test]
 fn a_crank_takes_its_rocker_round_without_a_jump() {
     for beside in [0.3, 0.1, 0.05, 0.02, 0.01, 1e-3, 1e-4, 1e-5] {
@@ -90,7 +91,8 @@ fn a_crank_takes_its_rocker_round_without_a_jump() {
     }
 }
 
-/// A crank that does not go round stands where its bars reach, and on the branch of the figure; elsewhere it is refused.
+/// A crank that does not go round stands where its bars reach, and on the branch of the figure;
+/// elsewhere it is refused.
 #[test]
 fn a_crank_that_does_not_go_round_stands_where_its_bars_reach() {
     for lengths in [[1.0, 2.1, 1.0, 1.95], [1.0, 2.0, 1.0, 2.1], [2.0, 1.0, 2.5, 3.2], [2.5, 3.0, 1.0, 3.2]] {
@@ -118,7 +120,8 @@ fn a_crank_that_does_not_go_round_stands_where_its_bars_reach() {
     }
 }
 
-/// The rocker of a figure that is 0.01 rad of its crank away from the rocker's dead centre, from beside that to beside the other.
+/// The rocker of a figure that is 0.01 rad of its crank away from the rocker's dead centre, from
+/// beside that to beside the other.
 #[test]
 fn a_rocker_leaves_its_dead_centre_behind() {
     let of = four_bar([0.975595010710919, 1.7136266537842157, 2.8724470378755127, 1.0404557080921482]);
@@ -136,7 +139,8 @@ fn a_rocker_leaves_its_dead_centre_behind() {
     }
 }
 
-/// Flat, with rates that neither the parallelogram nor the other branch has: what has to jump is named.
+/// Flat, with rates that neither the parallelogram nor the other branch has: what has to jump is
+/// named.
 #[test]
 fn rates_of_no_branch_are_refused_by_the_names_of_the_joints() {
     let flat = Pose::new("phi", 0.0).with("psi", 0.0).with("chi", 0.0);

@@ -59,7 +59,8 @@ pub fn run(simulation: Simulation) -> Trajectory {
     simulation.run().unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Up a slope with the speed v it stops after v²/2g(sin α + μ cos α), and slides back where tan α > μₛ.
+/// Up a slope with the speed v it stops after v²/2g(sin α + μ cos α), and slides back where tan α >
+/// μₛ.
 #[test]
 fn a_block_slides_up_stops_and_slides_back_or_stays() {
     let (g, v) = (9.81, 2.0);
@@ -83,7 +84,8 @@ fn a_block_slides_up_stops_and_slides_back_or_stays() {
     }
 }
 
-/// Eight turning points, each amplitude less by 2μg m/k, rest at 15 − √205 after atan(6/13) + 7π (Leine and Nijmeijer).
+/// Eight turning points, each amplitude less by 2μg m/k, rest at 15 − √205 after atan(6/13) + 7π
+/// (Leine and Nijmeijer).
 #[test]
 fn the_friction_oscillator_comes_to_rest() {
     let oscillator = Oscillator { m: 1.0, g: 10.0, k: 1.0, mu: 0.1 };
@@ -159,7 +161,8 @@ fn a_rod_on_an_edge_slips_at_a_known_angle() {
     }
 }
 
-/// Stick and slip by turns: it slips at k x = μₛ m g, sticks again where its velocity is that of the belt.
+/// Stick and slip by turns: it slips at k x = μₛ m g, sticks again where its velocity is that of
+/// the belt.
 #[test]
 fn a_block_on_a_belt_sticks_and_slips() {
     let belt = Belt { m: 1.0, g: 10.0, k: 4.0, mu: 0.2, mu_s: 0.5, w: 0.7 };
@@ -207,8 +210,8 @@ fn friction_may_depend_on_the_slip_velocity() {
     assert!((stick.t - expected).abs() < 1e-9, "{stick} {expected}");
 }
 
-/// It does so at a loose tolerance too, where the place at which friction is located at its limit and the state that is on the
-/// contact are apart by more than rounding.
+/// It does so at a loose tolerance too, where the place at which friction is located at its limit
+/// and the state that is on the contact are apart by more than rounding.
 #[test]
 fn a_rod_on_an_edge_slips_at_every_tolerance() {
     for (m, a, b, mu) in [
@@ -226,8 +229,9 @@ fn a_rod_on_an_edge_slips_at_every_tolerance() {
     }
 }
 
-/// A block that falls on a fast belt is thrown along: P_t = μ P at the impact, which does work on it.
-/// At k x = μₛ m g, carried on, it slips from the start: x = x_m + (x₀ − x_m) cos ω t + (w/ω) sin ω t. At the other limit it sticks.
+/// A block that falls on a fast belt is thrown along: P_t = μ P at the impact, which does work on
+/// it. At k x = μₛ m g, carried on, it slips from the start: x = x_m + (x₀ − x_m) cos ω t + (w/ω)
+/// sin ω t. At the other limit it sticks.
 #[test]
 fn a_block_that_starts_at_its_static_limit_slips_or_stays() {
     let belt = Belt { m: 1.0, g: 10.0, k: 4.0, mu: 0.2, mu_s: 0.5, w: 0.7 };
@@ -279,8 +283,8 @@ struct Slotted {
     mu: f64,
 }
 
-/// After the end has turned back its slip is so slow that it lies within the tolerance until it sticks: the run goes on, and
-/// comes to what a tight tolerance gives.
+/// After the end has turned back its slip is so slow that it lies within the tolerance until it
+/// sticks: the run goes on, and comes to what a tight tolerance gives.
 #[test]
 fn a_slip_slower_than_the_tolerance_goes_on() {
     let (l, w, alpha) = (0.8128000759287005, 0.08128000759287006, -0.5_f64);
@@ -305,7 +309,8 @@ fn a_slip_slower_than_the_tolerance_goes_on() {
     }
 }
 
-/// Held, a support would pull, and the friction of what pulls is none that the law of a support knows: it has driven a ladder on.
+/// Held, a support would pull, and the friction of what pulls is none that the law of a support
+/// knows: it has driven a ladder on.
 #[test]
 fn a_support_with_friction_is_not_held() {
     let belt = Belt { m: 2.0, g: 10.0, k: 1e-9, mu: 0.5, mu_s: 0.5, w: 20.0 };
@@ -331,7 +336,8 @@ struct LowLadder {
     g: f64,
 }
 
-/// φ̈ of a bar with m = l = 1 that slides at both ends, from Newton's equations about its centre: with N = p + q φ̈ at the floor,
+/// φ̈ of a bar with m = l = 1 that slides at both ends, from Newton's equations about its centre:
+/// with N = p + q φ̈ at the floor,
 ///
 /// ```text
 /// N_B − μ N = −½ (s φ̈ + c φ̇²)    N + ν N_B = g + ½ (c φ̈ − s φ̇²)    −φ̈/6 = N (c − μ s) − N_B (ν c + s)

@@ -1,4 +1,5 @@
-//! Two bars that a drive stretches fully, once: there its row vanishes, and nothing but the motion before says how they go on.
+//! Two bars that a drive stretches fully, once: there its row vanishes, and nothing but the motion
+//! before says how they go on.
 
 use liftoff::method::MethodId;
 use liftoff::prelude::*;
@@ -27,8 +28,8 @@ stretched!(Sine, 1 + sin(t));
 /// The angle between the bars, 2 cos(d/2) = length, along its smooth branch, d = 4 asin(s(t)).
 type Angle = fn(f64) -> f64;
 
-/// φ at a time by Runge and Kutta's method, from the one equation that a given d leaves:
-/// (5/3 + cos d) a″ = −g (3/2 cos a + 1/2 cos(a + d)) + sin d d′ a′ + 1/2 sin d d′² − (1/3 + 1/2 cos d) d″.
+/// φ at a time by Runge and Kutta's method, from the one equation that a given d leaves: (5/3 + cos
+/// d) a″ = −g (3/2 cos a + 1/2 cos(a + d)) + sin d d′ a′ + 1/2 sin d d′² − (1/3 + 1/2 cos d) d″.
 fn integrate(d: Angle, g: f64, [phi, rate]: [f64; 2], end: f64) -> f64 {
     const STEPS: usize = 20_000;
     // The differences' errors, 1e-4⁴ and 1e-16/1e-4², are some 1e-8.

@@ -17,7 +17,8 @@ struct Groove {
     g: f64,
 }
 
-/// It comes to rest at the bottom, however the flights between the slopes disturb one another, and bears its weight there.
+/// It comes to rest at the bottom, however the flights between the slopes disturb one another, and
+/// bears its weight there.
 #[test]
 fn a_ball_comes_to_rest_in_a_groove() {
     for (a, b) in [(0.6, 0.6), (0.9, 0.3)] {
@@ -51,7 +52,8 @@ struct Tipping {
     g: f64,
 }
 
-/// Level on K alone, its centre outside, it tips at once: φ̈ = −12 d g/(l² + 12 d²) at the distance d.
+/// Level on K alone, its centre outside, it tips at once: φ̈ = −12 d g/(l² + 12 d²) at the distance
+/// d.
 #[test]
 fn a_bar_that_ends_before_a_corner_is_not_on_it() {
     let bar = Tipping { m: 1.0, l: 1.0, w: 0.3, g: 10.0 };

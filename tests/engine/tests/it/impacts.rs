@@ -49,7 +49,8 @@ impl Observer for Jumps {
     fn step(&mut self, _: &dyn Step) {}
 }
 
-/// The end of a level-falling bar strikes with v: events, arrays, observers and turning points have the motion before too.
+/// The end of a level-falling bar strikes with v: events, arrays, observers and turning points have
+/// the motion before too.
 #[test]
 fn both_sides_of_an_impact_are_kept() {
     let (fall, theta) = (0.25, 0.4f64);
@@ -86,8 +87,8 @@ fn both_sides_of_an_impact_are_kept() {
     assert!(*t == impact.t && (state[5] + v).abs() < 1e-12, "{state:?}");
 }
 
-/// Flat, both ends at once: J = m v/2 each without spin, and the order of the impacts would matter: cos θ = ½ for a
-/// uniform bar. Its middle, where a third support stands, shares the blow.
+/// Flat, both ends at once: J = m v/2 each without spin, and the order of the impacts would matter:
+/// cos θ = ½ for a uniform bar. Its middle, where a third support stands, shares the blow.
 #[test]
 fn both_ends_strike_at_once() {
     for form in FORMS {
@@ -113,7 +114,8 @@ fn both_ends_strike_at_once() {
     }
 }
 
-/// Catalogue 11: struck across at its end by P, the hinge passes on P/4 and the struck end goes off at 7P/2m.
+/// Catalogue 11: struck across at its end by P, the hinge passes on P/4 and the struck end goes off
+/// at 7P/2m.
 #[test]
 fn a_chain_is_struck_at_its_end() {
     let (m, p) = (2.0, 3.0);
@@ -123,12 +125,14 @@ fn a_chain_is_struck_at_its_end() {
     assert_eq!((struck.kind, struck.t), (EventKind::Impulse, 0.5));
     let value = |text: &str| run.value(&Output::parse(StruckChain::LAYOUT, text).unwrap(), 0.5);
     assert!((value("vy(A)") - 3.5 * p / m).abs() < 1e-13);
-    // The second bar has the momentum of the inner impulse −P/4: its centre is midway between B and C.
+    // The second bar has the momentum of the inner impulse −P/4: its centre is midway between B and
+    // C.
     assert!((0.5 * m * (value("vy(B)") + value("vy(C)")) + p / 4.0).abs() < 1e-13);
     assert!(value("vx(A)").abs() < 1e-15);
 }
 
-/// A ladder at rest at its wall is struck outwards at its head: the wall does not answer, the floor does.
+/// A ladder at rest at its wall is struck outwards at its head: the wall does not answer, the floor
+/// does.
 #[test]
 fn a_blow_opens_a_contact() {
     let ladder = Simulation::new(&Ladder { m: 1.0, l: 1.0, g: 1.0 }).unwrap();
@@ -189,7 +193,8 @@ fn a_corner_at_the_end_of_its_bar() {
     assert_eq!((&support[..], end), ("P, Q", "first"));
 }
 
-/// One that its bar reaches over by more than roundoff bears, however long the bar is: here by 1e5 spacings of doubles.
+/// One that its bar reaches over by more than roundoff bears, however long the bar is: here by 1e5
+/// spacings of doubles.
 #[test]
 fn a_corner_near_the_end_of_its_bar() {
     let pair = |phi: f64| {
@@ -213,7 +218,8 @@ fn errors_keep_the_trajectory() {
     assert!(error.trajectory().end_time() > 1.2);
 }
 
-/// A level bar strikes with both ends at once, also where one is still within its bound of the floor from the impact before.
+/// A level bar strikes with both ends at once, also where one is still within its bound of the
+/// floor from the impact before.
 #[test]
 fn all_contacts_that_are_struck_are_named() {
     let bar = BouncingBar { m: 1.0, l: 1.0, g: 9.81, e: 0.5 };

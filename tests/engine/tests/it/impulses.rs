@@ -1,4 +1,5 @@
-//! The impulse problem in plain numbers: random collisions against their conditions, and closed forms.
+//! The impulse problem in plain numbers: random collisions against their conditions, and closed
+//! forms.
 
 use liftoff::__private::impulse::{Collision, CollisionError, Outcome, Row};
 use liftoff_core::model::Law;
@@ -72,13 +73,15 @@ fn smooth_collisions_meet_their_conditions() {
             examine(&collision, &outcome);
             let departs = collision.approach().iter().take(3).any(|speed| *speed > 0.0);
             assert!(!departs || outcome.law == Law::Poisson);
-            // Without friction the work Σ P (ġ⁺ + ġ⁻)/2 is never positive, whatever the coefficients.
+            // Without friction the work Σ P (ġ⁺ + ġ⁻)/2 is never positive, whatever the
+            // coefficients.
             assert_eq!(outcome.factor, 1.0);
         }
     }
 }
 
-/// No slip may leave no admissible impulse at all, as a wedge does; where there is one, nothing is gained.
+/// No slip may leave no admissible impulse at all, as a wedge does; where there is one, nothing is
+/// gained.
 #[test]
 fn rough_collisions_gain_nothing() {
     let mut numbers = Numbers(2);
@@ -100,7 +103,8 @@ fn rough_collisions_gain_nothing() {
     assert!(jammed < 200 && reduced > 10, "{jammed} {reduced}");
 }
 
-/// Catalogue 6: a uniform bar at θ to the floor falls at v without spin; J = (1 + e) m v / (1 + 3 cos² θ).
+/// Catalogue 6: a uniform bar at θ to the floor falls at v without spin; J = (1 + e) m v / (1 + 3
+/// cos² θ).
 #[test]
 fn a_bar_end_strikes_the_floor() {
     for (theta, e) in [(0.3f64, 0.0), (0.3, 0.5), (1.2, 1.0)] {

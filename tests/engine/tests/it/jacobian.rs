@@ -51,7 +51,8 @@ struct SprungBlock {
     c: f64,
 }
 
-/// Four bars in the shape of an M, the outer ones perhaps without mass, with spring hinges beside the middle.
+/// Four bars in the shape of an M, the outer ones perhaps without mass, with spring hinges beside
+/// the middle.
 #[derive(BarSystem)]
 #[gravity(g)]
 #[bar(AB, mass = m2, length = l)]
@@ -77,8 +78,8 @@ struct SprungZigzag {
     c: f64,
 }
 
-/// Compares the Jacobian at a full state with differences over ±1e-10, whose error is some 1e-20 by truncation and
-/// 1e-32/1e-10 by rounding; how many entries the phase has.
+/// Compares the Jacobian at a full state with differences over ±1e-10, whose error is some 1e-20 by
+/// truncation and 1e-32/1e-10 by rounding; how many entries the phase has.
 fn compare<M: BarSystem>(model: &M, closed: &[&str], form: Form, state: &[f64]) -> usize {
     let set = contact_set(M::LAYOUT, closed).unwrap();
     let lifted = Model::new(model);
@@ -120,7 +121,8 @@ fn of_closed_and_projected_forms() {
     assert_eq!(compare(&block, &["A"], Form::Multipliers, &[0.1, 0.5, 0.2, -0.3, 0.4, 1.1]), 6);
 }
 
-/// Without mass in the outer bars M is singular, and definite only on what the closed contacts leave free.
+/// Without mass in the outer bars M is singular, and definite only on what the closed contacts
+/// leave free.
 #[test]
 fn of_massless_bars() {
     let zigzag = SprungZigzag { m1: 1.0, m2: 0.0, l: 1.0, g: 9.81, k: 2.0, c: 0.3 };
@@ -131,7 +133,8 @@ fn of_massless_bars() {
     }
 }
 
-/// Nothing of rigid bars on supports is stiff: there Radau takes differences, and Newton's iteration meets the same error.
+/// Nothing of rigid bars on supports is stiff: there Radau takes differences, and Newton's
+/// iteration meets the same error.
 #[test]
 fn rigid_bars_have_none_and_need_none() {
     let pair = FallingPair { m: 2.0, l: 0.5, g: 9.81 };

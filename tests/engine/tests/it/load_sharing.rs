@@ -91,8 +91,8 @@ struct Leaning {
     f: f64,
 }
 
-/// It slips at both ends at F = (k − ½) W / (1 − k), k = μ (tan θ + μ) / (1 + μ²): where the equations of statics leave the
-/// reactions open, they are limited by friction alone.
+/// It slips at both ends at F = (k − ½) W / (1 − k), k = μ (tan θ + μ) / (1 + μ²): where the
+/// equations of statics leave the reactions open, they are limited by friction alone.
 #[test]
 fn a_leaning_ladder_slips_at_the_limit_load() {
     let theta = 60.0_f64.to_radians();
@@ -131,7 +131,8 @@ struct Tripod {
     mu: f64,
 }
 
-/// All feet turn back at once, those too whose reactions others bear; none goes on with the sense that it had.
+/// All feet turn back at once, those too whose reactions others bear; none goes on with the sense
+/// that it had.
 #[test]
 fn all_feet_of_a_plank_slide_back_together() {
     let plank = Tripod { m: 0.7, l: 1.0, c: 0.6, g: 9.81, k: 50.0, mu: 0.15 };
@@ -172,7 +173,8 @@ struct Uneven {
     nu: f64,
 }
 
-/// What its middle foot bears decides how fast it is slowed down, and statics leaves that open: it is told.
+/// What its middle foot bears decides how fast it is slowed down, and statics leaves that open: it
+/// is told.
 #[test]
 fn a_motion_that_depends_on_how_the_load_is_shared_is_reported() {
     let decided = |nu: f64| {

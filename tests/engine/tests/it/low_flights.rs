@@ -1,9 +1,11 @@
-//! Contacts that lift off with their reaction at zero and land before their gap is more than rounding.
+//! Contacts that lift off with their reaction at zero and land before their gap is more than
+//! rounding.
 //!
-//! The feet of a falling A-frame with sin φ = s, S = 1 + ε, open where N/mg = ¼ − (3/2) s S + (9/4) s² falls through zero, at
-//! s₁ = (S + √(S² − 1))/3, and would push again at s₂ = (S − √(S² − 1))/3. Between the two the speed changes by a part of the
-//! order √ε only, so that the gap's acceleration is as k τ (T − τ) and the gap as k (T τ³/6 − τ⁴/12): it closes after twice the
-//! time T from s₁ to s₂, at 2 s₂ − s₁.
+//! The feet of a falling A-frame with sin φ = s, S = 1 + ε, open where N/mg = ¼ − (3/2) s S + (9/4)
+//! s² falls through zero, at s₁ = (S + √(S² − 1))/3, and would push again at s₂ = (S − √(S² −
+//! 1))/3. Between the two the speed changes by a part of the order √ε only, so that the gap's
+//! acceleration is as k τ (T − τ) and the gap as k (T τ³/6 − τ⁴/12): it closes after twice the time
+//! T from s₁ to s₂, at 2 s₂ − s₁.
 
 #![allow(clippy::duplicated_attributes, reason = "two bars may be as long as each other")]
 

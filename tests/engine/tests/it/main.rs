@@ -1,5 +1,5 @@
-//! Runs of small models through the whole of the crate, in one program: each of its files would compile the same
-//! integrators and drivers again.
+//! Runs of small models through the whole of the crate, in one program: each of its files would
+//! compile the same integrators and drivers again.
 
 mod actuators;
 mod batch;

@@ -52,7 +52,8 @@ fn a_segment_tells_what_integrates_it() {
     assert_eq!(run.segments()[0].choice.method, "radau");
 }
 
-/// Where Auto leaves the series of a long chain for shorter work, its errors stay as small as theirs: below the tolerance.
+/// Where Auto leaves the series of a long chain for shorter work, its errors stay as small as
+/// theirs: below the tolerance.
 #[test]
 fn long_series_are_left_without_loss_of_digits() {
     let chain = HangingChain { m: 0.7, l: 1.3, g: 9.81 };
@@ -223,7 +224,8 @@ fn changes(run: &Trajectory) -> Vec<&'static str> {
     run.log().iter().filter_map(method).collect()
 }
 
-/// One phase, of which no step is lost or made twice where the method changes: the state a little before and a little behind is one.
+/// One phase, of which no step is lost or made twice where the method changes: the state a little
+/// before and a little behind is one.
 fn goes_through(run: &Trajectory) {
     assert_eq!(run.segments().len(), 1);
     assert_eq!(run.times().len() as u64, run.statistics().steps + 1);
@@ -262,8 +264,8 @@ struct VanDerPol {
     eps: f64,
 }
 
-/// Problem `vdpol` of the Test Set for IVP Solvers (Mazzia & Magherini, release 2.4), ε = 1e-6: crawls by the implicit method, jumps by
-/// the explicit one.
+/// Problem `vdpol` of the Test Set for IVP Solvers (Mazzia & Magherini, release 2.4), ε = 1e-6:
+/// crawls by the implicit method, jumps by the explicit one.
 #[test]
 fn auto_changes_its_method_at_each_jump_of_a_relaxation_oscillation() {
     let model = VanDerPol { eps: 1e-6 };

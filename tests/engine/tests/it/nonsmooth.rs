@@ -1,4 +1,5 @@
-//! Loads that are not analytic in the motion: drag of the square of the speed, a one-sided spring, by every method.
+//! Loads that are not analytic in the motion: drag of the square of the speed, a one-sided spring,
+//! by every method.
 
 use liftoff::method::MethodId;
 use liftoff::prelude::*;
@@ -58,8 +59,8 @@ struct Bumper {
     g: f64,
 }
 
-/// A mass on a spring that may pass its anchor, whose force then changes at once from a push to the one side to one to the
-/// other.
+/// A mass on a spring that may pass its anchor, whose force then changes at once from a push to the
+/// one side to one to the other.
 #[derive(BarSystem)]
 #[ground(O = (0, 0))]
 #[particle(P, mass = m)]
@@ -126,8 +127,8 @@ fn thrown() -> Pose {
     Pose::new("x", 0.0).with("y", 0.0).with("y'", 5.0)
 }
 
-/// v̇ = −g − c v² up, v̇ = −g + c v² down, m = 1: the speed is √(g/c) tan, then √(g/c) tanh of √(g c) times the time to and from
-/// the top.
+/// v̇ = −g − c v² up, v̇ = −g + c v² down, m = 1: the speed is √(g/c) tan, then √(g/c) tanh of √(g
+/// c) times the time to and from the top.
 #[test]
 fn a_ball_thrown_up_through_air_turns_at_rest() {
     let (c, v): (f64, f64) = (0.5, 5.0);
@@ -184,8 +185,9 @@ fn passed(l: f64, reach: f64, t: f64) -> f64 {
     side * (l + reach * (rest - 2.0 * to_anchor * trips).cos())
 }
 
-/// Steps planned to end at the anchor may end just behind it, which made Gauss's method go on without a word with what it had
-/// found beyond. The end of the run is within ten tolerances for each passage.
+/// Steps planned to end at the anchor may end just behind it, which made Gauss's method go on
+/// without a word with what it had found beyond. The end of the run is within ten tolerances for
+/// each passage.
 #[test]
 fn a_spring_passes_its_anchor() {
     let anchored = Anchored { m: 1.0, k: 1.0, l: 1.0 };
@@ -203,16 +205,16 @@ fn a_spring_passes_its_anchor() {
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
-/// φ̈ = −3 g/2 sin φ − 3 c φ̇ |φ̇| − 3 k sin φ/(1 + φ²), m = l = 1. Its values by Taylor series with 30 digits, begun anew at
-/// each zero of φ̇.
+/// φ̈ = −3 g/2 sin φ − 3 c φ̇ |φ̇| − 3 k sin φ/(1 + φ²), m = l = 1. Its values by Taylor series
+/// with 30 digits, begun anew at each zero of φ̇.
 #[test]
 fn a_pendulum_swings_through_air() {
     each(&MAGNET, || Pose::new("phi", 0.0).with("phi'", 0.5), 3.0, (0, MOVING));
     each(&MAGNET, || Pose::new("phi", 0.4), 2.0, (0, AT_REST));
 }
 
-/// v = √(g/c) tanh(√(g c) t) down to y = 0, where it stays at rest: what decides that asks for the derivatives of the root at
-/// its zero.
+/// v = √(g/c) tanh(√(g c) t) down to y = 0, where it stays at rest: what decides that asks for the
+/// derivatives of the root at its zero.
 #[test]
 fn a_ball_lands_through_air_and_rests() {
     let c: f64 = 0.5;
@@ -227,13 +229,15 @@ fn a_ball_lands_through_air_and_rests() {
     }
 }
 
-/// Nearly upwards: the speed at the top is small and not zero, between the steps that a tolerance tells apart.
+/// Nearly upwards: the speed at the top is small and not zero, between the steps that a tolerance
+/// tells apart.
 #[test]
 fn a_ball_passes_its_top_slowly() {
     let drag = Drag { m: 1.0, c: 0.5, g: G };
     for pace in [1e-9, 1e-6, 1e-3, 1e-1] {
         let start = || thrown().with("x'", pace);
-        // Ten steps of each; DOP853's are short enough to see the top for all that they are not cut there.
+        // Ten steps of each; DOP853's are short enough to see the top for all that they are not cut
+        // there.
         let expected = ran(&drag, MethodId::Dop853, 1e-14, start(), 1.0).final_state();
         for method in [MethodId::Auto, MethodId::Tsit5, MethodId::Radau] {
             let state = ran(&drag, method, 1e-9, start(), 1.0).final_state();
@@ -243,7 +247,8 @@ fn a_ball_passes_its_top_slowly() {
     }
 }
 
-/// v = 1 − μ t up to rest; beyond, the right-hand side points back from both sides, and the run says that it does not go on.
+/// v = 1 − μ t up to rest; beyond, the right-hand side points back from both sides, and the run
+/// says that it does not go on.
 #[test]
 fn dry_friction_ends_with_what_was_computed() {
     let friction = Friction { m: 1.0, mu: 1.0 };

@@ -77,8 +77,9 @@ impl Observer for Told {
     }
 }
 
-/// The n-th impact of a ball that falls from 1 m and loses nothing is at (2n − 1) √(2/g); the time of the clock has rounding enough by
-/// then that a step which ends at it would end below the ground.
+/// The n-th impact of a ball that falls from 1 m and loses nothing is at (2n − 1) √(2/g); the time
+/// of the clock has rounding enough by then that a step which ends at it would end below the
+/// ground.
 #[test]
 fn a_ball_bounces_on_when_the_time_is_long() {
     let ball = Particle { m: 1.0, g: 9.81, e: 1.0 };
@@ -100,7 +101,8 @@ fn a_ball_bounces_on_when_the_time_is_long() {
     }
 }
 
-/// What the observer is shown is what is kept, in this order, whether it takes it or not; what the run waits for stays.
+/// What the observer is shown is what is kept, in this order, whether it takes it or not; what the
+/// run waits for stays.
 #[test]
 fn an_observer_is_shown_each_event_once() {
     let ball = Particle { m: 1.0, g: 1.0, e: 0.5 };

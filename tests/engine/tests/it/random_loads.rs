@@ -1,5 +1,5 @@
-//! Loads drawn at random of sums, products, |a|, min, max and roots of sums of squares, by every method against steps of
-//! DOP853 that are cut at their kinks by hand.
+//! Loads drawn at random of sums, products, |a|, min, max and roots of sums of squares, by every
+//! method against steps of DOP853 that are cut at their kinks by hand.
 
 use liftoff::method::MethodId;
 use liftoff::prelude::*;
@@ -8,7 +8,8 @@ use liftoff_core::integrate::{Dop853, StepState, Stepper, Tolerance};
 /// x, y, ẋ, ẏ of a ball of mass 1.
 type State = [f64; 4];
 
-/// A ball under a load, the load again as a function of Rust, and what changes its sign at its kinks.
+/// A ball under a load, the load again as a function of Rust, and what changes its sign at its
+/// kinks.
 macro_rules! loaded {
     ($name:ident, |$x:ident, $y:ident, $vx:ident, $vy:ident, $P:ident| ($fx:expr, $fy:expr), [$($kink:expr),*]) => {
         #[derive(BarSystem)]
@@ -59,7 +60,8 @@ fn agree<M: BarSystem>(model: &M, f: &impl Fn(&State) -> State, kinks: &impl Fn(
     }
 }
 
-/// The state at the end by short steps at a tolerance of 1e-13, each on one side of all kinks; and how many were passed.
+/// The state at the end by short steps at a tolerance of 1e-13, each on one side of all kinks; and
+/// how many were passed.
 fn cut_by_hand(f: &impl Fn(&State) -> State, kinks: &impl Fn(&State) -> Vec<bool>) -> (State, usize) {
     let (mut t, mut state, mut cuts) = (0.0, START, 0);
     while t < END {

@@ -1,4 +1,5 @@
-//! Housner's block on rough corners, plastic impacts: ω⁺/ω⁻ = 1 − (3/2) sin² α, tan α = b/h (catalogue 8).
+//! Housner's block on rough corners, plastic impacts: ω⁺/ω⁻ = 1 − (3/2) sin² α, tan α = b/h
+//! (catalogue 8).
 
 use liftoff::prelude::*;
 use liftoff_fixtures::Block;
@@ -24,8 +25,8 @@ fn a_block_rocks_and_comes_to_rest() {
         assert_eq!(impact.supports, [["B"], ["A"]][k % 2], "{impact}");
         let spin = impact.state[3].abs();
         if let Some(before) = before {
-            // Energy is kept between impacts, so the rate before one is that after the last; of the height, some
-            // spin²/g, the rounding of a gap is lost.
+            // Energy is kept between impacts, so the rate before one is that after the last; of the
+            // height, some spin²/g, the rounding of a gap is lost.
             let rounding = 1e-10 + 4.0 * f64::EPSILON / (spin * spin);
             assert!((spin / before / ratio - 1.0).abs() < rounding, "{k} {impact}");
         }
@@ -54,8 +55,9 @@ fn a_squat_block_falls_flat() {
     assert!(run.final_state()[3..].iter().all(|u| u.abs() < 1e-15));
 }
 
-/// Catalogue 3: a rod toppling about a rough point from rest upright: N = (mg/4)(1 − 3 cos θ)² touches zero at
-/// cos θ = ⅓, where the point still drags it by F = ¾ m g sin θ (3 cos θ − 2), and does not lift.
+/// Catalogue 3: a rod toppling about a rough point from rest upright: N = (mg/4)(1 − 3 cos θ)²
+/// touches zero at cos θ = ⅓, where the point still drags it by F = ¾ m g sin θ (3 cos θ − 2), and
+/// does not lift.
 #[test]
 fn a_toppling_rod_keeps_its_rough_point() {
     let rod = Block { m: 1.0, b: 0.0, h: 0.5, g: 1.0 };

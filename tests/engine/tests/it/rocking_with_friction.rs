@@ -1,4 +1,5 @@
-//! Sequences of impacts with friction, and sequences of such sequences: what bounces on two feet by turns comes to rest.
+//! Sequences of impacts with friction, and sequences of such sequences: what bounces on two feet by
+//! turns comes to rest.
 
 use liftoff::method::MethodId;
 use liftoff::prelude::*;
@@ -42,8 +43,8 @@ fn run(simulation: Simulation) -> Trajectory {
     simulation.run().unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// All impulses together are the weight's: it slides until v₀/μg, however often it has bounced, and no longer bounces from
-/// √(2h/g) (1 + e)/(1 − e) on.
+/// All impulses together are the weight's: it slides until v₀/μg, however often it has bounced, and
+/// no longer bounces from √(2h/g) (1 + e)/(1 − e) on.
 #[test]
 fn what_skips_along_a_floor_slows_down_by_its_weight() {
     let (g, mu, v) = (9.81, 0.2, 6.0);
@@ -65,9 +66,10 @@ fn what_skips_along_a_floor_slows_down_by_its_weight() {
     }
 }
 
-/// The rate at which a block of unit mass strikes with its next foot, and when, after it has struck with a rate ω. That foot
-/// bounces: its speeds are 2bω eᵏ, its flights 2bω eᵏ 2/g. Between, the block's angular momentum about it is what the weight
-/// leaves of that before the impact, L = J ωₖ + b wₖ with J = 4/3 r², wₖ the foot's speed.
+/// The rate at which a block of unit mass strikes with its next foot, and when, after it has struck
+/// with a rate ω. That foot bounces: its speeds are 2bω eᵏ, its flights 2bω eᵏ 2/g. Between, the
+/// block's angular momentum about it is what the weight leaves of that before the impact, L = J ωₖ +
+/// b wₖ with J = 4/3 r², wₖ the foot's speed.
 fn next_strike(block: &Feet, omega: f64) -> (f64, f64) {
     let &Feet { b, h, g, e, .. } = block;
     let r_squared = b * b + h * h;
@@ -86,8 +88,8 @@ fn next_strike(block: &Feet, omega: f64) -> (f64, f64) {
     (strikes, t + (rate + strikes) / deceleration)
 }
 
-/// Of a small tilt the block keeps a part of its rate from one foot to the other that does not depend on it: the sequence of
-/// sequences is a geometric one.
+/// Of a small tilt the block keeps a part of its rate from one foot to the other that does not
+/// depend on it: the sequence of sequences is a geometric one.
 #[test]
 fn a_block_that_bounces_on_its_feet_by_turns_comes_to_rest() {
     for (b, e) in [(0.3, 0.5), (0.3, 0.2), (0.5, 0.3), (0.2, 0.7)] {
@@ -112,8 +114,9 @@ fn a_block_that_bounces_on_its_feet_by_turns_comes_to_rest() {
     }
 }
 
-/// Thrown, with restitution along the floor too, and where friction never lets it slide: all end at rest, and where a tight
-/// tolerance says. When they do depends on each impact where e is large: errors grow from one to the next.
+/// Thrown, with restitution along the floor too, and where friction never lets it slide: all end at
+/// rest, and where a tight tolerance says. When they do depends on each impact where e is large:
+/// errors grow from one to the next.
 #[test]
 fn a_thrown_block_comes_to_rest_at_every_tolerance() {
     for (mu, e, e_t) in

@@ -17,8 +17,8 @@ fn settled(events: &[Event], ball: &str) -> f64 {
     events.iter().filter(settles).map(|event| event.t).next_back().unwrap()
 }
 
-/// Heights that differ by less and less: the one that settles first leaves the other alone. An end is known to the bound of
-/// ten tolerances, in natural times of some seconds.
+/// Heights that differ by less and less: the one that settles first leaves the other alone. An end
+/// is known to the bound of ten tolerances, in natural times of some seconds.
 #[test]
 fn independent_contacts_settle_each_at_its_time() {
     for (height, tolerance) in [(1.002, 1e-4), (1.00005, 1e-6), (1.0000005, 1e-12), (1.3, 1e-9), (1.0, 1e-9)]
@@ -32,7 +32,8 @@ fn independent_contacts_settle_each_at_its_time() {
     }
 }
 
-/// With e = h = ½ and g = 1 the impacts come at 1, 2, 2.5, …: gaps are exactly zero at ends of steps.
+/// With e = h = ½ and g = 1 the impacts come at 1, 2, 2.5, …: gaps are exactly zero at ends of
+/// steps.
 #[test]
 fn impacts_at_round_times_are_seen() {
     for (heights, e) in [([0.5, 0.5], 0.5), ([0.5, 2.0], 0.5), ([0.5, 0.125], 0.5), ([2.0, 4.5], 0.25)] {
@@ -44,7 +45,8 @@ fn impacts_at_round_times_are_seen() {
     }
 }
 
-/// Thrown up so little that the flight is below the rounding of the gap, or below the bound of a tolerance: it is back at once.
+/// Thrown up so little that the flight is below the rounding of the gap, or below the bound of a
+/// tolerance: it is back at once.
 #[test]
 fn flights_too_low_to_be_seen_are_over_at_once() {
     let model = TwoBalls { m: 1.0, e: 0.8, g: 1.0, h: 1.0 };
@@ -63,8 +65,8 @@ fn flights_too_low_to_be_seen_are_over_at_once() {
     }
 }
 
-/// Of many flights each lands on the floor, to rounding and not to its bound: of 1900 with e = 0.99 all errors are seen in the
-/// time of rest.
+/// Of many flights each lands on the floor, to rounding and not to its bound: of 1900 with e = 0.99
+/// all errors are seen in the time of rest.
 #[test]
 fn many_flights_end_at_their_time() {
     for tolerance in [1e-6, 1e-8, 1e-9, 1e-10, 1e-12] {
@@ -73,7 +75,8 @@ fn many_flights_end_at_their_time() {
         let run = Simulation::new(&model).unwrap().tolerance(tolerance).method(Dop853);
         let run = run.start(pose).unwrap().limit(282.0).run().unwrap();
         let error = settled(run.events(), "P") - 199.0 * 2f64.sqrt();
-        // The time is known to an ulp of 281 at each impact, and the ratio of two flights makes a hundred times that of it.
+        // The time is known to an ulp of 281 at each impact, and the ratio of two flights makes a
+        // hundred times that of it.
         assert!(error.abs() < 1e-9, "{tolerance:e}: {error:e}");
     }
 }

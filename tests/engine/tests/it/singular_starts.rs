@@ -17,7 +17,8 @@ fn rates<M: BarSystem>(model: &M, pose: Pose, names: &[&str]) -> Vec<f64> {
     names.iter().map(value).collect()
 }
 
-/// Upright, the rod's lower end keeps y′ from nothing: it takes off with the rates given, the others zero.
+/// Upright, the rod's lower end keeps y′ from nothing: it takes off with the rates given, the
+/// others zero.
 #[test]
 fn a_rod_on_its_end_takes_off() {
     let rod = RodOnSupports { m: 2.0, l: 3.0, g: 10.0 };
@@ -29,7 +30,8 @@ fn a_rod_on_its_end_takes_off() {
     }
 }
 
-/// Its feet below its apex, the frame's fall is stopped by an impact: J = (0, 1), so that nothing of it is left.
+/// Its feet below its apex, the frame's fall is stopped by an impact: J = (0, 1), so that nothing
+/// of it is left.
 #[test]
 fn an_upright_frame_is_struck() {
     let frame = AFrame { m: 1.0, l: 1.0, g: 1.0 };
@@ -42,7 +44,8 @@ fn an_upright_frame_is_struck() {
     assert!(run.value(&phi, 0.0).abs() < 1e-12);
 }
 
-/// Off the singular position by more than poses are known, the constraint l cos φ φ′ = h′ gives the rate.
+/// Off the singular position by more than poses are known, the constraint l cos φ φ′ = h′ gives the
+/// rate.
 #[test]
 fn a_steep_frame_moves() {
     let frame = AFrame { m: 1.0, l: 1.0, g: 1.0 };
@@ -76,7 +79,8 @@ struct Folded {
     g: f64,
 }
 
-/// At φ = π/2 the gaps of A and C have one Jacobian, and from there on both hold all bars at one angle: the motion has the energy
+/// At φ = π/2 the gaps of A and C have one Jacobian, and from there on both hold all bars at one
+/// angle: the motion has the energy
 ///
 /// ```text
 /// l² φ′² (m₁/3 + m₂ (1/12 + ¼ cos² φ + (9/4) sin² φ)) + (m₁ + m₂) g l sin φ,
@@ -126,8 +130,9 @@ struct Marble {
     g: f64,
 }
 
-/// At the top the gap (x² + y² − r²)/2r is flat along x, which its rounding leaves unknown by 1e-8: the top is x = 0, where the
-/// ball stays. Beside it, as far as numbers tell y from r, x² = r² − y².
+/// At the top the gap (x² + y² − r²)/2r is flat along x, which its rounding leaves unknown by 1e-8:
+/// the top is x = 0, where the ball stays. Beside it, as far as numbers tell y from r, x² = r² −
+/// y².
 #[test]
 fn what_is_left_open_at_a_fold_is_on_the_fold() {
     let ball = Marble { m: 1.0, r: 2.0, g: 9.81 };
@@ -144,7 +149,8 @@ fn what_is_left_open_at_a_fold_is_on_the_fold() {
     }
 }
 
-/// A ball that is put into the floor by less than the bound of its tolerance is lifted onto it: that takes nothing of its given rate.
+/// A ball that is put into the floor by less than the bound of its tolerance is lifted onto it:
+/// that takes nothing of its given rate.
 #[test]
 fn a_start_below_the_floor_keeps_its_rates() {
     let balls = TwoBalls { m: 1.0, e: 0.0, g: 10.0, h: 1.0 };
@@ -155,8 +161,8 @@ fn a_start_below_the_floor_keeps_its_rates() {
     assert_eq!([end["y"], end["x'"]], [0.0, 0.1]);
 }
 
-/// Upright, with B and D at one place, the row of the slack thread is rounding over rounding. It takes no part: the bars that turn
-/// faster pull their feet up, ÿ = l (φ̇² − ψ̇²).
+/// Upright, with B and D at one place, the row of the slack thread is rounding over rounding. It
+/// takes no part: the bars that turn faster pull their feet up, ÿ = l (φ̇² − ψ̇²).
 #[test]
 fn a_slack_thread_whose_points_meet_decides_nothing() {
     for ([inner, outer], bearing) in [([0.98, -2.7], vec!["C"]), ([2.7, -0.98], vec!["A", "E"])] {
@@ -168,8 +174,8 @@ fn a_slack_thread_whose_points_meet_decides_nothing() {
     }
 }
 
-/// Nearly upright, and moved onto its feet, the frame has rates that keep them there: 170 rad/s times the angle by which it has been
-/// moved are an impact otherwise.
+/// Nearly upright, and moved onto its feet, the frame has rates that keep them there: 170 rad/s
+/// times the angle by which it has been moved are an impact otherwise.
 #[test]
 fn a_start_that_is_moved_onto_its_contacts_does_not_strike_them() {
     let zigzag = Simulation::new(&Zigzag { m1: 0.9, m2: 0.5, l: 1.0, g: 9.81 }).unwrap();
@@ -186,8 +192,8 @@ fn a_start_that_is_moved_onto_its_contacts_does_not_strike_them() {
     assert!(gap.abs() < 1e-14 * rate("phi_inner").abs(), "{gap:e} of {state:?}");
 }
 
-/// Upright, the gaps of A, C and E have one Jacobian. With A and E to bear light legs fall apart below a heavy middle and C sinks
-/// into the floor; with C to bear, nothing does.
+/// Upright, the gaps of A, C and E have one Jacobian. With A and E to bear light legs fall apart
+/// below a heavy middle and C sinks into the floor; with C to bear, nothing does.
 #[test]
 fn what_depends_on_others_upright_does_not_sink() {
     let upright = || Pose::new("phi_inner", FRAC_PI_2).with("phi_outer", 2.5 * PI);

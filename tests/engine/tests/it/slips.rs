@@ -30,7 +30,8 @@ fn a_run_ends_where_a_friction_force_or_a_slip_velocity_has_a_value() {
     assert_eq!(run.value(&run.output("mu(P)").unwrap(), 1.0), BELT.mu_s);
 }
 
-/// The friction force follows its contact in the reactions of events: μₛ m g before a slip and μ m g behind it.
+/// The friction force follows its contact in the reactions of events: μₛ m g before a slip and μ m
+/// g behind it.
 #[test]
 fn events_have_friction_forces() {
     let run = carried().run().unwrap();
@@ -40,7 +41,8 @@ fn events_have_friction_forces() {
     assert!((before - 10.0).abs() < 1e-9, "{before}");
 }
 
-/// An event tells the limit that was reached, μₛ = ½ with which it leaves the belt, and the limit that holds it when it comes back.
+/// An event tells the limit that was reached, μₛ = ½ with which it leaves the belt, and the limit
+/// that holds it when it comes back.
 #[test]
 fn events_tell_the_limit_that_decided_them() {
     let run = carried().run().unwrap();
@@ -56,8 +58,8 @@ fn events_tell_the_limit_that_decided_them() {
     assert!((stick.force / stick.normal).abs() < BELT.mu_s, "{stick:?}");
 }
 
-/// Without kinetic friction it comes back to the velocity of the belt where its force is at the static limit again, but for
-/// rounding: that it sticks there is said to be undecided.
+/// Without kinetic friction it comes back to the velocity of the belt where its force is at the
+/// static limit again, but for rounding: that it sticks there is said to be undecided.
 #[test]
 fn what_comes_to_rest_at_its_limit_is_undecided() {
     let model = Belt { mu: 0.0, ..BELT };
@@ -71,7 +73,8 @@ fn what_comes_to_rest_at_its_limit_is_undecided() {
     assert!(!rests.is_empty() && rests.iter().all(|is_undecided| *is_undecided), "{rests:?}");
 }
 
-/// Thrown onto a floor at 45°, it keeps v − μ (1 + e) |w|: the impulses are (1 + e) m |w| and μ of that, against the slip.
+/// Thrown onto a floor at 45°, it keeps v − μ (1 + e) |w|: the impulses are (1 + e) m |w| and μ of
+/// that, against the slip.
 #[test]
 fn impacts_have_friction_impulses() {
     let thrown = Pose::new("x", 3.0).with("y", 0.1).with("x'", 3.0).with("y'", -3.0);

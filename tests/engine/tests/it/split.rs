@@ -53,7 +53,8 @@ fn a_split_run_is_the_whole_run() {
     );
 }
 
-/// States that a run was left in at loose tolerances lie as deep below a support as the tolerance allows, and no deeper.
+/// States that a run was left in at loose tolerances lie as deep below a support as the tolerance
+/// allows, and no deeper.
 #[test]
 fn a_start_may_penetrate_as_deep_as_its_tolerance_lets_a_motion() {
     let bar = BouncingBar { m: 1.0, l: 1.0, g: 9.81, e: 0.5 };

@@ -18,8 +18,8 @@ struct Plank {
     g: f64,
 }
 
-/// Within the bound of a pose the plank starts below its corners and leaves them so slowly that it never comes above: it falls
-/// back on them.
+/// Within the bound of a pose the plank starts below its corners and leaves them so slowly that it
+/// never comes above: it falls back on them.
 #[test]
 fn what_leaves_from_below_its_corners_comes_back_on_them() {
     for (y, speed) in [(-5e-11, 1e-6), (-5e-11, 3e-5), (5e-11, 3e-5), (0.0, 3e-5)] {
@@ -46,8 +46,8 @@ struct Slider {
     g: f64,
 }
 
-/// With its end B just at the corner, or a little beyond, the bar is pushed over it and rises by less than the tolerance: it comes
-/// down on the corner. Pushed away from it, it falls.
+/// With its end B just at the corner, or a little beyond, the bar is pushed over it and rises by
+/// less than the tolerance: it comes down on the corner. Pushed away from it, it falls.
 #[test]
 fn a_bar_that_is_pushed_over_a_corner_comes_down_on_it() {
     for tolerance in [1e-4, 1e-6, 1e-9] {
@@ -86,8 +86,9 @@ struct Plate {
     g: f64,
 }
 
-/// A corner is below the floor by less than events may leave it there, but since the plate is thin it stands askew by much more
-/// than that: to move its edge onto the floor would be to turn what was given.
+/// A corner is below the floor by less than events may leave it there, but since the plate is thin
+/// it stands askew by much more than that: to move its edge onto the floor would be to turn what
+/// was given.
 #[test]
 fn a_pose_that_would_be_turned_onto_its_contacts_is_refused() {
     let begun = |w: f64, phi: f64| {

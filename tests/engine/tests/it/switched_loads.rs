@@ -109,7 +109,8 @@ pub struct Lifted {
     pub f: f64,
 }
 
-/// It rests until the loads come, which open its contacts in the same moment: a = 2f/m − g from there.
+/// It rests until the loads come, which open its contacts in the same moment: a = 2f/m − g from
+/// there.
 #[test]
 fn a_load_that_comes_opens_a_contact() {
     let lifted = Lifted { m: 1.0, l: 2.0, g: 10.0, f: 8.0 };
@@ -127,7 +128,8 @@ fn a_load_that_comes_opens_a_contact() {
     assert!((total(0.5) - 10.0).abs() < 1e-10 && (total(1.5) - 4.0).abs() < 1e-10);
 }
 
-/// A bar that a load lifts while it does not rise, and that falls without it: the load would hold it in place by coming and going.
+/// A bar that a load lifts while it does not rise, and that falls without it: the load would hold
+/// it in place by coming and going.
 #[derive(BarSystem)]
 #[gravity(g)]
 #[particle(P, mass = m)]
@@ -184,7 +186,8 @@ fn a_relay_swings_from_side_to_side() {
     assert_eq!(changes.len(), 2, "{:?}", run.events());
     assert!((changes[0] - 1.0).abs() < 1e-10 && (changes[1] - 3.0).abs() < 1e-10, "{changes:?}");
     assert!((run.function("x").unwrap()(4.0) - 1.0).abs() < 1e-9);
-    // One that loses energy ends its run after ever shorter swings, by name and with what was computed.
+    // One that loses energy ends its run after ever shorter swings, by name and with what was
+    // computed.
     let relay = Relay { c: 1.0, ..relay };
     let simulation = Simulation::new(&relay).unwrap().start(Pose::new("x", 1.0).with("y", 0.0)).unwrap();
     let outcome = simulation.tolerance(1e-9).limit(1e3).run();
@@ -208,7 +211,8 @@ struct Cut {
     s: f64,
 }
 
-/// A spring that does not act has no direction to lose: its ends may meet, be together and start so.
+/// A spring that does not act has no direction to lose: its ends may meet, be together and start
+/// so.
 #[test]
 fn the_ends_of_a_spring_that_is_off_may_meet() {
     use MethodId::{Auto, Dop853, Gauss, Radau, Taylor};

@@ -29,8 +29,8 @@ fn kinds(record: &Trajectory) -> Vec<EventKind> {
     record.events().iter().map(|event| event.kind).collect()
 }
 
-/// It moves left with unit speed from x = 2.5 and y = 1: it strikes at t = 1, is at the ledge's end x = 1 at t = 1.5 and falls past
-/// it.
+/// It moves left with unit speed from x = 2.5 and y = 1: it strikes at t = 1, is at the ledge's end
+/// x = 1 at t = 1.5 and falls past it.
 #[test]
 fn a_ball_bounces_off_a_ledge() {
     let record = ledge(&[("x", 2.5), ("y", 1.0), ("x'", -1.0), ("y'", 0.0)], 1.0);
@@ -53,8 +53,8 @@ fn a_ball_slides_off_a_ledge() {
     assert!((record.events()[2]["y"] + 9.0).abs() < 1e-9);
 }
 
-/// Below the floor, where it is not there, and moving right: it is armed at t = ½ below its ground and is no contact as long as it
-/// is there; thrown up it comes back from above and is struck.
+/// Below the floor, where it is not there, and moving right: it is armed at t = ½ below its ground
+/// and is no contact as long as it is there; thrown up it comes back from above and is struck.
 #[test]
 fn a_contact_armed_below_its_ground_waits() {
     let record = ledge(&[("x", 0.0), ("y", -0.9), ("x'", 2.0), ("y'", 2.0)], 1.0);

@@ -7,7 +7,8 @@ fn bob() -> Simulation {
     Simulation::new(&Bob { m: 2.0, l: 1.0, g: 1.0 }).unwrap()
 }
 
-/// From (l/2, 0) at rest the bob falls √3/2 until the thread is taut; of its velocity the part across stays.
+/// From (l/2, 0) at rest the bob falls √3/2 until the thread is taut; of its velocity the part
+/// across stays.
 #[test]
 fn a_falling_bob_is_caught() {
     let run = bob().start(Pose::new("x", 0.5).with("y", 0.0)).unwrap().until("x = 0").unwrap().run().unwrap();
@@ -23,14 +24,16 @@ fn a_falling_bob_is_caught() {
     assert!((taut.reactions[0].value - 2.0 * (0.75f64.sqrt() + 0.25 * v * v)).abs() < 1e-11, "{taut:?}");
 }
 
-/// From below with v² = 3.5 g l the thread goes slack at sin ε = (v² − 2gl)/3gl = ½ above the horizontal.
+/// From below with v² = 3.5 g l the thread goes slack at sin ε = (v² − 2gl)/3gl = ½ above the
+/// horizontal.
 #[test]
 fn a_fast_bob_goes_slack() {
     let run = bob().start(Pose::new("x'", 3.5f64.sqrt())).unwrap().limit(5.0).run().unwrap();
     let [_, slack, taut, ..] = run.events() else { panic!("{:?}", run.events()) };
     assert_eq!((slack.kind, taut.kind), (EventKind::Slack, EventKind::Taut));
     assert!((slack.state[1] - 0.5).abs() < 1e-10, "{slack}");
-    // The parabola from the circle at ε meets it again at −3ε, at an angle of 2ε·2 to the vertical: y = −sin 3ε.
+    // The parabola from the circle at ε meets it again at −3ε, at an angle of 2ε·2 to the vertical:
+    // y = −sin 3ε.
     assert!((taut.state[1] + 1.0).abs() < 1e-9, "{taut}");
 }
 
@@ -48,7 +51,8 @@ fn a_cut_ends_an_equilibrium() {
     }
 }
 
-/// A swinging bob is cut loose at its lowest point, by a condition: from N = 3 m g it flies off level.
+/// A swinging bob is cut loose at its lowest point, by a condition: from N = 3 m g it flies off
+/// level.
 #[test]
 fn a_cut_waits_for_its_condition() {
     let run = bob().start(Pose::new("x", -1.0).with("y", 0.0)).unwrap();
@@ -60,7 +64,8 @@ fn a_cut_waits_for_its_condition() {
     assert!((stop.state[0] - 8f64.sqrt()).abs() < 1e-10, "{stop}");
 }
 
-/// A weight on a smooth ring: the thread passes it from a fixed point to a peg, from which another weight hangs.
+/// A weight on a smooth ring: the thread passes it from a fixed point to a peg, from which another
+/// weight hangs.
 #[derive(BarSystem)]
 #[gravity(g)]
 #[ground(A = (-d, 0))]
@@ -81,7 +86,8 @@ struct Pulley {
     g: f64,
 }
 
-/// 2 √(d² + y²) + z = s, so that ż = −2 y ẏ/√(d² + y²); what the ring falls less what the other rises is the motion's energy.
+/// 2 √(d² + y²) + z = s, so that ż = −2 y ẏ/√(d² + y²); what the ring falls less what the other
+/// rises is the motion's energy.
 #[test]
 fn a_thread_runs_over_a_ring_that_moves() {
     let (p, q, d, g) = (3.0, 1.2, 0.8_f64, 9.81);
@@ -106,7 +112,8 @@ fn a_thread_runs_over_a_ring_that_moves() {
     assert!((found - weight).abs() < 1e-10, "{found} {weight}");
 }
 
-/// A bead on a thread between two pegs goes along an ellipse; from rest on the level of its end it is fastest below the middle.
+/// A bead on a thread between two pegs goes along an ellipse; from rest on the level of its end it
+/// is fastest below the middle.
 #[derive(BarSystem)]
 #[gravity(g)]
 #[ground(A = (-d, 0))]
@@ -136,7 +143,8 @@ fn a_bead_goes_along_an_ellipse() {
     assert!((end["y"] + low).abs() < 1e-10 && end["y'"].abs() < 1e-10, "{end}");
     let square = 2.0 * g * (y + low);
     assert!((end["x'"].powi(2) - square).abs() < 1e-9, "{end}");
-    // Two parts of the thread bear m (g + v²/ϱ), ϱ = s²/low below the middle, at the angle of sine low/s.
+    // Two parts of the thread bear m (g + v²/ϱ), ϱ = s²/low below the middle, at the angle of sine
+    // low/s.
     let tension = m * (g + square * low / (s * s)) / (2.0 * low / s);
     let found = run.value(&Output::parse(Bead::LAYOUT, "N(rope)").unwrap(), end.t);
     assert!((found - tension).abs() < 1e-9, "{found} {tension}");

@@ -51,7 +51,8 @@ struct Softening {
     r: f64,
 }
 
-/// Euler's equation: with τ = 1 + t/s and ν² = k s²/m − ¼, x = x₀ √τ (cos(ν ln τ) − sin(ν ln τ)/2ν) from rest.
+/// Euler's equation: with τ = 1 + t/s and ν² = k s²/m − ¼, x = x₀ √τ (cos(ν ln τ) − sin(ν ln τ)/2ν)
+/// from rest.
 #[test]
 fn a_softening_spring_follows_euler_s_equation() {
     let (m, k, s, start) = (1.5, 24.0, 0.7, 0.3);

@@ -4,8 +4,8 @@ use liftoff::method::{Dop853, Method, Radau};
 use liftoff::prelude::*;
 use liftoff_fixtures::{QuickReturn, StruckChain};
 
-/// θ of the first bar at ten times the time l m/p behind an impulse p that strikes the chain at rest after as long a time; lengths
-/// in l, masses in m, times in `unit`.
+/// θ of the first bar at ten times the time l m/p behind an impulse p that strikes the chain at
+/// rest after as long a time; lengths in l, masses in m, times in `unit`.
 fn turned(method: impl Method, [m, unit]: [f64; 2]) -> f64 {
     let simulation = Simulation::new(&StruckChain { m, l: 1.0 }).unwrap().method(method).tolerance(1e-9);
     let struck =
@@ -134,7 +134,8 @@ struct Braked {
     s: f64,
 }
 
-/// Friction acts at the radius of the journal: of R² + (C/r)² → min with r R + C = −c t each has a half, in every unit.
+/// Friction acts at the radius of the journal: of R² + (C/r)² → min with r R + C = −c t each has a
+/// half, in every unit.
 #[test]
 fn friction_and_a_clutch_share_a_couple_alike_in_every_unit() {
     let (r, c, late) = (0.03, 0.1, 3.0);

@@ -1,4 +1,5 @@
-//! Loads and drives that a step may pass over without a value of them, or with none that says anything.
+//! Loads and drives that a step may pass over without a value of them, or with none that says
+//! anything.
 
 use core::f64::consts::PI;
 

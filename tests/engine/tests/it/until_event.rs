@@ -45,7 +45,8 @@ fn a_support_that_is_none_is_reported() {
 #[coordinate(x = x(P))]
 struct Oscillator;
 
-/// Its place is cos t: it comes near to a condition within the error bound, and does not meet it. That is told.
+/// Its place is cos t: it comes near to a condition within the error bound, and does not meet it.
+/// That is told.
 #[test]
 fn a_condition_that_is_only_nearly_met_is_undecided() {
     for method in liftoff::method::MethodId::ALL {

@@ -1,4 +1,5 @@
-//! Runs until what friction brings to rest is at rest: an equation that holds from an event on is met there.
+//! Runs until what friction brings to rest is at rest: an equation that holds from an event on is
+//! met there.
 
 use liftoff::prelude::*;
 

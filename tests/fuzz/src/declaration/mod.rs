@@ -70,7 +70,8 @@ fn explained(text: &str) -> Result<Fate, Finding> {
     Ok(vec!["refused by `explain`"])
 }
 
-/// What becomes of a short run of what no compiler sees, its parameters all 1 where the declaration gives none.
+/// What becomes of a short run of what no compiler sees, its parameters all 1 where the declaration
+/// gives none.
 fn interpreted(model: &Entry) -> &'static str {
     let mut spec = model.default_run();
     let given = |name: &str| spec.parameters.iter().any(|(known, _)| known == name);

@@ -27,7 +27,8 @@ impl Default for Pool {
 }
 
 impl Pool {
-    /// One of them, half of the time from the shortest sixteenth: a mistake is one in a short declaration too, and tried in less time.
+    /// One of them, half of the time from the shortest sixteenth: a mistake is one in a short
+    /// declaration too, and tried in less time.
     pub fn pick(&self, source: &mut Source) -> &[String] {
         let part = source.unit().powi(4);
         &self.0[(part * self.0.len() as f64) as usize]

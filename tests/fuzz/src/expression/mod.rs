@@ -1,5 +1,5 @@
-//! Expressions, conditions and formulas with the names of a model: read or refused in a line; what is read has values, and ends a
-//! run or does not.
+//! Expressions, conditions and formulas with the names of a model: read or refused in a line; what
+//! is read has values, and ends a run or does not.
 
 mod grammar;
 

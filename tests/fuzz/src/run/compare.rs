@@ -1,8 +1,8 @@
 //! Two ways to one motion: whether both come to the same as their tolerances go to zero.
 //!
-//! Motions part at what they cannot decide, and neighbours part by themselves. So each way is computed at two tolerances, and with
-//! parameters that round otherwise: where these differ the comparison ends, and by how much they differ is what the ways may differ
-//! by.
+//! Motions part at what they cannot decide, and neighbours part by themselves. So each way is
+//! computed at two tolerances, and with parameters that round otherwise: where these differ the
+//! comparison ends, and by how much they differ is what the ways may differ by.
 
 use core::ops::RangeInclusive;
 
@@ -26,8 +26,8 @@ pub(super) struct Course {
     endings: Vec<RangeInclusive<f64>>,
     /// The natural time.
     time: f64,
-    /// How far it comes, and how fast, in natural units, where that is less than one: what is to be decided by less is known to
-    /// fewer digits, for tolerances are in natural units.
+    /// How far it comes, and how fast, in natural units, where that is less than one: what is to be
+    /// decided by less is known to fewer digits, for tolerances are in natural units.
     extent: f64,
     /// From here on the run itself says that it might as well have gone on otherwise.
     undecided: f64,
@@ -62,14 +62,15 @@ impl Course {
         self
     }
 
-    /// Without the last of infinitely many impacts of another course: which are the last is a matter of natural units, which a start
-    /// from another state has others of.
+    /// Without the last of infinitely many impacts of another course: which are the last is a
+    /// matter of natural units, which a start from another state has others of.
     fn without_last_of(mut self, other: &[RangeInclusive<f64>]) -> Self {
         self.events.retain(|(kind, _, t)| !(comes_again(*kind) && other.iter().any(|end| end.contains(t))));
         self
     }
 
-    /// Events without their supports: of two halves that meet the floor at once rounding lets one be first.
+    /// Events without their supports: of two halves that meet the floor at once rounding lets one
+    /// be first.
     pub fn nameless(mut self) -> Self {
         self.events.iter_mut().for_each(|(_, supports, _)| supports.clear());
         self
@@ -99,8 +100,8 @@ pub(super) fn paired([one, other]: [Course; 2]) -> [Course; 2] {
     [one.without_last_of(&others), other.without_last_of(&last)]
 }
 
-/// From after which event a motion differs from its neighbour, whose start differs by `nudge`, by more than [`UNSTABLE`] times
-/// that, in natural units: what follows is made of rounding.
+/// From after which event a motion differs from its neighbour, whose start differs by `nudge`, by
+/// more than [`UNSTABLE`] times that, in natural units: what follows is made of rounding.
 pub(super) fn parts_from([own, neighbour]: [&Trajectory; 2], nudge: f64) -> f64 {
     let n = own.layout().coordinates.len();
     let units = &own.scales().state(own.layout())[..2 * n];
@@ -129,8 +130,9 @@ fn extent(run: &Trajectory) -> f64 {
     events.iter().map(of).fold(0.0, f64::max).min(1.0)
 }
 
-/// Of infinitely many impacts how many are made before their end is a matter of tolerance, where they are lower than that: from the
-/// natural time of such a flight on, or so many of the last ones as are near to the end for how slowly they die away.
+/// Of infinitely many impacts how many are made before their end is a matter of tolerance, where
+/// they are lower than that: from the natural time of such a flight on, or so many of the last ones
+/// as are near to the end for how slowly they die away.
 fn settling(run: &Trajectory) -> Vec<RangeInclusive<f64>> {
     let events = run.events();
     let low = 10.0 * (10.0 * run.tolerance()).sqrt() * run.scales().time;
@@ -153,8 +155,8 @@ fn comes_again(kind: EventKind) -> bool {
     matches!(kind, EventKind::Impact | EventKind::Open)
 }
 
-/// From when on the order of impacts that would be simultaneous without rounding may have decided, as the log tells it of those that
-/// are.
+/// From when on the order of impacts that would be simultaneous without rounding may have decided,
+/// as the log tells it of those that are.
 pub(super) fn struck_in_turn(run: &Trajectory) -> f64 {
     let impacts: Vec<&Event> = run.events().iter().filter(|event| event.kind == EventKind::Impact).collect();
     let near = AT_ONCE * run.scales().time;
@@ -214,8 +216,8 @@ fn describe_difference([one, other]: [&Course; 2], i: usize) -> String {
     format!("event {i}: [{}] or [{}]", part(one), part(other))
 }
 
-/// Courses of the two ways at a fine tolerance, and those of the same ways at a coarse one and with parameters that round
-/// otherwise: whether both ways are known, and not to be the same.
+/// Courses of the two ways at a fine tolerance, and those of the same ways at a coarse one and with
+/// parameters that round otherwise: whether both ways are known, and not to be the same.
 ///
 /// # Errors
 /// Where they part.

@@ -45,7 +45,8 @@ impl ParametersOf for RunSpec {
     }
 }
 
-/// Mostly as they are or some times that, often by powers of ten up to nine, now and then by any that doubles have.
+/// Mostly as they are or some times that, often by powers of ten up to nine, now and then by any
+/// that doubles have.
 fn parameters(layout: &Layout, values: &mut Values, source: &mut Source) {
     if values.is_empty() {
         return;

@@ -1,8 +1,9 @@
 //! Runs of all models: random parameters, starts, plans, methods and tolerances.
 //!
-//! A run ends with a motion or a typed error, in time; its numbers are finite, its audit is clean, its gaps are not negative and
-//! its energy does not grow. Some runs are made again in other units, by another method or form, in two parts, or as the
-//! mirror image with both halves, and must be the same motion.
+//! A run ends with a motion or a typed error, in time; its numbers are finite, its audit is clean,
+//! its gaps are not negative and its energy does not grow. Some runs are made again in other units,
+//! by another method or form, in two parts, or as the mirror image with both halves, and must be
+//! the same motion.
 
 mod compare;
 mod draw;
@@ -61,7 +62,8 @@ fn describe_run(run: &Trajectory) -> String {
     events.chain(phases).chain(log).collect::<String>() + &format!("{}\n", run.audit())
 }
 
-/// A run that stopped short by what it found wrong itself says so; what it has computed until then is to be right otherwise.
+/// A run that stopped short by what it found wrong itself says so; what it has computed until then
+/// is to be right otherwise.
 fn stopped(task: &Task, error: &RunError) -> Result<Fate, Finding> {
     use liftoff::RunCause::{
         Accumulation, Budget, Contact, Invariant, Jump, Limit, Loop, Stalled, Start, Step,

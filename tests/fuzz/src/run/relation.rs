@@ -62,7 +62,8 @@ const AGREED: f64 = 10.0;
 const FINEST: f64 = 1e-13;
 const COARSER: f64 = 30.0;
 
-/// Gaps at a start below this in natural lengths are closed, or below ten tolerances; below the other they are zero.
+/// Gaps at a start below this in natural lengths are closed, or below ten tolerances; below the
+/// other they are zero.
 const CLOSED: f64 = 1e-10;
 const ROUNDED: f64 = 1e-14;
 
@@ -208,8 +209,8 @@ fn other_way(task: &Task, run: &Trajectory) -> Option<Course> {
     }
 }
 
-/// Whether a run that starts from a state of another has the same contacts closed: one that is open by no more than the bound of a
-/// start is closed there, or is not seen to close.
+/// Whether a run that starts from a state of another has the same contacts closed: one that is open
+/// by no more than the bound of a start is closed there, or is not seen to close.
 fn closes_alike(run: &Trajectory, rest: &Trajectory, at: f64) -> bool {
     let before = run.segments().into_iter().find(|segment| (segment.t0..=segment.t1).contains(&at));
     let behind = rest.segments().into_iter().next();
@@ -248,7 +249,8 @@ fn both_halves(task: &Task, run: &Trajectory) -> Option<Task> {
     Some(Task { model: models().find(full).ok()?, spec, ..task.clone() })
 }
 
-/// From when the other way is one of rounding: a symmetric motion from which one parts that starts beside it.
+/// From when the other way is one of rounding: a symmetric motion from which one parts that starts
+/// beside it.
 fn unstable_from(task: &Task, run: &Trajectory) -> Option<f64> {
     let whole = (task.relation == Relation::Halves).then(|| both_halves(task, run))??;
     let mut beside = whole.clone();
@@ -263,8 +265,8 @@ fn half(task: &Task) -> Option<&'static Half> {
     HALVES.iter().find(|(symmetric, ..)| *symmetric == task.model.name())
 }
 
-/// A state as values of a start. What is below the rounding of its unit in the run is zero: by itself it would be the largest
-/// length that a model without any has.
+/// A state as values of a start. What is below the rounding of its unit in the run is zero: by
+/// itself it would be the largest length that a model without any has.
 fn named(task: &Task, run: &Trajectory, state: &[f64]) -> Values {
     let all = task.model.layout().names_of_state();
     let units = run.scales().state(run.layout());
@@ -274,7 +276,8 @@ fn named(task: &Task, run: &Trajectory, state: &[f64]) -> Values {
     all.zip(run.layout().public_state(state).iter().enumerate().map(rounded)).collect()
 }
 
-/// The same run with its numbers in units so much smaller; none where a dimension has another power than halves.
+/// The same run with its numbers in units so much smaller; none where a dimension has another power
+/// than halves.
 fn in_units(task: &Task, units: [f64; 3]) -> Option<RunSpec> {
     let dimensions = task.model.dimensions()?;
     let layout = task.model.layout();

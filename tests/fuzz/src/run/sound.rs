@@ -11,7 +11,8 @@ const SAMPLES: usize = 24;
 pub(super) fn check(task: &Task, run: &Trajectory) -> Result<(), Finding> {
     finite(run)?;
     let audit = run.audit();
-    // Beyond a guard that was taken for noise a reaction may have passed zero unseen: the log says so.
+    // Beyond a guard that was taken for noise a reaction may have passed zero unseen: the log says
+    // so.
     let noisy = run.log().iter().find(|entry| entry.decision == LoggedDecision::GuardUnresolved);
     let said = |of: &Quantity, t: f64| *of == Quantity::Pull && noisy.is_some_and(|entry| entry.t <= t);
     if let Some(finding) = audit.violations().find(|finding| !said(&finding.quantity, finding.t)) {
@@ -23,8 +24,8 @@ pub(super) fn check(task: &Task, run: &Trajectory) -> Result<(), Finding> {
     energy(task, run)
 }
 
-/// Of a run that stopped short what it did until then: numbers that are none are told by how it stopped, as is what is wrong with
-/// the state from which no motion was found.
+/// Of a run that stopped short what it did until then: numbers that are none are told by how it
+/// stopped, as is what is wrong with the state from which no motion was found.
 pub(super) fn in_part(run: &Trajectory, cause: &RunCause) -> Result<(), Finding> {
     ordered(run)?;
     let told = |t: f64| !matches!(cause, RunCause::Budget { .. }) && t == run.end_time();
@@ -55,9 +56,10 @@ fn ordered(run: &Trajectory) -> Result<(), Finding> {
     }
 }
 
-/// What was given is what the run starts with. Starts at contacts are put onto them: at a fold of a gap by the root of how deep
-/// the run says that they are penetrated, or by as much as it says that it moves. Slips that are zero to within the tolerance
-/// end, relative to the largest position or rate, as the run has it.
+/// What was given is what the run starts with. Starts at contacts are put onto them: at a fold of a
+/// gap by the root of how deep the run says that they are penetrated, or by as much as it says that
+/// it moves. Slips that are zero to within the tolerance end, relative to the largest position or
+/// rate, as the run has it.
 fn start_is_kept(task: &Task, run: &Trajectory) -> Result<(), Finding> {
     let Some(start) = run.events().first().filter(|event| event.kind == EventKind::Start) else {
         return Ok(());
@@ -110,8 +112,8 @@ fn times(run: &Trajectory) -> Vec<f64> {
     times
 }
 
-/// Gaps of contacts without ends, in natural lengths. What has been taken away may be anywhere, and so may what
-/// was not there for a while.
+/// Gaps of contacts without ends, in natural lengths. What has been taken away may be anywhere, and
+/// so may what was not there for a while.
 fn gaps(task: &Task, run: &Trajectory) -> Result<(), Finding> {
     let taken = |support: &str| {
         let released = task.spec.release.iter().map(|(name, _)| name);
@@ -145,15 +147,16 @@ fn gaps(task: &Task, run: &Trajectory) -> Result<(), Finding> {
     Ok(())
 }
 
-/// How fast surfaces move along themselves at the start, and gaps by themselves: the largest |∂g/∂t|.
+/// How fast surfaces move along themselves at the start, and gaps by themselves: the largest
+/// |∂g/∂t|.
 fn carried(run: &Trajectory) -> f64 {
     let (layout, [start, _]) = (run.layout(), run.interval());
     let equations = run.model().system.equations(&layout.state_at(&run.state(start), start));
     equations.prescribed_gap_rate().iter().fold(0.0, |most, drift| most.max(drift.abs()))
 }
 
-/// Without drives, loads, moving surfaces and impulses the energy does not grow, beyond what the laws of impact tell and what the
-/// audit takes for the error of the steps.
+/// Without drives, loads, moving surfaces and impulses the energy does not grow, beyond what the
+/// laws of impact tell and what the audit takes for the error of the steps.
 fn energy(task: &Task, run: &Trajectory) -> Result<(), Finding> {
     let layout = run.layout();
     if layout.loaded || layout.timed || carried(run) > 0.0 || !task.spec.impulses.is_empty() {

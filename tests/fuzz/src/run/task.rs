@@ -38,8 +38,9 @@ impl Task {
         Ok(simulation.method(self.method).form(self.form).budget(BUDGET))
     }
 
-    /// Whether a parameter is so far from its usual value that squares and quotients of quantities lose their digits, or from
-    /// another one of its dimension that sums lose the lesser: then a run may stop short, but may not be wrong without a word.
+    /// Whether a parameter is so far from its usual value that squares and quotients of quantities
+    /// lose their digits, or from another one of its dimension that sums lose the lesser: then a
+    /// run may stop short, but may not be wrong without a word.
     pub fn is_wild(&self) -> bool {
         let usual = self.model.default_run().parameters;
         let usual =
@@ -70,7 +71,8 @@ impl Task {
         Self { spec: self.spec.clone().tolerance(tolerance), ..self.clone() }
     }
 
-    /// The same with parameters that are some roundings larger or smaller, each by as many of its own.
+    /// The same with parameters that are some roundings larger or smaller, each by as many of its
+    /// own.
     pub fn rounded(&self, sign: f64) -> Self {
         let mut task = self.clone();
         for (k, (_, value)) in task.spec.parameters.iter_mut().enumerate() {

@@ -1,4 +1,5 @@
-//! Each scene as an expert writes it for that scene alone: its numbers in place, its own coordinates, no general method.
+//! Each scene as an expert writes it for that scene alone: its numbers in place, its own
+//! coordinates, no general method.
 
 mod integrate;
 

@@ -5,8 +5,8 @@ use super::{Shown, near};
 use liftoff::EventKind;
 use liftoff_studio::registry::Configuration;
 
-/// Bars stand between the record's points, to a tenth of a pixel: that is what a hundredth on either axis, and a cubic off by
-/// 1e-5 of some hundred pixels, leave room for.
+/// Bars stand between the record's points, to a tenth of a pixel: that is what a hundredth on
+/// either axis, and a cubic off by 1e-5 of some hundred pixels, leave room for.
 fn bars_stand_where_they_are(shown: &Shown, times: &[f64]) {
     let layout = shown.record.layout();
     for &t in times {

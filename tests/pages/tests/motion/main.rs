@@ -44,7 +44,8 @@ impl Shown {
         self.browser.number("document.querySelector('#clock').dataset.t").unwrap()
     }
 
-    /// Waits until the page shows this time, so closely: what hands do takes effect when the browser comes to it.
+    /// Waits until the page shows this time, so closely: what hands do takes effect when the
+    /// browser comes to it.
     #[track_caller]
     fn comes_to(&self, t: f64, within: f64) {
         let distance = format!("Math.abs(Number(document.querySelector('#clock').dataset.t) - {t:e})");

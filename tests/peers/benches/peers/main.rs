@@ -1,5 +1,7 @@
-//! Error against run time of liftoff's methods and of other crates, in one run: the double pendulum for 10 s, and the
-//! falling pair with its lift-off. `cargo bench -p liftoff-peers --features solvers`; files are written beside those of the main job.
+//! Error against run time of liftoff's methods and of other crates, in one run: the double pendulum
+//! for 10 s, and the falling pair with its lift-off.
+//! `cargo bench -p liftoff-peers --features solvers`; files are written beside those of the main
+//! job.
 
 mod differential;
 mod diffsol;
@@ -21,7 +23,8 @@ const MEASURING: Duration = Duration::from_millis(50);
 /// Times of lift-off and end at a tolerance.
 type Pair = fn(f64) -> Option<[f64; 2]>;
 
-/// A crate with what it makes of the scenes: a final state, and the times of lift-off and end; none where it fails.
+/// A crate with what it makes of the scenes: a final state, and the times of lift-off and end; none
+/// where it fails.
 struct Tool {
     name: &'static str,
     pendulum: fn(f64) -> Option<[f64; 4]>,

@@ -294,7 +294,8 @@ struct Pendulums {
     g: f64,
 }";
 
-/// Swinging in parallel, which the mirror leaves out, ω² = 3g/2l; against each other, ω² = 3g/2l + 6k/m, damped by 3c/m.
+/// Swinging in parallel, which the mirror leaves out, ω² = 3g/2l; against each other, ω² = 3g/2l +
+/// 6k/m, damped by 3c/m.
 #[test]
 fn a_mirrored_model_is_unfolded() {
     let file = temporary_path("pendulums.rs");

@@ -32,7 +32,8 @@ fn number(event: &Value, name: &str) -> f64 {
     found.as_f64().expect("a number")
 }
 
-/// y = 1 − g t²/2 + p (t − t₁)/m: a great impulse makes natural times short, a thousand of which pass before it.
+/// y = 1 − g t²/2 + p (t − t₁)/m: a great impulse makes natural times short, a thousand of which
+/// pass before it.
 #[test]
 fn runs_go_on_to_their_last_impulse_and_beyond() {
     let (t1, p) = (0.5, 2e4);

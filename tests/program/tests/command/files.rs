@@ -139,7 +139,8 @@ fn an_error_that_cannot_be_reported_keeps_its_code() {
     assert!(!run_program(&["list"]).is_empty() && run(&["list"]).status.success());
 }
 
-/// Two sweeps at once: one has the journal, the other is refused, and the table is as if it had been alone.
+/// Two sweeps at once: one has the journal, the other is refused, and the table is as if it had
+/// been alone.
 #[test]
 fn a_second_sweep_on_a_journal_is_refused() {
     let folder = folder("two-sweeps");

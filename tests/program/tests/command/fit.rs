@@ -62,7 +62,8 @@ fn value(found: &Value, name: &str) -> f64 {
     found["estimates"][name]["value"].as_f64().expect("a number")
 }
 
-/// Heights and speeds of a ball with e = 0.7 and g = 10, dropped from y = 0.8: it strikes at t = 0.4 with the speed 4.
+/// Heights and speeds of a ball with e = 0.7 and g = 10, dropped from y = 0.8: it strikes at t =
+/// 0.4 with the speed 4.
 fn heights() -> String {
     let row = |i: u32| {
         let t = 0.1 * f64::from(i) + 0.05;

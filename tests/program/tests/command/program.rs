@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 use std::process::{Command, Output};
 
-/// The program with these arguments, away from the repository and from the colours of whoever runs the tests.
+/// The program with these arguments, away from the repository and from the colours of whoever runs
+/// the tests.
 pub fn command(arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_trestle"));
     for name in ["NO_COLOR", "CLICOLOR", "CLICOLOR_FORCE"] {

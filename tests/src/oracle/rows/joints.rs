@@ -8,7 +8,8 @@ use crate::oracle::{Assembly, Drive, Guide, Place, Slider, State};
 const AXES: [Vector2<f64>; 2] = [Vector2::new(1.0, 0.0), Vector2::new(0.0, 1.0)];
 
 impl Assembly {
-    /// Two rows a hinge, two a pin, two a carried particle, one a tie, a slider, a drive, in this order.
+    /// Two rows a hinge, two a pin, two a carried particle, one a tie, a slider, a drive, in this
+    /// order.
     pub fn joint_rows(&self, state: &State) -> Vec<Row> {
         let together = |a: Place, b: Place| {
             AXES.map(|d| self.projection(state, a, d).minus(self.projection(state, b, d)))

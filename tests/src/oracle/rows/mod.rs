@@ -1,5 +1,5 @@
-//! Constraint rows: each constraint g(q, t) = 0 as its value, its gradient J, ∂g/∂t and what g̈ is without
-//! accelerations: ġ = J q̇ + ∂g/∂t, g̈ = J q̈ + b.
+//! Constraint rows: each constraint g(q, t) = 0 as its value, its gradient J, ∂g/∂t and what g̈ is
+//! without accelerations: ġ = J q̇ + ∂g/∂t, g̈ = J q̈ + b.
 
 mod joints;
 mod points;
@@ -65,7 +65,8 @@ impl Row {
 }
 
 impl Assembly {
-    /// The two-sided rows, those of the closed supports, then the tangential ones of those that are rough.
+    /// The two-sided rows, those of the closed supports, then the tangential ones of those that are
+    /// rough.
     pub(super) fn rows(&self, state: &State, closed: &[usize]) -> Vec<Row> {
         let mut rows = self.joint_rows(state);
         rows.extend(closed.iter().map(|&support| self.support_row(state, support)));

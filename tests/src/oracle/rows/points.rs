@@ -25,7 +25,8 @@ impl Assembly {
         Row { value, prescribed_gap_rate: 0.0, bias, gradient, forces: vec![(place, d)] }
     }
 
-    /// g = |B − A| = r: J = e·∂(B − A), b = e·(B̈ − Ä) + (|v|² − (e·v)²)/r with e = (B − A)/r, v = Ḃ − Ȧ.
+    /// g = |B − A| = r: J = e·∂(B − A), b = e·(B̈ − Ä) + (|v|² − (e·v)²)/r with e = (B − A)/r, v =
+    /// Ḃ − Ȧ.
     pub(in crate::oracle) fn distance(&self, state: &State, [a, b]: [Place; 2]) -> Row {
         let r = self.position(state, b) - self.position(state, a);
         let v = self.velocity(state, b) - self.velocity(state, a);
@@ -36,7 +37,8 @@ impl Assembly {
     }
 
     /// g = n·(P − A): the distance of P to the left of the axis of a body with first point A, with
-    /// n·(P − A) = n·(P − C) + c_across, dn/dθ = −e and de/dθ = n. The body bears its force where P is.
+    /// n·(P − A) = n·(P − C) + c_across, dn/dθ = −e and de/dθ = n. The body bears its force where P
+    /// is.
     pub(super) fn offset(&self, state: &State, place: Place, body: usize) -> Row {
         let [e, n] = axes(state, body);
         let centre = Place::Body(Mark { body, local: self.bodies[body].centre });

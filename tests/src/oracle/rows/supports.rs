@@ -35,9 +35,10 @@ impl Assembly {
         }
     }
 
-    /// The slip of a rough support: ġ is the velocity of the touching point of the body along the tangent: of a
-    /// line, to whose left the free side lies; of a bar on a corner; a quarter turn counter-clockwise from the
-    /// radius of a circle. `None` for smooth supports and threads. It has no value.
+    /// The slip of a rough support: ġ is the velocity of the touching point of the body along the
+    /// tangent: of a line, to whose left the free side lies; of a bar on a corner; a quarter turn
+    /// counter-clockwise from the radius of a circle. `None` for smooth supports and threads. It
+    /// has no value.
     pub fn tangent_row(&self, state: &State, support: usize) -> Option<Row> {
         let row = if self.slips(support) { self.slip(state, support) } else { None };
         row.map(|row| Row { value: 0.0, ..row })

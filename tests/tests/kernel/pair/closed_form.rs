@@ -5,12 +5,14 @@ use liftoff_tests::oracle::State;
 
 use super::{Full, Pair};
 
-/// Closed forms are compared where no relative pivot is below this: their reduced M̂ grows with its inverse
-/// square and the error with a higher power (1e-8 was seen at 0.03); nearer, the projected form is used.
+/// Closed forms are compared where no relative pivot is below this: their reduced M̂ grows with its
+/// inverse square and the error with a higher power (1e-8 was seen at 0.03); nearer, the projected
+/// form is used.
 const CLEAR_PIVOT: f64 = 0.2;
 
 impl Pair {
-    /// The motion with a set closed, solved by this; false where its rows nearly repeat each other, or the motion is not definite.
+    /// The motion with a set closed, solved by this; false where its rows nearly repeat each other,
+    /// or the motion is not definite.
     pub fn held(&self, solution: &HeldSolution, set: u64, state: &State) -> bool {
         let Some(motion) = self.motion(state, set) else {
             return false;
@@ -39,7 +41,8 @@ impl Pair {
         clear
     }
 
-    /// A closed form at the state's kept coordinates; false where its branch is another than the state's.
+    /// A closed form at the state's kept coordinates; false where its branch is another than the
+    /// state's.
     pub fn closed_form(&self, phase: &PhaseFunctions, state: &State) -> bool {
         let Some(motion) = self.motion(state, phase.set.closed) else {
             return false;

@@ -1,4 +1,5 @@
-//! Impacts: the model's M and J in the runtime's impulse solver, against Newton–Euler impulses of the contacts that act.
+//! Impacts: the model's M and J in the runtime's impulse solver, against Newton–Euler impulses of
+//! the contacts that act.
 
 use liftoff::__private::impulse::{Collision, CollisionError, Outcome, Row};
 use liftoff_codegen::motion::{ClosedSet, Motion};
@@ -61,7 +62,8 @@ impl Pair {
         self.shares(state, &collision, &outcome)
     }
 
-    /// Only rough contacts may contradict one another, and the rates of a loop at a singular position.
+    /// Only rough contacts may contradict one another, and the rates of a loop at a singular
+    /// position.
     fn refused(&self, state: &State, set: u64, error: CollisionError) -> Met {
         let Self { seed, sample, .. } = self;
         let singular = self.motion(state, set).is_none();
@@ -78,7 +80,8 @@ impl Pair {
         self.supports(set).into_iter().any(|support| self.sample.assembly.supports[support].rough)
     }
 
-    /// Whether in the oracle some contacts of a set, made to stop, have impulses > 0 and the others part.
+    /// Whether in the oracle some contacts of a set, made to stop, have impulses > 0 and the others
+    /// part.
     fn is_admissible(&self, state: &State, set: u64) -> bool {
         let assembly = &self.sample.assembly;
         let holds = |acting: u64| {
@@ -127,7 +130,8 @@ impl Pair {
         Row::Contact { restitution, law: if poisson { Law::Poisson } else { Law::Newton } }
     }
 
-    /// Stage by stage, the contacts that act, made to part as they do, need the same impulses and leave the same rates.
+    /// Stage by stage, the contacts that act, made to part as they do, need the same impulses and
+    /// leave the same rates.
     fn shares(&self, state: &State, collision: &Collision, outcome: &Outcome) -> Met {
         let end = (&outcome.rates, &outcome.impulses);
         let none = DVector::zeros(collision.rows.len());

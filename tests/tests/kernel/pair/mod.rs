@@ -1,7 +1,8 @@
 //! A random system, derived by the generator and by the oracle, and comparisons of the two.
 //!
-//! Tolerance relative to the largest value of the kind: 1e-10 for bars, hinges and lines, 1e-9 for the whole vocabulary.
-//! Both sides solve systems whose balanced pivots are above 1e-4, so that a dozen digits are left.
+//! Tolerance relative to the largest value of the kind: 1e-10 for bars, hinges and lines, 1e-9 for
+//! the whole vocabulary. Both sides solve systems whose balanced pivots are above 1e-4, so that a
+//! dozen digits are left.
 
 mod closed_form;
 mod impact;
@@ -29,8 +30,8 @@ pub struct Pair {
     pub parameters: Vec<f64>,
 }
 
-/// The state of a model as its functions read it: coordinates, rates, accelerations, multipliers of all rows, t. What
-/// is not known is not a number.
+/// The state of a model as its functions read it: coordinates, rates, accelerations, multipliers of
+/// all rows, t. What is not known is not a number.
 pub struct Full(Vec<f64>);
 
 /// Accelerations and the multiplier of every row.
@@ -82,7 +83,8 @@ impl Pair {
         self.close_to(what, computed, expected, 1.0);
     }
 
-    /// Equal within the tolerance relative to the largest expected value, or to `least` if that is larger.
+    /// Equal within the tolerance relative to the largest expected value, or to `least` if that is
+    /// larger.
     fn close_to(&self, what: &str, computed: &[f64], expected: &[f64], least: f64) {
         assert_eq!(computed.len(), expected.len(), "seed {}: {what}", self.seed);
         let scale = expected.iter().fold(least, |scale: f64, x| scale.max(x.abs()));
@@ -118,7 +120,8 @@ impl Pair {
             .collect()
     }
 
-    /// What the oracle measures for a coordinate; of one that the sample has not declared, as an image, what it says.
+    /// What the oracle measures for a coordinate; of one that the sample has not declared, as an
+    /// image, what it says.
     fn reading(&self, coordinate: &kinematics::Coordinate) -> Coordinate {
         let Self { analysis: Analysis { system, .. }, sample, .. } = self;
         let body = |body: usize| sample.assembly.body(&system.bodies[body].name).expect("a body");
@@ -208,8 +211,9 @@ impl Pair {
         }
     }
 
-    /// The oracle's gap and its rate, also as a model may have them: for a distance r limited by R as ± (r² − R²)/2R,
-    /// which is the same where it is closed; of a thread r is a segment and the others are fixed.
+    /// The oracle's gap and its rate, also as a model may have them: for a distance r limited by R
+    /// as ± (r² − R²)/2R, which is the same where it is closed; of a thread r is a segment and the
+    /// others are fixed.
     fn forms(&self, state: &State, support: usize) -> Vec<[f64; 2]> {
         let assembly = &self.sample.assembly;
         let [gap, rate] = assembly.gap(state, support);
@@ -263,7 +267,8 @@ impl Pair {
         Solved { accelerations: solution.as_slice()[..n].to_vec(), multipliers }
     }
 
-    /// The full equations with a contact set against the oracle; false where the motion is not definite.
+    /// The full equations with a contact set against the oracle; false where the motion is not
+    /// definite.
     pub fn kernel(&self, state: &State, set: u64) -> bool {
         let Some(motion) = self.motion(state, set) else {
             return false;
@@ -291,8 +296,8 @@ impl Pair {
         true
     }
 
-    /// Joint forces, internal forces, momenta, … by name. Those of a mirrored loop are not known, nor those of bodies on
-    /// supports of which only the total reaction is.
+    /// Joint forces, internal forces, momenta, … by name. Those of a mirrored loop are not known,
+    /// nor those of bodies on supports of which only the total reaction is.
     fn quantities(&self, state: &State, motion: &Motion, full: &Full, force: f64) {
         let named = &self.analysis.functions.quantities;
         let asked = self.sample.asked.iter().filter_map(|(name, asked)| {

@@ -1,4 +1,5 @@
-//! Factors as far as greatest common divisors tell them apart: contents, monomials, squarefree parts (Yun's algorithm).
+//! Factors as far as greatest common divisors tell them apart: contents, monomials, squarefree
+//! parts (Yun's algorithm).
 
 use num_bigint::BigInt;
 
@@ -31,7 +32,8 @@ impl Polynomial {
         Factors { number, factors }
     }
 
-    /// The factors of a primitive polynomial: first what is free of a variable, then the rest of it.
+    /// The factors of a primitive polynomial: first what is free of a variable, then the rest of
+    /// it.
     fn split(&self, variable: usize, factors: &mut Vec<(Self, u32)>) {
         if self.is_one() || variable >= self.variables {
             return;

@@ -1,5 +1,5 @@
-//! Greatest common divisors by primitive remainder sequences, variable by variable (Knuth, *The Art of Computer
-//! Programming*, vol. 2, 4.6.1).
+//! Greatest common divisors by primitive remainder sequences, variable by variable (Knuth, *The Art
+//! of Computer Programming*, vol. 2, 4.6.1).
 
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -39,7 +39,8 @@ impl Polynomial {
         if a.depends_on(variable) { (&common * &a).positive() } else { common }
     }
 
-    /// The greatest common divisor of the coefficients in one variable; 1 of zero, so that it may be divided by.
+    /// The greatest common divisor of the coefficients in one variable; 1 of zero, so that it may
+    /// be divided by.
     pub fn content(&self, variable: usize) -> Self {
         self.common(|x| x == variable)
     }

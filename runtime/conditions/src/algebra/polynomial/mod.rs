@@ -1,4 +1,5 @@
-//! Polynomials `Σ c Π xᵢ^kᵢ` with integer coefficients of any size; the variables are known by their positions.
+//! Polynomials `Σ c Π xᵢ^kᵢ` with integer coefficients of any size; the variables are known by
+//! their positions.
 
 mod division;
 mod factors;

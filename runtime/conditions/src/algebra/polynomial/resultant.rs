@@ -1,10 +1,11 @@
-//! Resultants and discriminants by subresultants (Cohen, *A Course in Computational Algebraic Number Theory*, 3.3.7).
+//! Resultants and discriminants by subresultants (Cohen, *A Course in Computational Algebraic
+//! Number Theory*, 3.3.7).
 
 use super::Polynomial;
 
 impl Polynomial {
-    /// The resultant with respect to a variable: zero exactly where both have a common root, or both leading
-    /// coefficients vanish.
+    /// The resultant with respect to a variable: zero exactly where both have a common root, or
+    /// both leading coefficients vanish.
     pub fn resultant(&self, other: &Self, variable: usize) -> Self {
         if self.is_zero() || other.is_zero() {
             return Self::zero(self.variables);
@@ -33,7 +34,8 @@ impl Polynomial {
         if negative { -&resultant } else { resultant }
     }
 
-    /// The discriminant with respect to a variable, up to its sign: zero exactly where two roots are one.
+    /// The discriminant with respect to a variable, up to its sign: zero exactly where two roots
+    /// are one.
     pub fn discriminant(&self, variable: usize) -> Self {
         let resultant = self.resultant(&self.derivative(variable), variable);
         resultant.over(&self.leading_coefficient(variable))

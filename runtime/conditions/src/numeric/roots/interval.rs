@@ -1,7 +1,8 @@
 //! Roots of a squarefree polynomial within (0, 1).
 //!
-//! In `p = Σ bₖ C(n, k) xᵏ (1 − x)ⁿ⁻ᵏ` the signs of the b change as often as p has roots in (0, 1), or oftener by an even
-//! number: no change proves that there is none, one change that there is one. Other intervals are halved.
+//! In `p = Σ bₖ C(n, k) xᵏ (1 − x)ⁿ⁻ᵏ` the signs of the b change as often as p has roots in (0, 1),
+//! or oftener by an even number: no change proves that there is none, one change that there is one.
+//! Other intervals are halved.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;

@@ -1,5 +1,6 @@
-//! Real roots of polynomials in one unknown, isolated with certainty: integers only, Descartes' rule of signs on Bernstein
-//! coefficients (Collins & Akritas 1976; Lane & Riesenfeld 1981), then bisection.
+//! Real roots of polynomials in one unknown, isolated with certainty: integers only, Descartes'
+//! rule of signs on Bernstein coefficients (Collins & Akritas 1976; Lane & Riesenfeld 1981), then
+//! bisection.
 
 mod interval;
 #[cfg(test)]
@@ -11,7 +12,8 @@ use num_traits::{One, Signed, Zero};
 
 pub(crate) use univariate::Univariate;
 
-/// Halvings of an interval of length 1 around a root: beyond the 53 bits of a double, and 27 more where it is small.
+/// Halvings of an interval of length 1 around a root: beyond the 53 bits of a double, and 27 more
+/// where it is small.
 const BITS: u32 = 80;
 
 /// A real root.

@@ -31,7 +31,8 @@ fn with_roots(roots: &[BigRational], complex: usize) -> Univariate {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(60))]
 
-    /// All within [−1, 1] are found, each within 2⁻⁸⁰, and no others; clusters 1/64 wide and multiples too.
+    /// All within [−1, 1] are found, each within 2⁻⁸⁰, and no others; clusters 1/64 wide and
+    /// multiples too.
     #[test]
     fn all_roots_are_found_with_their_multiplicities(
         chosen in prop::collection::vec((-80_i64..81, 1_usize..3), 1..6),

@@ -10,7 +10,8 @@ use num_traits::{One, Zero};
 pub(crate) struct Univariate(Vec<BigInt>);
 
 impl Univariate {
-    /// What has the roots of a polynomial with rational coefficients: its coefficients over their content.
+    /// What has the roots of a polynomial with rational coefficients: its coefficients over their
+    /// content.
     pub fn from_coefficients(coefficients: &[BigRational]) -> Self {
         let common = coefficients.iter().fold(BigInt::one(), |common, c| common.lcm(c.denom()));
         Self::primitive(coefficients.iter().map(|c| c.numer() * (&common / c.denom())).collect())

@@ -1,6 +1,6 @@
-//! Coefficients of Dormand and Prince's method of order 8(5,3) with dense output of order 7, all digits
-//! as published in Hairer's `dop853.f` (Hairer, Nørsett, Wanner, *Solving Ordinary Differential
-//! Equations I*, 2nd ed., II.5 and II.6). Zeros are left out.
+//! Coefficients of Dormand and Prince's method of order 8(5,3) with dense output of order 7, all
+//! digits as published in Hairer's `dop853.f` (Hairer, Nørsett, Wanner, *Solving Ordinary
+//! Differential Equations I*, 2nd ed., II.5 and II.6). Zeros are left out.
 #![expect(clippy::excessive_precision, reason = "the published digits, to be compared with the source")]
 
 use crate::integrate::combination::Weight;

@@ -15,7 +15,8 @@ use super::explicit::Explicit;
 /// k₁ … k₁₂ and f(y₁).
 const SLOPES: usize = 13;
 
-/// An integration by DOP853: 12 evaluations of f for each step, 11 for each rejected trial, 3 for the dense output.
+/// An integration by DOP853: 12 evaluations of f for each step, 11 for each rejected trial, 3 for
+/// the dense output.
 pub type Dop853<F, S, const N: usize> = Explicit<F, DormandPrince, S, N, SLOPES>;
 
 /// The tableau of DOP853.

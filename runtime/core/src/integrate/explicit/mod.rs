@@ -1,5 +1,6 @@
-//! Explicit Runge–Kutta pairs whose dense output takes f at both ends of a step (Hairer, Nørsett, Wanner, *Solving Ordinary
-//! Differential Equations I*, 2nd ed., II.4 and II.6): one stepper for all tableaux.
+//! Explicit Runge–Kutta pairs whose dense output takes f at both ends of a step (Hairer, Nørsett,
+//! Wanner, *Solving Ordinary Differential Equations I*, 2nd ed., II.4 and II.6): one stepper for
+//! all tableaux.
 
 mod pair;
 
@@ -18,8 +19,8 @@ const BETA: f64 = 0.04;
 
 /// An error below this part of the tolerance does not tell how fast grows what it is of.
 const UNSEEN: f64 = 1e-2;
-/// After so many steps with such errors growth is looked for, after one where a step moves the state
-/// by less than a part of its size.
+/// After so many steps with such errors growth is looked for, after one where a step moves the
+/// state by less than a part of its size.
 const MANY: u32 = 3;
 const SLOW: f64 = 1e-2;
 
@@ -29,13 +30,15 @@ pub struct Explicit<F, P, S, const N: usize, const L: usize> {
     step_state: StepState<S, N>,
     controller: Controller,
     rhs: RhsCache<S, N>,
-    /// How many steps in a row had an error of which growth is not seen; the one that begins is one.
+    /// How many steps in a row had an error of which growth is not seen; the one that begins is
+    /// one.
     unseen: u32,
     last: Last<S, N, L>,
     pair: PhantomData<P>,
 }
 
-/// The last step: its times, its start, its end with the slopes, and the dense output once it is computed.
+/// The last step: its times, its start, its end with the slopes, and the dense output once it is
+/// computed.
 struct Last<S, const N: usize, const L: usize> {
     times: [S; 2],
     y0: [S; N],
@@ -64,8 +67,8 @@ where
         Self { f, step_state, controller, rhs: RhsCache::UNKNOWN, unseen: 1, last, pair: PhantomData }
     }
 
-    /// The error of a trial in units of the tolerance, with the slope at its end where it is acceptable; NaN if state
-    /// or slope is not finite there.
+    /// The error of a trial in units of the tolerance, with the slope at its end where it is
+    /// acceptable; NaN if state or slope is not finite there.
     #[inline]
     fn judge(&mut self, trial: &mut Trial<S, N, L>, h: S) -> f64 {
         if P::ERROR_HAS_END {
@@ -126,9 +129,9 @@ where
         &mut self.step_state
     }
 
-    /// As many evaluations of f as the pair has stages, that at the start left out and that at the end with them; of a
-    /// rejected trial the one at the end only if its error needs it; one for each entry where growth
-    /// is looked for.
+    /// As many evaluations of f as the pair has stages, that at the start left out and that at the
+    /// end with them; of a rejected trial the one at the end only if its error needs it; one for
+    /// each entry where growth is looked for.
     fn step(&mut self) -> Result<(), StepError> {
         let slope = self.rhs.get(&self.f, &mut self.step_state)?;
         let planned = planned_step(&self.f, &mut self.step_state, &slope, P::ORDER);
@@ -162,7 +165,8 @@ where
         dense
     }
 
-    /// f is evaluated at `y1`, for the next step and so that the dense output stays once differentiable.
+    /// f is evaluated at `y1`, for the next step and so that the dense output stays once
+    /// differentiable.
     fn replace_end(&mut self, y1: [S; N]) -> Result<(), StepError> {
         (self.step_state.state, self.rhs) = (y1, RhsCache::UNKNOWN);
         let slope = self.rhs.get(&self.f, &mut self.step_state)?;

@@ -1,5 +1,5 @@
-//! The step once more, with twice as many stages: its collocation polynomial has the order that the step has at its end.
-//! y = y₀ + Σ (2k+1) mₖ ∫₀^θ Pₖ with the modes mₖ of h y′.
+//! The step once more, with twice as many stages: its collocation polynomial has the order that the
+//! step has at its end. y = y₀ + Σ (2k+1) mₖ ∫₀^θ Pₖ with the modes mₖ of h y′.
 
 use super::legendre::{FINE, next, round};
 use super::stages::{CollocationEquations, Sum};
@@ -13,7 +13,8 @@ pub(super) const TERMS: usize = FINE + 1;
 /// A polynomial in θ, by powers.
 type Powers = [DoubleDouble; TERMS];
 
-/// The method with twice as many stages, and the polynomials (2k+1) ∫ Pₖ by coefficients for θ and 1 − θ in turn.
+/// The method with twice as many stages, and the polynomials (2k+1) ∫ Pₖ by coefficients for θ and
+/// 1 − θ in turn.
 pub(super) struct Fine {
     tableau: Tableau<FINE>,
     integrals: [[f64; TERMS]; FINE],
@@ -34,8 +35,9 @@ impl Fine {
         Self { tableau: Tableau::new(), integrals }
     }
 
-    /// Coefficients of the step of length `h` from `y0` whose slopes have these modes, for a start; stages are found to
-    /// `enough`, and left as they were where they cannot be. Counts evaluations of f.
+    /// Coefficients of the step of length `h` from `y0` whose slopes have these modes, for a start;
+    /// stages are found to `enough`, and left as they were where they cannot be. Counts evaluations
+    /// of f.
     pub(super) fn coefficients<const N: usize>(
         &self,
         (f, pairs): (Rates<f64, N>, usize),

@@ -30,7 +30,8 @@ pub(super) fn next(k: usize, turned: DoubleDouble, before: DoubleDouble) -> Doub
         / DoubleDouble::ratio(n + 1, 1)
 }
 
-/// The zeros of P_s and the weights on [0, 1], bᵢ = 1/((1 − xᵢ²) P_s′(xᵢ)²) (Abramowitz & Stegun 25.4.29).
+/// The zeros of P_s and the weights on [0, 1], bᵢ = 1/((1 − xᵢ²) P_s′(xᵢ)²) (Abramowitz & Stegun
+/// 25.4.29).
 pub(super) fn nodes<const S: usize>() -> [(DoubleDouble, DoubleDouble); S] {
     let one = DoubleDouble::ratio(1, 1);
     let slope = |x: DoubleDouble, p: &LegendreValues| {

@@ -1,9 +1,11 @@
-//! Gauss collocation of order 12, for long smooth runs: symplectic and symmetric, with a constant step, so that energy
-//! does not drift (Hairer, Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., II.1.3, VI.4, VIII.6).
+//! Gauss collocation of order 12, for long smooth runs: symplectic and symmetric, with a constant
+//! step, so that energy does not drift (Hairer, Lubich, Wanner, *Geometric Numerical Integration*,
+//! 2nd ed., II.1.3, VI.4, VIII.6).
 //!
-//! The step is as long as the tolerance allows where the motion is fastest: it is found at the start, and a step whose
-//! highest mode is larger than any before, or whose modes fall more slowly, is compared with two of half the length, and made
-//! shorter, for good, where they differ by more than the tolerance. After a projection the step is symmetric only up to that.
+//! The step is as long as the tolerance allows where the motion is fastest: it is found at the
+//! start, and a step whose highest mode is larger than any before, or whose modes fall more slowly,
+//! is compared with two of half the length, and made shorter, for good, where they differ by more
+//! than the tolerance. After a projection the step is symmetric only up to that.
 
 mod dense;
 mod legendre;
@@ -35,7 +37,8 @@ const FORETOLD: f64 = 1e-3;
 const UNSEEN: [f64; 2] = [-1.0; 2];
 /// Rounding hides errors below this.
 const LEAST: f64 = 1e-13;
-/// What the last change of the dense output may be in units of the tolerance; the next would be some hundred times less.
+/// What the last change of the dense output may be in units of the tolerance; the next would be
+/// some hundred times less.
 const ENOUGH: f64 = 0.3;
 /// Steps that are so many times shorter than those before are followed, as those towards a pole
 /// are, which soon end; not for longer than [`PATIENCE`] steps where [`MANY`] are left.
@@ -56,8 +59,8 @@ pub struct Gauss<F, const N: usize> {
     /// The state, and of which jump it is.
     sum: Option<(Sum<N>, u64)>,
     last: Last<N>,
-    /// The largest highest mode of all steps of this length, and the largest error that their modes have foretold, in units of the
-    /// tolerance.
+    /// The largest highest mode of all steps of this length, and the largest error that their modes
+    /// have foretold, in units of the tolerance.
     record: [f64; 2],
     /// The largest of each component so far, or what it moved by in a step.
     largest: [f64; N],
@@ -76,7 +79,8 @@ struct Last<const N: usize> {
     jumps: Option<u64>,
 }
 
-/// Why a step was refused: the one to try next, whether all was finite, and whether the iteration converged.
+/// Why a step was refused: the one to try next, whether all was finite, and whether the iteration
+/// converged.
 struct Refusal {
     wanted: f64,
     finite: bool,
@@ -110,8 +114,8 @@ impl<F: Fn(&[f64; N]) -> [f64; N], const N: usize> Gauss<F, N> {
         }
     }
 
-    /// Promises that the rates of the first `n` entries are the `n` entries that follow, as those of coordinates are: the
-    /// iteration then takes half as many sweeps.
+    /// Promises that the rates of the first `n` entries are the `n` entries that follow, as those
+    /// of coordinates are: the iteration then takes half as many sweeps.
     #[must_use]
     pub fn with_pairs(mut self, n: usize) -> Self {
         self.pairs = n.min(N / 2);
@@ -195,7 +199,8 @@ impl<F: Fn(&[f64; N]) -> [f64; N], const N: usize> Gauss<F, N> {
         let modes = self.last_modes(&l, &scale);
         if modes[0] > self.record[0] || modes[1] > self.record[1].min(FORETOLD) {
             let err = self.error((h, &scale), &state, &end)?;
-            // A motion that is uniform, in time alone say, leaves a longer step to try too, but not one that has been tried.
+            // A motion that is uniform, in time alone say, leaves a longer step to try too, but not
+            // one that has been tried.
             let uniform = || !self.goes_back() && l.iter().flatten().any(|change| *change != 0.0);
             if err > 1.0 || err < TIMID && pilots > 0 && (modes[0] > 0.0 || uniform()) {
                 self.record = UNSEEN;
@@ -207,9 +212,10 @@ impl<F: Fn(&[f64; N]) -> [f64; N], const N: usize> Gauss<F, N> {
         Ok((l, end))
     }
 
-    /// The highest mode, and the mode of the error if all beyond fall as the last ones of its parity do, or as the larger of
-    /// both parities, of which either may be small by chance: slowly beside a place where the motion is hardly smooth, as where a force with its length
-    /// in the equations nearly vanishes.
+    /// The highest mode, and the mode of the error if all beyond fall as the last ones of its
+    /// parity do, or as the larger of both parities, of which either may be small by chance: slowly
+    /// beside a place where the motion is hardly smooth, as where a force with its length in the
+    /// equations nearly vanishes.
     fn last_modes(&self, l: &Stages<N, STAGES>, scale: &[f64; N]) -> [f64; 2] {
         let mode = |k: usize| norm(&self.tableau.coefficient(STAGES - k, l), scale);
         let [last, second, third, fourth] = [1, 2, 3, 4].map(mode);
@@ -218,7 +224,8 @@ impl<F: Fn(&[f64; N]) -> [f64; N], const N: usize> Gauss<F, N> {
         [last, beyond(last, last / third).max(beyond(last.max(second * of_both.sqrt()), of_both))]
     }
 
-    /// What errors are relative to: one step serves the whole run, also where a component passes through zero.
+    /// What errors are relative to: one step serves the whole run, also where a component passes
+    /// through zero.
     fn largest(&self, l: &Stages<N, STAGES>) -> [f64; N] {
         let y = &self.step_state.state;
         core::array::from_fn(|i| {

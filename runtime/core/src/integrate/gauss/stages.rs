@@ -1,6 +1,6 @@
-//! The stages by fixed-point iteration, to rounding (Hairer, McLachlan, Razakarivony, *BIT* 48 (2008) 231; the stopping
-//! criterion is that of Antoñana, Makazaga, Murua, *Numer. Algorithms* 76 (2017) 861): until no component changes, or
-//! none changes less than it did before.
+//! The stages by fixed-point iteration, to rounding (Hairer, McLachlan, Razakarivony, *BIT* 48
+//! (2008) 231; the stopping criterion is that of Antoñana, Makazaga, Murua, *Numer. Algorithms* 76
+//! (2017) 861): until no component changes, or none changes less than it did before.
 
 use super::tableau::{Stages, Tableau};
 use crate::integrate::{Rates, is_finite};
@@ -52,8 +52,9 @@ pub(super) struct CollocationEquations<'a, const N: usize, const S: usize> {
 }
 
 impl<const N: usize, const S: usize> CollocationEquations<'_, N, S> {
-    /// Lⱼ = h bⱼ f(y + Σ μⱼₖ Lₖ), found from `l` with each entry used as soon as it is known, until it
-    /// changes by no more than `enough`; where it stalls, changes within `rounding` are rounding too. Counts evaluations of f.
+    /// Lⱼ = h bⱼ f(y + Σ μⱼₖ Lₖ), found from `l` with each entry used as soon as it is known, until
+    /// it changes by no more than `enough`; where it stalls, changes within `rounding` are rounding
+    /// too. Counts evaluations of f.
     pub(super) fn solve(
         &self,
         (y, h): (&Sum<N>, f64),
@@ -74,7 +75,8 @@ impl<const N: usize, const S: usize> CollocationEquations<'_, N, S> {
             if (0..N).all(|i| changes[i] <= enough[i] || changes[i] >= least[i]) {
                 let size = |i: usize| y.high[i].abs() + l.iter().map(|l| l[i].abs()).sum::<f64>();
                 let settled = (0..N).all(|i| changes[i] <= (ROUNDING * size(i)).max(rounding[i]));
-                // The first sweep changes what the guess left, which may be next to nothing in some components.
+                // The first sweep changes what the guess left, which may be next to nothing in some
+                // components.
                 match settled {
                     true => return Ok(()),
                     false if sweep > 1 => return Err(IterationFailure::Slow),

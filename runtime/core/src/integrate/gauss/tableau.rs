@@ -1,9 +1,10 @@
-//! The coefficients μᵢⱼ = aᵢⱼ/bⱼ, in which the method is Lⱼ = h bⱼ f(y + Σ μⱼₖ Lₖ), y₁ = y + Σ Lⱼ, and symplectic where
-//! μᵢⱼ + μⱼᵢ = 1 exactly (Antoñana, Makazaga, Murua, *Numer. Algorithms* 76 (2017) 861).
+//! The coefficients μᵢⱼ = aᵢⱼ/bⱼ, in which the method is Lⱼ = h bⱼ f(y + Σ μⱼₖ Lₖ), y₁ = y + Σ Lⱼ,
+//! and symplectic where μᵢⱼ + μⱼᵢ = 1 exactly (Antoñana, Makazaga, Murua, *Numer. Algorithms* 76
+//! (2017) 861).
 //!
-//! With xᵢ the zeros of P_s, the Lagrange polynomials on [0, 1] are ℓⱼ = bⱼ Σ (2k+1) Pₖ(xⱼ) Pₖ, k < s, and
-//! ∫ (2k+1) Pₖ dθ = ½ (Pₖ₊₁ − Pₖ₋₁), P₋₁ = −1, so that μᵢⱼ = ½ + ½ Σ (Pₖ(xⱼ) Pₖ₊₁(xᵢ) − Pₖ₊₁(xⱼ) Pₖ(xᵢ)), k < s − 1, and
-//! h y′ = Σ (2k+1) mₖ Pₖ with the modes mₖ = Σ Pₖ(xⱼ) Lⱼ.
+//! With xᵢ the zeros of P_s, the Lagrange polynomials on [0, 1] are ℓⱼ = bⱼ Σ (2k+1) Pₖ(xⱼ) Pₖ, k <
+//! s, and ∫ (2k+1) Pₖ dθ = ½ (Pₖ₊₁ − Pₖ₋₁), P₋₁ = −1, so that μᵢⱼ = ½ + ½ Σ (Pₖ(xⱼ) Pₖ₊₁(xᵢ) −
+//! Pₖ₊₁(xⱼ) Pₖ(xᵢ)), k < s − 1, and h y′ = Σ (2k+1) mₖ Pₖ with the modes mₖ = Σ Pₖ(xⱼ) Lⱼ.
 
 use super::legendre::{nodes, round, values};
 /// L₁ … L_s.

@@ -1,5 +1,6 @@
-//! Radau IIA of order 5: nodes cᵢ, the transformation T⁻¹A⁻¹T = diag(γ, [α −β; β α]) and the weights of the error
-//! estimate (Hairer & Wanner II, IV.8, eqs. 8.13, 8.20; digits as in Hairer's `radau5.f`).
+//! Radau IIA of order 5: nodes cᵢ, the transformation T⁻¹A⁻¹T = diag(γ, [α −β; β α]) and the
+//! weights of the error estimate (Hairer & Wanner II, IV.8, eqs. 8.13, 8.20; digits as in Hairer's
+//! `radau5.f`).
 #![expect(clippy::excessive_precision, reason = "the published digits, to be compared with the source")]
 
 /// √6.

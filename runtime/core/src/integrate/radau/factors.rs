@@ -1,5 +1,5 @@
-//! The linear systems of the simplified iteration: with J for every stage, T takes them apart into one real and one
-//! complex system of size N (Hairer & Wanner II, IV.8, eqs. 8.13–8.15).
+//! The linear systems of the simplified iteration: with J for every stage, T takes them apart into
+//! one real and one complex system of size N (Hairer & Wanner II, IV.8, eqs. 8.13–8.15).
 
 use num_complex::Complex;
 
@@ -42,7 +42,8 @@ impl<const N: usize> NewtonFactors<N> {
         transform(&FORWARD, &[real, complex.map(|x| x.re), complex.map(|x| x.im)])
     }
 
-    /// How far roundings of `y` move the stages: (γ/h − J)⁻¹ J δ, δ = ε y with like and with alternating signs.
+    /// How far roundings of `y` move the stages: (γ/h − J)⁻¹ J δ, δ = ε y with like and with
+    /// alternating signs.
     pub(super) fn rounding(&self, y: &[f64; N]) -> [f64; N] {
         let of = |sign: f64| {
             let change = y.map(|y| f64::EPSILON * y);

@@ -1,5 +1,5 @@
-//! The linear system of Newton's own iteration, with the Jacobian of every stage, for stiff directions that turn:
-//! Σⱼ (A⁻¹)ᵢⱼ Δzⱼ/h − Jᵢ Δzᵢ = f(y + zᵢ) − Σⱼ (A⁻¹)ᵢⱼ zⱼ/h.
+//! The linear system of Newton's own iteration, with the Jacobian of every stage, for stiff
+//! directions that turn: Σⱼ (A⁻¹)ᵢⱼ Δzⱼ/h − Jᵢ Δzᵢ = f(y + zᵢ) − Σⱼ (A⁻¹)ᵢⱼ zⱼ/h.
 
 use super::coefficients::{ALPHA, BACK, BETA, FORWARD, GAMMA};
 use super::newton::Stages;

@@ -1,5 +1,6 @@
-//! Gaussian elimination with partial pivoting at a fixed size (Golub & Van Loan, 3.4), each row in its unit: which rows are pivots
-//! is the same in all units of length and time, and so is each digit where these are powers of two.
+//! Gaussian elimination with partial pivoting at a fixed size (Golub & Van Loan, 3.4), each row in
+//! its unit: which rows are pivots is the same in all units of length and time, and so is each
+//! digit where these are powers of two.
 
 use core::ops::{Div, Mul, Sub};
 

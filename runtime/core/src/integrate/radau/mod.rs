@@ -1,9 +1,10 @@
-//! Radau IIA of order 5 with three stages, for stiff phases, after Hairer's `radau5.f` (Hairer & Wanner, *Solving
-//! Ordinary Differential Equations II*, 2nd ed., IV.8). L-stable; the Jacobian and its factors are kept while they serve.
+//! Radau IIA of order 5 with three stages, for stiff phases, after Hairer's `radau5.f` (Hairer &
+//! Wanner, *Solving Ordinary Differential Equations II*, 2nd ed., IV.8). L-stable; the Jacobian and
+//! its factors are kept while they serve.
 //!
-//! What is not in `radau5.f`: dense output of order 4; Newton's own iteration where stiff directions turn; tolerances
-//! below the rounding of the stiff forces are widened to it; steps that are short where motion is
-//! unstable.
+//! What is not in `radau5.f`: dense output of order 4; Newton's own iteration where stiff
+//! directions turn; tolerances below the rounding of the stiff forces are widened to it; steps that
+//! are short where motion is unstable.
 
 mod coefficients;
 mod control;
@@ -158,7 +159,8 @@ impl<F: Fn(&[f64; N]) -> [f64; N], const N: usize> Stepper<f64, N> for Radau<'_,
         &mut self.step_state
     }
 
-    /// 3 evaluations of f for each iteration, one at the end, and a Jacobian where the last one no longer serves.
+    /// 3 evaluations of f for each iteration, one at the end, and a Jacobian where the last one no
+    /// longer serves.
     fn step(&mut self) -> Result<(), StepError> {
         let slope = self.rhs.get(&self.f, &mut self.step_state)?;
         let mut wanted = planned_step(&self.f, &mut self.step_state, &slope, ORDER);

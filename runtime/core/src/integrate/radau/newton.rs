@@ -1,5 +1,6 @@
-//! Newton iteration for the stages zᵢ = h Σ aᵢⱼ f(y + zⱼ), with the stopping criterion of Hairer & Wanner II, IV.8,
-//! eqs. 8.10, 8.11. What a change is compared with is never below the rounding of f.
+//! Newton iteration for the stages zᵢ = h Σ aᵢⱼ f(y + zⱼ), with the stopping criterion of Hairer &
+//! Wanner II, IV.8, eqs. 8.10, 8.11. What a change is compared with is never below the rounding of
+//! f.
 
 use crate::integrate::is_finite;
 use crate::integrate::tolerance::norm;
@@ -34,7 +35,8 @@ pub(super) enum NewtonFailure {
 
 /// The last iteration's speed.
 pub(super) struct Newton {
-    /// Θ: of two changes in a row, since one stiff direction can hide behind another for one iteration.
+    /// Θ: of two changes in a row, since one stiff direction can hide behind another for one
+    /// iteration.
     pub(super) contraction: f64,
     /// How many changes were made.
     pub(super) iterations: i32,
@@ -47,8 +49,8 @@ impl Newton {
         Self { contraction: 0.0, iterations: 0 }
     }
 
-    /// The stages of a step from `y`, found from `z` by adding the `change` for the slopes there; 3 evaluations of f for
-    /// each iteration.
+    /// The stages of a step from `y`, found from `z` by adding the `change` for the slopes there; 3
+    /// evaluations of f for each iteration.
     pub(super) fn solve<const N: usize>(
         &mut self,
         f: &impl Fn(&[f64; N]) -> [f64; N],
@@ -86,8 +88,8 @@ impl Newton {
         Err(NewtonFailure::Diverges)
     }
 
-    /// The error left after a change of `size` targets, Θ/(1 − Θ) of it; an error if the iterations left will not bring
-    /// it down to one.
+    /// The error left after a change of `size` targets, Θ/(1 − Θ) of it; an error if the iterations
+    /// left will not bring it down to one.
     fn excess(&self, iteration: i32, size: f64) -> Result<f64, NewtonFailure> {
         if self.contraction >= SLOWEST || self.contraction.is_nan() {
             return Err(NewtonFailure::Diverges);

@@ -14,7 +14,8 @@ const FAST: f64 = 1e-3;
 const SAME: f64 = 1e-6;
 /// Roundings are allowed to be larger than estimated by this: they must not hold the step back.
 const MARGIN: f64 = 10.0;
-/// So many steps are made with the Jacobian of every stage once one Jacobian did not serve all three.
+/// So many steps are made with the Jacobian of every stage once one Jacobian did not serve all
+/// three.
 const TURNING: u32 = 20;
 
 /// e^z − R(z) = −z⁶/7200 + O(z⁷) (Hairer & Wanner II, IV.3, on Padé approximations).
@@ -23,7 +24,8 @@ const ERROR_CONSTANT: f64 = 1.0 / 7200.0;
 /// ∂f/∂y.
 type Exact<'a, const N: usize> = Box<dyn Fn(&[f64; N]) -> [[f64; N]; N] + 'a>;
 
-/// The Jacobian last computed, of which jump it is and whether of the present state, and its factors.
+/// The Jacobian last computed, of which jump it is and whether of the present state, and its
+/// factors.
 pub(super) struct NewtonSystem<'a, const N: usize> {
     jacobian: Exact<'a, N>,
     known: Option<([[f64; N]; N], u64)>,
@@ -69,8 +71,8 @@ impl<'a, const N: usize> NewtonSystem<'a, N> {
         self.turning = self.turning.saturating_sub(1);
     }
 
-    /// The stages of a step of length `h`, by the simplified iteration, and where it fails even with the Jacobian of
-    /// this state by Newton's own.
+    /// The stages of a step of length `h`, by the simplified iteration, and where it fails even
+    /// with the Jacobian of this state by Newton's own.
     pub(super) fn solve(
         &mut self,
         f: &impl Fn(&[f64; N]) -> [f64; N],
@@ -103,7 +105,8 @@ impl<'a, const N: usize> NewtonSystem<'a, N> {
         solved.map(|z| Solved { z, scale })
     }
 
-    /// (γ/h − J)⁻¹ (f − p′(0)) with the collocation polynomial p through these stages; NaN without factors.
+    /// (γ/h − J)⁻¹ (f − p′(0)) with the collocation polynomial p through these stages; NaN without
+    /// factors.
     pub(super) fn defect(&self, h: f64, f: &[f64; N], z: &Stages<N>) -> [f64; N] {
         let [e1, e2, e3] = DEFECT;
         let rate = |i: usize| (e1 * z[0][i] + e2 * z[1][i] + e3 * z[2][i]) / h;

@@ -7,14 +7,16 @@ use crate::scalar::Real;
 const ROUNDING: f64 = 256.0 * f64::EPSILON;
 /// Roundings of a state by which f is tried where the defect is large.
 const NUDGE: f64 = 4.0 * f64::EPSILON;
-/// The part of the fastest rate by which those of the series and of the equations may differ, however short the step.
+/// The part of the fastest rate by which those of the series and of the equations may differ,
+/// however short the step.
 const ASTRAY: f64 = 0.03;
 /// As many times what such a nudge changes in f may f err by rounding.
 const NOISE: f64 = 16.0;
 
 impl<E: Expansion<N>, const N: usize> Taylor<E, N> {
     /// |h (y′ − f(y))| at the end of a step of length h, the largest entry, in units of what is allowed; not a number where f
-    /// is none. The first term that is left out, h times whose derivative this is, is p + 1 times smaller.
+    /// is none. The first term that is left out, h times whose derivative this is, is p + 1 times
+    /// smaller.
     pub(super) fn defect(&mut self, (unit, h): (f64, f64), y1: &[f64; N], slope: &[f64; N]) -> f64 {
         let f = self.expansion.rates(y1);
         let theta = h / unit;
@@ -49,7 +51,8 @@ impl<E: Expansion<N>, const N: usize> Taylor<E, N> {
         is_small && is_fast
     }
 
-    /// What each entry is allowed at the end y₁, where the equations move by `moved` in the time of the step.
+    /// What each entry is allowed at the end y₁, where the equations move by `moved` in the time of
+    /// the step.
     fn allowed(&self, theta: f64, y1: &[f64; N], moved: &[f64; N]) -> [f64; N] {
         let [y0, first, ..] = self.expansion.series();
         let scale = self.step_state.tolerance.scale(y0, y1);

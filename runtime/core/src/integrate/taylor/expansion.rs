@@ -2,13 +2,15 @@
 
 use crate::series::ORDERS;
 
-/// The equations y′ = f(y) as a source of Taylor coefficients; it keeps those of the last expansion.
+/// The equations y′ = f(y) as a source of Taylor coefficients; it keeps those of the last
+/// expansion.
 pub trait Expansion<const N: usize> {
     /// Expands y(t₀ + `unit` θ) = Σ cₖ θᵏ from c₀ = `state` up to k = `order` < [`ORDERS`].
     fn expand(&mut self, state: &[f64; N], unit: f64, order: usize);
     /// c₀, c₁, …, those beyond the order of the last expansion without meaning.
     fn series(&self) -> &[[f64; N]; ORDERS];
-    /// f; the series and the guards are left as they are. An expansion at the same state that follows has its values already.
+    /// f; the series and the guards are left as they are. An expansion at the same state that
+    /// follows has its values already.
     fn rates(&mut self, state: &[f64; N]) -> [f64; N];
     /// The guards of the last expansion over 0 ≤ θ ≤ `ratio`, if it has any.
     fn guards(&mut self, ratio: f64) -> Option<Guards<'_>>;
@@ -25,7 +27,8 @@ pub struct Guards<'a> {
 }
 
 impl<'a> Guards<'a> {
-    /// The first `terms` coefficients of each: of reactions, of gaps, and of both distances of each foot.
+    /// The first `terms` coefficients of each: of reactions, of gaps, and of both distances of each
+    /// foot.
     pub fn new(
         terms: usize,
         reactions: &'a [[f64; ORDERS]],
@@ -35,12 +38,14 @@ impl<'a> Guards<'a> {
         Self { terms, reactions, gaps, feet }
     }
 
-    /// The reaction of a contact, zero where open; behind those of the contacts the friction forces.
+    /// The reaction of a contact, zero where open; behind those of the contacts the friction
+    /// forces.
     pub fn reaction(&self, contact: usize) -> &'a [f64] {
         &self.reactions[contact][..self.terms]
     }
 
-    /// The gap of a contact, zero where closed; behind those of the contacts the slip velocities, zero but where one slides.
+    /// The gap of a contact, zero where closed; behind those of the contacts the slip velocities,
+    /// zero but where one slides.
     pub fn gap(&self, contact: usize) -> &'a [f64] {
         &self.gaps[contact][..self.terms]
     }

@@ -1,4 +1,5 @@
-//! The Taylor series of [`LANES`] motions side by side, their lengths and their values: what is computed in vectors.
+//! The Taylor series of [`LANES`] motions side by side, their lengths and their values: what is
+//! computed in vectors.
 //!
 //! All of it is inlined: see [`Inside`](crate::scalar::Inside).
 
@@ -56,8 +57,8 @@ impl<M: BarSystem, Q: PhaseSeries<M, N>, X: Vector, const N: usize> LaneSeries<M
         }
     }
 
-    /// θ up to which each series meets the tolerance, as for one motion; of those that go less than half as far as the last,
-    /// once more with the state's size there.
+    /// θ up to which each series meets the tolerance, as for one motion; of those that go less than
+    /// half as far as the last, once more with the state's size there.
     #[inline(always)]
     pub(super) fn step_size(&self) -> [f64; LANES] {
         let mut theta = Each::splat(1.0);
@@ -139,8 +140,8 @@ fn scale<X: Vector, const N: usize>(values: &mut [Each<X>; N], factor: Each<X>) 
     }
 }
 
-/// p = 4 − 0.55 ln ε, even as two orders are summed at once. Of four hundred double pendula at ε = 1e-9, 13.8, 15.9, 16.8 and
-/// 16.8 thousand were done in a second at p = 12, 14, 16 and 18.
+/// p = 4 − 0.55 ln ε, even as two orders are summed at once. Of four hundred double pendula at ε =
+/// 1e-9, 13.8, 15.9, 16.8 and 16.8 thousand were done in a second at p = 12, 14, 16 and 18.
 fn order(relative: f64) -> usize {
     let half = 0.5 * (4.0 - 0.55 * relative.ln());
     (2 * half.round() as usize).clamp(4, ORDERS - 2)

@@ -1,8 +1,9 @@
 //! Taylor's method on [`LANES`] motions side by side, each with its own time, step and end.
 //!
-//! A motion's bits depend neither on its lane nor on what is beside it: the order follows from the tolerance, which all
-//! share, and every operation acts on each lane alone. The steps are those of [`Taylor`](super::Taylor), with an order that
-//! suits convolutions whose cost grows with its square.
+//! A motion's bits depend neither on its lane nor on what is beside it: the order follows from the
+//! tolerance, which all share, and every operation acts on each lane alone. The steps are those of
+//! [`Taylor`](super::Taylor), with an order that suits convolutions whose cost grows with its
+//! square.
 
 use super::lane_series::{Each, LaneSeries};
 use super::{LARGEST, is_finite};
@@ -49,8 +50,8 @@ impl<M: BarSystem, Q: PhaseSeries<M, N>, X: Vector, const N: usize> LaneStepper<
         self.motions.iter().all(Option::is_none)
     }
 
-    /// Puts a motion into a lane; its tolerance has the relative part of this stepper. `unit` is a guess at its first step, which
-    /// may be many times too long or too short.
+    /// Puts a motion into a lane; its tolerance has the relative part of this stepper. `unit` is a
+    /// guess at its first step, which may be many times too long or too short.
     pub fn enter(
         &mut self,
         lane: usize,
@@ -119,8 +120,8 @@ impl<M: BarSystem, Q: PhaseSeries<M, N>, X: Vector, const N: usize> Inside for S
 }
 
 impl<const N: usize> LaneMotion<N> {
-    /// The ratio of the next step to the unit, the unit of the next series, and the time it leads to; no step where the unit
-    /// is shortened first.
+    /// The ratio of the next step to the unit, the unit of the next series, and the time it leads
+    /// to; no step where the unit is shortened first.
     fn plan(&mut self, unit: f64, step_size: Option<f64>) -> Result<(f64, f64, f64), StepError> {
         let t = self.step_state.time;
         match step_size {

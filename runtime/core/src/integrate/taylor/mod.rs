@@ -1,11 +1,13 @@
-//! Taylor's method of variable order and step (À. Jorba and M. Zou, *A software package for the numerical integration of
-//! ODEs by means of high-order Taylor methods*, Experimental Mathematics 14, 2005).
+//! Taylor's method of variable order and step (À. Jorba and M. Zou, *A software package for the
+//! numerical integration of ODEs by means of high-order Taylor methods*, Experimental Mathematics
+//! 14, 2005).
 //!
-//! The order follows from the tolerance, the step from the last coefficients. They may mislead, where few terms of a series
-//! are there or where f is not analytic within the step. So a step is accepted only if the series satisfies the equations at
-//! its end, |h (y′ − f(y))| within the tolerance, at f's value that the next series begins with; else a shorter part of the
-//! same series is taken. The series run in θ = (t − t₀)/u, u the length of the last step, so that coefficients neither overflow nor vanish whatever the unit
-//! of time.
+//! The order follows from the tolerance, the step from the last coefficients. They may mislead,
+//! where few terms of a series are there or where f is not analytic within the step. So a step is
+//! accepted only if the series satisfies the equations at its end, |h (y′ − f(y))| within the
+//! tolerance, at f's value that the next series begins with; else a shorter part of the same series
+//! is taken. The series run in θ = (t − t₀)/u, u the length of the last step, so that coefficients
+//! neither overflow nor vanish whatever the unit of time.
 
 mod defect;
 mod expansion;
@@ -32,8 +34,9 @@ use step_size::StepSize;
 /// Steps are shorter than the radius of convergence; its end is nearer than this many of them.
 const BEYOND: f64 = 100.0;
 
-/// A step, and the unit of its series, is at most this many times longer than the last: a state of which an entry all but
-/// vanishes begins in a unit as much too short, and its power by the highest order is far from overflow.
+/// A step, and the unit of its series, is at most this many times longer than the last: a state of
+/// which an entry all but vanishes begins in a unit as much too short, and its power by the highest
+/// order is far from overflow.
 const LARGEST: f64 = 1e6;
 
 /// An integration by Taylor's method.
@@ -81,7 +84,8 @@ impl<E: Expansion<N>, const N: usize> Taylor<E, N> {
         self.step_size.order
     }
 
-    /// Fills the series, and returns the step that they allow; `None` if a coefficient is not finite.
+    /// Fills the series, and returns the step that they allow; `None` if a coefficient is not
+    /// finite.
     fn expand(&mut self, unit: f64) -> Option<f64> {
         self.expansion.expand(&self.step_state.state, unit, self.step_size.order);
         self.step_state.counts.evaluations += self.step_size.order as u64;
@@ -103,7 +107,8 @@ impl<E: Expansion<N>, const N: usize> Taylor<E, N> {
         Ok(self.step_state.begin((rate > 0.0).then(|| 1.0 / rate)))
     }
 
-    /// Whether the derivative is finite at θ on the tangent: a step at its floor ends at a pole, or at the edge of f's domain.
+    /// Whether the derivative is finite at θ on the tangent: a step at its floor ends at a pole, or
+    /// at the edge of f's domain.
     fn goes_on(&mut self, theta: f64) -> bool {
         let [y, slope, ..] = *self.expansion.series();
         let beyond = core::array::from_fn(|i| Real::mul_add(theta, slope[i], y[i]));

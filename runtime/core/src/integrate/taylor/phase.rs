@@ -8,7 +8,8 @@ use crate::model::{Array, BarSystem, PhaseSeries, TermsOf};
 use crate::scalar::{Double, Inside};
 use crate::series::{ORDERS, TaylorTape};
 
-/// The equations of a closed form on Taylor series, with the guards of its contacts, by doubles `S`, whose constants are `C`.
+/// The equations of a closed form on Taylor series, with the guards of its contacts, by doubles
+/// `S`, whose constants are `C`.
 pub struct ExpansionBy<C, S: Double, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> {
     constants: C,
     tape: Store<Columns<S, M, Q, N>>,
@@ -255,7 +256,8 @@ where
     }
 }
 
-/// The first terms of each series times powers of the step, four at once; zero stays zero where those overflow.
+/// The first terms of each series times powers of the step, four at once; zero stays zero where
+/// those overflow.
 #[inline(always)]
 fn scale(scaled: &mut [[f64; ORDERS]], (powers, terms): (&[f64; ORDERS], usize), series: &[[f64; ORDERS]]) {
     let (powers, fours) = (powers.as_chunks::<4>().0, terms.div_ceil(4).min(ORDERS / 4));

@@ -23,10 +23,10 @@ pub(super) struct StepSize {
 }
 
 impl StepSize {
-    /// p = 6 − 0.55 ln ε. A step goes as far as the radius of convergence times ε^(1/p): least work per time is at
-    /// p = −½ ln ε where an order costs as much as it has terms (Jorba & Zou, § 3.2), and a little above that where all
-    /// columns of a tape are summed at once; even, as two orders are. Measured on the double pendulum from 21 starts,
-    /// ε = 1e-2 … 1e-13.
+    /// p = 6 − 0.55 ln ε. A step goes as far as the radius of convergence times ε^(1/p): least work
+    /// per time is at p = −½ ln ε where an order costs as much as it has terms (Jorba & Zou, §
+    /// 3.2), and a little above that where all columns of a tape are summed at once; even, as two
+    /// orders are. Measured on the double pendulum from 21 starts, ε = 1e-2 … 1e-13.
     pub fn new<const N: usize>(tolerance: &Tolerance<N>, state: &[f64; N]) -> Self {
         let relative = if tolerance.relative() > 0.0 {
             tolerance.relative()
@@ -40,10 +40,12 @@ impl StepSize {
         Self { order, tolerance: relative.log2() }
     }
 
-    /// θ up to which the series meets the tolerance: the radius of convergence r by the last two coefficients, ‖cₚ‖ rᵖ = ‖y‖
-    /// (Jorba & Zou, (3–8)), times the part of it in which the last term falls to a hundredth of the tolerance. Two, as one
-    /// of them may vanish by symmetry; and no farther than a fifth above what the two before tell, as both may: of a pendulum
-    /// let go level only every fourth is there; nor than twice what the two before those tell. Infinite where all vanish.
+    /// θ up to which the series meets the tolerance: the radius of convergence r by the last two
+    /// coefficients, ‖cₚ‖ rᵖ = ‖y‖ (Jorba & Zou, (3–8)), times the part of it in which the last
+    /// term falls to a hundredth of the tolerance. Two, as one of them may vanish by symmetry; and
+    /// no farther than a fifth above what the two before tell, as both may: of a pendulum let go
+    /// level only every fourth is there; nor than twice what the two before those tell. Infinite
+    /// where all vanish.
     pub fn compute_theta<const N: usize>(
         &self,
         series: &[[f64; N]; ORDERS],
@@ -67,8 +69,8 @@ impl StepSize {
         if theta < 0.5 { within(theta) } else { theta }
     }
 
-    /// The part of a step to take instead where its defect is so many times what is allowed: as the first term that is left out
-    /// has it, which is O(hᵖ⁺¹), or where f is not analytic much less.
+    /// The part of a step to take instead where its defect is so many times what is allowed: as the
+    /// first term that is left out has it, which is O(hᵖ⁺¹), or where f is not analytic much less.
     pub fn shorter(&self, defect: f64) -> f64 {
         let part = 0.9 * exp2(-log2(defect) / (self.order + 1) as f64);
         if defect.is_finite() { part.clamp(0.25, 0.9) } else { 0.25 }

@@ -24,7 +24,8 @@ fn digits_cost_orders_rather_than_steps() {
     let tolerances = [1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14, 1e-16];
     let turns = tolerances.map(turn);
     for (tol, (_, _, error)) in tolerances.into_iter().zip(turns) {
-        // As for every method: the tolerance in each of some tens of steps, stretched along the orbit; and their rounding.
+        // As for every method: the tolerance in each of some tens of steps, stretched along the
+        // orbit; and their rounding.
         assert!(error < 1e2 * tol + 1e-13, "{error:e} at {tol:e}");
     }
     assert!(turns.windows(2).all(|w| w[1].1 >= w[0].1), "{turns:?}");
@@ -54,8 +55,8 @@ fn a_polynomial_is_one_step() {
     assert!(distance(*solver.step_state().state(), [3.0, 4.5, 4.5]) < 4.0 * 4.5 * f64::EPSILON);
 }
 
-/// One step from rest at the turning point of an oscillator, whose odd coefficients vanish in one component and whose even
-/// ones in the other: its length belongs to the tolerance at every order.
+/// One step from rest at the turning point of an oscillator, whose odd coefficients vanish in one
+/// component and whose even ones in the other: its length belongs to the tolerance at every order.
 #[test]
 fn a_step_is_as_long_as_the_tolerance_allows() {
     struct Oscillator;
@@ -76,7 +77,8 @@ fn a_step_is_as_long_as_the_tolerance_allows() {
     }
 }
 
-/// A field that is followed to t = 1 at a tolerance of 1e-10; its first entry there, and how many steps were refused.
+/// A field that is followed to t = 1 at a tolerance of 1e-10; its first entry there, and how many
+/// steps were refused.
 fn followed<F: Field<2>>(field: &F, start: [f64; 2]) -> (f64, u64) {
     let mut solver = Taylor::new(Jets::new(field), from(1e-10, start).with_end(1.0));
     while solver.step_state().time() < 1.0 {
@@ -85,7 +87,8 @@ fn followed<F: Field<2>>(field: &F, start: [f64; 2]) -> (f64, u64) {
     (solver.step_state().state()[0], solver.step_state().counts().rejected)
 }
 
-/// y = 1/(1 − (t/2)⁸), of whose coefficients near t = 0 only every eighth is there: the last six say nothing of the pole.
+/// y = 1/(1 − (t/2)⁸), of whose coefficients near t = 0 only every eighth is there: the last six
+/// say nothing of the pole.
 #[test]
 fn sparse_series_do_not_reach_beyond_their_radius() {
     struct Pole;
@@ -101,7 +104,8 @@ fn sparse_series_do_not_reach_beyond_their_radius() {
     assert!((y - 256.0 / 255.0).abs() < 1e-9, "{y}");
 }
 
-/// y = |t − 0.3| integrated: a series knows nothing of the kink, which only the equations at the end of a step tell.
+/// y = |t − 0.3| integrated: a series knows nothing of the kink, which only the equations at the
+/// end of a step tell.
 #[test]
 fn a_step_over_a_kink_is_refused() {
     struct Kinked;
@@ -113,12 +117,13 @@ fn a_step_over_a_kink_is_refused() {
     }
     let (y, refused) = followed(&Kinked, [0.0, 0.0]);
     assert!(refused > 0);
-    // ½ 0.3² + ½ 0.7²; a step passes the kink by so little that the defect is less than p + 1 tolerances.
+    // ½ 0.3² + ½ 0.7²; a step passes the kink by so little that the defect is less than p + 1
+    // tolerances.
     assert!((y - 0.29).abs() < 2e-9, "{y}");
 }
 
-/// y₁″ = y₁ y₂, y₂ = 1, at rest but for 1e-80: the time in which it would change by its size has powers beyond all numbers, the step that
-/// is allowed has not.
+/// y₁″ = y₁ y₂, y₂ = 1, at rest but for 1e-80: the time in which it would change by its size has
+/// powers beyond all numbers, the step that is allowed has not.
 struct Still;
 
 impl Field<3> for Still {

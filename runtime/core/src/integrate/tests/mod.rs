@@ -38,8 +38,9 @@ fn failure<const N: usize>(solver: &mut dyn Stepper<f64, N>) -> StepError {
     }
 }
 
-/// Three turns of an eccentric orbit: hundred steps and more, each with an error of the tolerance that the orbit
-/// stretches some ten times; so also the dense output, which meets the states at both ends.
+/// Three turns of an eccentric orbit: hundred steps and more, each with an error of the tolerance
+/// that the orbit stretches some ten times; so also the dense output, which meets the states at
+/// both ends.
 #[test]
 fn errors_follow_the_tolerance() {
     for tol in [1e-5, 1e-7, 1e-9] {
@@ -90,7 +91,8 @@ fn a_pole_is_a_step_at_its_floor() {
             ),
             "{name}: {failure}"
         );
-        // y = 1/(1 − t): the pole is moved by errors as they were while y was of order 1, 1e-8 and some.
+        // y = 1/(1 − t): the pole is moved by errors as they were while y was of order 1, 1e-8 and
+        // some.
         let step_state = solver.step_state();
         let (t, y) = (step_state.time(), step_state.state()[0]);
         assert!((t - 1.0).abs() < 1e-6 && y > 1e6, "{name}: {failure}, y = {y:e} at {t}");
@@ -134,8 +136,8 @@ fn a_projected_end_is_met_by_the_dense_output() {
         );
         let dense = solver.dense();
         assert_eq!(dense.interpolate(1.0), projected, "{name}");
-        // The rate is that of the projected state but for what the projection moved and the order leaves: 1e-9/h, and
-        // the tolerance.
+        // The rate is that of the projected state but for what the projection moved and the order
+        // leaves: 1e-9/h, and the tolerance.
         let defect = distance(dense.rate(1.0), kepler(&projected));
         assert!(defect < 2e-8 / dense.h, "{name}: {defect:e}");
         solver.step().expect("a smooth orbit");
@@ -157,7 +159,8 @@ fn a_jump_is_a_new_start() {
     });
 }
 
-/// From s = ½ on v is driven across zero wherever it is: a stage has no fixed point, however short the step.
+/// From s = ½ on v is driven across zero wherever it is: a stage has no fixed point, however short
+/// the step.
 #[test]
 fn an_iteration_that_never_converges_is_reported_with_what_to_use() {
     let f = |&[s, v]: &[f64; 2]| {

@@ -1,5 +1,5 @@
-//! Coefficients of Tsitouras's pair, all digits as published (*Comput. Math. Appl.* 62 (2011) 770, table 1 and section
-//! 4). Zeros are left out.
+//! Coefficients of Tsitouras's pair, all digits as published (*Comput. Math. Appl.* 62 (2011) 770,
+//! table 1 and section 4). Zeros are left out.
 #![expect(clippy::excessive_precision, reason = "the published digits, to be compared with the source")]
 
 use crate::integrate::combination::Weight;

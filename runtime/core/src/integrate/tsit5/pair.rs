@@ -29,7 +29,8 @@ impl Pair<SLOPES> for Tsitouras {
         h.to_f64() * norm(&combine(&trial.slopes, ERROR), &scale)
     }
 
-    /// Hermite's cubic, and what goes beyond it: the coefficient of θ²(1 − θ)², which is that of θ⁴.
+    /// Hermite's cubic, and what goes beyond it: the coefficient of θ²(1 − θ)², which is that of
+    /// θ⁴.
     fn dense<S: Scalar, const N: usize>(
         _: &impl Fn(&[S; N]) -> [S; N],
         h: S,

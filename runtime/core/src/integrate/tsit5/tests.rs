@@ -28,8 +28,8 @@ fn dot(a: &Vector, b: &Vector) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// The trees up to order 5, Φ of each with its order ρ and density γ: Σ bᵢ Φᵢ = θ^ρ/γ (Hairer, Nørsett, Wanner I,
-/// table II.2.2).
+/// The trees up to order 5, Φ of each with its order ρ and density γ: Σ bᵢ Φᵢ = θ^ρ/γ (Hairer,
+/// Nørsett, Wanner I, table II.2.2).
 fn trees() -> Vec<(Vector, i32, f64)> {
     let table = tableau();
     let a = |x: &Vector| table.map(|row| dot(&row, x));
@@ -76,7 +76,8 @@ fn coefficients_satisfy_the_order_conditions() {
 #[test]
 fn dense_output_satisfies_the_order_conditions() {
     let unit = |j: usize| core::array::from_fn::<f64, SLOPES, _>(|i| f64::from(u8::from(i == j)));
-    // With f = 0 but for the weight of one slope, y(θ) is that weight's bᵢ(θ); a step of length 1 from 0.
+    // With f = 0 but for the weight of one slope, y(θ) is that weight's bᵢ(θ); a step of length 1
+    // from 0.
     let slopes = core::array::from_fn(unit);
     let step = Trial { y1: dense_row(B), slopes };
     let mut weights = Dense::with_room(5);

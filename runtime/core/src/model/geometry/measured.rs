@@ -5,7 +5,8 @@ use super::{Direction, Number};
 /// What a coordinate measures.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Reading {
-    /// An angle between a direction and a bar: `sign` times the coordinate leads from one to the other.
+    /// An angle between a direction and a bar: `sign` times the coordinate leads from one to the
+    /// other.
     Angle {
         /// The point at which it is shown.
         vertex: usize,
@@ -13,7 +14,8 @@ pub enum Reading {
         tip: usize,
         /// What it is measured from.
         from: Direction,
-        /// Whether the bar is read from the tip to the vertex, so that the arc begins against `from`.
+        /// Whether the bar is read from the tip to the vertex, so that the arc begins against
+        /// `from`.
         against: bool,
         /// +1 counter-clockwise, −1 clockwise.
         sign: i8,

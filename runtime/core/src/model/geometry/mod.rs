@@ -1,5 +1,5 @@
-//! How a model looks: forms with a role, between points and at places that parameters determine. They tell what is drawn and
-//! measured, not what kind of joint or support it stands for.
+//! How a model looks: forms with a role, between points and at places that parameters determine.
+//! They tell what is drawn and measured, not what kind of joint or support it stands for.
 //!
 //! A `usize` called a point is an index into [`Layout::points`](super::Layout::points).
 

@@ -1,6 +1,7 @@
 //! Numbers, places and directions.
 
-/// An index into [`BarSystem::numbers`](crate::model::BarSystem::numbers): a length or an angle in rad.
+/// An index into [`BarSystem::numbers`](crate::model::BarSystem::numbers): a length or an angle in
+/// rad.
 pub type Number = usize;
 
 /// A place.

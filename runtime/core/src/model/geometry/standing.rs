@@ -60,7 +60,7 @@ pub struct Push {
     pub along: Direction,
     /// Quarter turns counter-clockwise from `along` to the reaction.
     pub turns: u8,
-    /// Where a positive tangential reaction points: a quarter turn from the normal one, +1 counter-clockwise, −1 clockwise;
-    /// 0 where there can be none.
+    /// Where a positive tangential reaction points: a quarter turn from the normal one, +1
+    /// counter-clockwise, −1 clockwise; 0 where there can be none.
     pub slip: i8,
 }

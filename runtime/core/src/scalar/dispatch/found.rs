@@ -1,17 +1,17 @@
 //! Vectors of instructions that the target need not have: AVX-512, or AVX2 with FMA.
 //!
-//! In a binary for any x86-64, ensembles side by side take 0.28 of the time by AVX-512, 0.48 by AVX2; right-hand sides of 2 to 32
-//! bars for many states 0.25 to 0.31, and 0.46 to 0.57.
+//! In a binary for any x86-64, ensembles side by side take 0.28 of the time by AVX-512, 0.48 by
+//! AVX2; right-hand sides of 2 to 32 bars for many states 0.25 to 0.31, and 0.46 to 0.57.
 //!
 //! # Safety
 //!
 //! Every `unsafe` here is one of two.
 //!
 //! - An instruction, or a function compiled for it. Both types are private to `dispatch`, whose
-//!   [`widest`](super::widest) alone hands them out, after the standard library's test: where there is such a type in running
-//!   code, the processor has its instructions.
-//! - Registers seen as doubles, or as the vectors of the target. All are eight doubles in their order, as the assertion on sizes
-//!   and alignments has it, and any bits are doubles.
+//!   [`widest`](super::widest) alone hands them out, after the standard library's test: where there
+//!   is such a type in running code, the processor has its instructions.
+//! - Registers seen as doubles, or as the vectors of the target. All are eight doubles in their
+//!   order, as the assertion on sizes and alignments has it, and any bits are doubles.
 #![allow(unsafe_code, reason = "the module's proof")]
 
 use core::arch::x86_64::*;

@@ -1,12 +1,13 @@
 //! Doubles for code that is compiled for AVX2 and FMA, whatever the target has.
 //!
-//! In a binary for any x86-64 a double pendulum takes 0.74, 0.79, 0.82, 0.86 of the time by them, a chain of eight bars 0.70, 0.75,
-//! 0.79, 0.84, at tolerances of 1e-4, 1e-6, 1e-9, 1e-12; by DOP853 the chain takes 0.80, the pendulum 1.04 at 1e-6.
+//! In a binary for any x86-64 a double pendulum takes 0.74, 0.79, 0.82, 0.86 of the time by them, a
+//! chain of eight bars 0.70, 0.75, 0.79, 0.84, at tolerances of 1e-4, 1e-6, 1e-9, 1e-12; by DOP853
+//! the chain takes 0.80, the pendulum 1.04 at 1e-6.
 //!
 //! # Safety
 //!
-//! The one `unsafe` is the call of a function compiled for both. The type is private to `dispatch`, whose
-//! [`by_doubles`](super::by_doubles) alone hands it out, after the standard library's test.
+//! The one `unsafe` is the call of a function compiled for both. The type is private to `dispatch`,
+//! whose [`by_doubles`](super::by_doubles) alone hands it out, after the standard library's test.
 #![allow(unsafe_code, reason = "the module's proof")]
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -76,7 +77,8 @@ impl Real for Fused {
         (Self(sin), Self(cos))
     }
 
-    /// Eight at once, and one by one what is left, by loops without closures, which would be functions of their own.
+    /// Eight at once, and one by one what is left, by loops without closures, which would be
+    /// functions of their own.
     #[inline(always)]
     fn sin_cos_each<const K: usize>(angles: [Self; K]) -> ([Self; K], [Self; K]) {
         let (mut sin, mut cos) = (angles, angles);

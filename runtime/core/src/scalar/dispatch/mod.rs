@@ -1,13 +1,16 @@
-//! Code compiled several times where the target is any processor of its kind: for all of them, for those with AVX2 and FMA, and,
-//! where whole steps are made of vectors, for those with AVX-512; which it is, is found out at run time.
+//! Code compiled several times where the target is any processor of its kind: for all of them, for
+//! those with AVX2 and FMA, and, where whole steps are made of vectors, for those with AVX-512;
+//! which it is, is found out at run time.
 //!
-//! Loops over arrays ([`vectorised`]) the compiler itself turns into vectors. Series and right-hand sides are made of doubles that
-//! multiply and add in one instruction ([`by_doubles`]), what is side by side of vectors ([`widest`]). Where the target has the instructions there is
-//! one function, and nothing to find out. What is gained stands where it is gained: in `fused`, `found`.
+//! Loops over arrays ([`vectorised`]) the compiler itself turns into vectors. Series and right-hand
+//! sides are made of doubles that multiply and add in one instruction ([`by_doubles`]), what is
+//! side by side of vectors ([`widest`]). Where the target has the instructions there is one
+//! function, and nothing to find out. What is gained stands where it is gained: in `fused`,
+//! `found`.
 //!
-//! The only `unsafe` code of this crate is in this folder: calls of functions that need AVX2 and FMA, behind the standard
-//! library's test for both, and what `found` has, behind the same. Compiled for more instructions, a function does what its source
-//! says like any other.
+//! The only `unsafe` code of this crate is in this folder: calls of functions that need AVX2 and
+//! FMA, behind the standard library's test for both, and what `found` has, behind the same.
+//! Compiled for more instructions, a function does what its source says like any other.
 
 mod double;
 #[cfg(all(feature = "std", target_arch = "x86_64", any(test, not(target_feature = "avx512f"))))]
@@ -32,12 +35,13 @@ pub use vector::Vector;
 pub trait Inside {
     /// What it gives.
     type Output;
-    /// Does it. To be marked `#[inline(always)]`, like all that it calls with such numbers: what is not inlined calls each instruction
-    /// as a function.
+    /// Does it. To be marked `#[inline(always)]`, like all that it calls with such numbers: what is
+    /// not inlined calls each instruction as a function.
     fn run(self) -> Self::Output;
 }
 
-/// Hands out doubles that multiply and add in one instruction, where the processor has it and the target need not.
+/// Hands out doubles that multiply and add in one instruction, where the processor has it and the
+/// target need not.
 pub(crate) fn by_doubles<F: ForDouble>(wanted: F) -> F::Output {
     #[cfg(all(feature = "std", target_arch = "x86_64", not(target_feature = "fma")))]
     if has_fma() {
@@ -48,12 +52,13 @@ pub(crate) fn by_doubles<F: ForDouble>(wanted: F) -> F::Output {
 
 /// A loop that is worth it.
 pub(crate) trait Vectorised {
-    /// Does it, multiplying and adding in one instruction if `FUSED`. To be marked `#[inline(always)]`: only what is inlined is
-    /// compiled for the instructions that were found.
+    /// Does it, multiplying and adding in one instruction if `FUSED`. To be marked
+    /// `#[inline(always)]`: only what is inlined is compiled for the instructions that were found.
     fn run<const FUSED: bool>(self);
 }
 
-/// Whether the target multiplies and adds in one instruction. Without the standard library that is not to be had.
+/// Whether the target multiplies and adds in one instruction. Without the standard library that is
+/// not to be had.
 pub(crate) const FUSED: bool = cfg!(all(target_feature = "fma", feature = "std"));
 
 /// Runs it with the widest instructions that there are.

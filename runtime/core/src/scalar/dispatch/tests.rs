@@ -29,7 +29,8 @@ impl<X: Vector> Inside for Formula<'_, X> {
     }
 }
 
-/// The bits of each lane; not fused one by one where the target cannot, so that they differ by some roundings there.
+/// The bits of each lane; not fused one by one where the target cannot, so that they differ by some
+/// roundings there.
 fn as_one_by_one<X: Vector>(values: &[[f64; 3]]) {
     let lanes = core::array::from_fn(|i| Lanes::<2, X>::from_fn(|lane| values[lane][i]));
     let found = X::inside(Formula(&lanes));

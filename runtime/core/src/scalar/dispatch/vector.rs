@@ -8,7 +8,8 @@ use super::Inside;
 use super::{LANES, Lanes};
 use crate::scalar::sin_cos::{Doubles, sin_cos_all};
 
-/// [`LANES`] doubles side by side; every operation acts on each by itself, with the bits that it has on an `f64`.
+/// [`LANES`] doubles side by side; every operation acts on each by itself, with the bits that it
+/// has on an `f64`.
 pub trait Vector:
     Doubles<Bits: BitOr<Output = Self::Bits> + Shr<u32, Output = Self::Bits>>
     + Div<Output = Self>

@@ -1,9 +1,10 @@
 //! Unevaluated sums of two doubles, about 31 digits.
 //!
 //! Dekker, *Numer. Math.* 18 (1971) 224; algorithms and error bounds from Joldes, Muller, Popescu,
-//! *ACM TOMS* 44 (2017) 15 and Lefèvre et al., *ACM TOMS* 49 (2023) 4: relative error at most 3u² of
-//! a sum, 4u² of a product, 10u² of a quotient, 25/8 u² of a root, u = 2⁻⁵³. All but the smallest operations are calls:
-//! emitted code for this scalar would else take as long to compile as it takes digits.
+//! *ACM TOMS* 44 (2017) 15 and Lefèvre et al., *ACM TOMS* 49 (2023) 4: relative error at most 3u²
+//! of a sum, 4u² of a product, 10u² of a quotient, 25/8 u² of a root, u = 2⁻⁵³. All but the
+//! smallest operations are calls: emitted code for this scalar would else take as long to compile
+//! as it takes digits.
 
 mod sin_cos;
 

@@ -10,8 +10,8 @@ const INTEGERS: f64 = (1_u64 << FRACTION) as f64;
 const BIAS: f64 = (f64::MAX_EXP - 1) as f64;
 
 impl<X: Vector> Lanes<1, X> {
-    /// log₂ of a positive number to 0.01: the exponent, and a parabola through the ends and the middle of what the fraction
-    /// adds.
+    /// log₂ of a positive number to 0.01: the exponent, and a parabola through the ends and the
+    /// middle of what the fraction adds.
     #[inline(always)]
     pub(crate) fn rough_log2(self) -> Self {
         let bits = self.0[0].to_bits();

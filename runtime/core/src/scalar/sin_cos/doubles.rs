@@ -25,7 +25,8 @@ pub trait Doubles:
     fn within(self, bound: f64) -> bool;
     /// Sine and cosine, one by one.
     fn singly<const FUSED: bool>(self) -> (Self, Self);
-    /// `self · a + b`, with one rounding if `FUSED`; what is side by side has it only where the target has.
+    /// `self · a + b`, with one rounding if `FUSED`; what is side by side has it only where the
+    /// target has.
     fn mul_add<const FUSED: bool>(self, a: Self, b: Self) -> Self;
     fn to_bits(self) -> Self::Bits;
     fn from_bits(bits: Self::Bits) -> Self;

@@ -32,7 +32,8 @@ fn near_multiples(multiples: impl Iterator<Item = i64>) -> impl Iterator<Item = 
     })
 }
 
-/// The doubles up to 2²⁰ that are nearest to multiples of π/2, by search through all of them: 6e-19 … 6e-17.
+/// The doubles up to 2²⁰ that are nearest to multiples of π/2, by search through all of them: 6e-19
+/// … 6e-17.
 const NEAREST: [f64; 4] = [45.553093477052, 91.106186954104, 321_307.959_442_222_9, 642_615.918_884_445_8];
 
 /// One ulp: what is promised.
@@ -76,7 +77,8 @@ fn sine_is_odd_and_cosine_even() {
     assert!(sin_cos::<true, f64>(-0.0).0.is_sign_negative());
 }
 
-/// Within the bound, and with one of them beyond; for each number of them that is taken together in its own way.
+/// Within the bound, and with one of them beyond; for each number of them that is taken together in
+/// its own way.
 #[test]
 fn each_has_the_bits_that_it_has_alone() {
     alike::<1>();

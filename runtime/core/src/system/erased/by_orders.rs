@@ -6,8 +6,8 @@ use crate::series::ORDERS;
 
 /// Equations of a phase on Taylor series.
 pub trait SeriesOrders {
-    /// Order n of everything from that of the state, once those below have been computed: of the rates; then of the reactions, the
-    /// gaps and the distances of the feet, one behind the other.
+    /// Order n of everything from that of the state, once those below have been computed: of the
+    /// rates; then of the reactions, the gaps and the distances of the feet, one behind the other.
     fn order(&mut self, n: usize, state: &[f64], rates: &mut [f64], guard: &mut [f64]);
 }
 

@@ -6,7 +6,8 @@ use crate::scalar::Real;
 /// Rounding of the sum of a step's terms.
 const ROUNDED: f64 = 4.0 * f64::EPSILON;
 
-/// y(t) over one step as a polynomial in θ = (t − t₀)/h, see [`Dense`]; exactly the step's own states at both ends.
+/// y(t) over one step as a polynomial in θ = (t − t₀)/h, see [`Dense`]; exactly the step's own
+/// states at both ends.
 #[derive(Clone, Debug, Default)]
 pub struct DenseOutput {
     /// Time at the start.
@@ -86,7 +87,8 @@ impl DenseOutput {
         }
     }
 
-    /// The polynomial and its rate dy/dθ at t₀ + θh: at its end too, where [`at`](Self::at) is the step's own state.
+    /// The polynomial and its rate dy/dθ at t₀ + θh: at its end too, where [`at`](Self::at) is the
+    /// step's own state.
     pub fn with_slope(&self, theta: f64, y: &mut [f64], slope: &mut [f64]) {
         let weights = [(theta, 1.0), if self.alternating { (1.0 - theta, -1.0) } else { (theta, 1.0) }];
         let coefficients = self.values[self.entries..].chunks_exact(self.entries.max(1));
@@ -119,7 +121,8 @@ impl DenseOutput {
         (self.values.len() / self.entries.max(1)).saturating_sub(2)
     }
 
-    /// Writes the coefficients of one entry as a polynomial Σ cₖ θᵏ that ends in that of y₁; none where there is no room for all.
+    /// Writes the coefficients of one entry as a polynomial Σ cₖ θᵏ that ends in that of y₁; none
+    /// where there is no room for all.
     pub fn polynomial(&self, entry: usize, terms: &mut [f64]) -> Option<()> {
         if entry < self.entries { self.powers(|y| y[entry], terms) } else { None }
     }
@@ -150,7 +153,8 @@ impl DenseOutput {
     }
 }
 
-/// The powers of c₀ + θ(c₁ + θ̄(c₂ + θ(c₃ + …))), θ̄ = 1 − θ, pair by pair: p ← c₂ₖ + c₂ₖ₊₁ θ + θθ̄ p.
+/// The powers of c₀ + θ(c₁ + θ̄(c₂ + θ(c₃ + …))), θ̄ = 1 − θ, pair by pair: p ← c₂ₖ + c₂ₖ₊₁ θ + θθ̄
+/// p.
 fn from_pairs(nested: impl DoubleEndedIterator<Item = f64> + ExactSizeIterator, terms: &mut [f64]) {
     terms.fill(0.0);
     let (mut length, mut linear) = (0, 0.0);

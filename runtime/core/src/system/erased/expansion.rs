@@ -15,8 +15,8 @@ pub trait SeriesExpansion {
     fn expand(&mut self, state: &[f64], unit: f64, order: usize);
     /// c₀, c₁, … one behind the other, [`ORDERS`] of them.
     fn series(&self) -> &[f64];
-    /// Writes f; the series and the guards are left as they are. An expansion at the same state that follows has its values
-    /// already.
+    /// Writes f; the series and the guards are left as they are. An expansion at the same state
+    /// that follows has its values already.
     fn rates(&mut self, state: &[f64], rates: &mut [f64]);
     /// The guards of the last expansion over 0 ≤ θ ≤ `ratio`, if it has any.
     fn guards(&mut self, ratio: f64) -> Option<Guards<'_>>;

@@ -1,5 +1,5 @@
-//! Integrations of a phase with its dimension forgotten. One copy of each method serves all models: of each capacity that
-//! `methods` lists, the state filled up with entries that stand still.
+//! Integrations of a phase with its dimension forgotten. One copy of each method serves all models:
+//! of each capacity that `methods` lists, the state filled up with entries that stand still.
 
 mod by_orders;
 mod dense;
@@ -39,7 +39,8 @@ pub trait PhaseStepper {
     fn dense(&mut self, dense: &mut DenseOutput);
     /// Replaces the end of the last step, by a projection say.
     fn replace_end(&mut self, y1: &[f64]) -> Result<(), StepError>;
-    /// The series of what tells when contacts open or close over the last step, if the method has them.
+    /// The series of what tells when contacts open or close over the last step, if the method has
+    /// them.
     fn guards(&mut self) -> Option<Guards<'_>>;
 }
 

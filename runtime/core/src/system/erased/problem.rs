@@ -43,7 +43,8 @@ impl<'a> InitialValueProblem<'a> {
         }
     }
 
-    /// How many coordinates have the entries that follow as their rates: all or none, as f says where those are 1, 2, ….
+    /// How many coordinates have the entries that follow as their rates: all or none, as f says
+    /// where those are 1, 2, ….
     pub(super) fn pairs<const N: usize>(&self, step_state: &StepState<f64, N>) -> usize {
         let info = self.phase.info();
         let n = info.coordinates;
@@ -58,8 +59,8 @@ impl<'a> InitialValueProblem<'a> {
     }
 }
 
-/// ∂f/∂y, filled up with zeros: the phase's own, or else by differences, which serve Newton's iteration where nothing is
-/// stiff.
+/// ∂f/∂y, filled up with zeros: the phase's own, or else by differences, which serve Newton's
+/// iteration where nothing is stiff.
 pub(super) struct JacobianMatrix<'a, const N: usize> {
     problem: InitialValueProblem<'a>,
     exact: Option<Jacobian<'a>>,

@@ -22,7 +22,8 @@ impl Factors {
         Self { size, scale: vec![1.0; size], rows: numbers(), columns: numbers(), swaps: vec![0; size] }
     }
 
-    /// Factorises the equations with these rows closed; not a number where they do not determine one motion.
+    /// Factorises the equations with these rows closed; not a number where they do not determine
+    /// one motion.
     pub fn factorise(&mut self, kernel: &dyn KernelView<f64>, closed: &[usize]) {
         let Self { size, scale, rows, columns, swaps } = self;
         let (size, n) = (*size, kernel.force().len());

@@ -4,7 +4,8 @@ use super::factors::Factors;
 use crate::model::{KernelView, Varying};
 use crate::series::TapeOf;
 
-/// An entry of K = [M −Jᵀ; J 0] that varies: its row and its column, and where in the equations it is found.
+/// An entry of K = [M −Jᵀ; J 0] that varies: its row and its column, and where in the equations it
+/// is found.
 #[derive(Clone, Copy, Debug)]
 struct VaryingEntry {
     row: usize,

@@ -1,12 +1,13 @@
-//! The Taylor series of a phase that keeps all coordinates, order by order: with K = [M −Jᵀ; J 0] over the closed rows,
-//! x = (a, λ) and r = (f, −b),
+//! The Taylor series of a phase that keeps all coordinates, order by order: with K = [M −Jᵀ; J 0]
+//! over the closed rows, x = (a, λ) and r = (f, −b),
 //!
 //! ```text
 //! K₀ xₙ = rₙ − Σ Kₖ xₙ₋ₖ over 0 < k ≤ n
 //! ```
 //!
-//! so that K is factorised once a step (the system of derivatives of index-reduced equations, as N. S. Nedialkov and J. D. Pryce,
-//! *Solving differential-algebraic equations by Taylor series (I)*, BIT 45, 2005, solve it).
+//! so that K is factorised once a step (the system of derivatives of index-reduced equations, as N.
+//! S. Nedialkov and J. D. Pryce, *Solving differential-algebraic equations by Taylor series (I)*,
+//! BIT 45, 2005, solve it).
 
 mod factors;
 mod linear;
@@ -26,7 +27,8 @@ pub trait KernelOrders {
     fn order(&mut self, n: usize, state: &[f64], take: &mut TakeOrder<'_>);
 }
 
-/// The source of Taylor coefficients of a projected phase; none where contacts slide or hinges have friction.
+/// The source of Taylor coefficients of a projected phase; none where contacts slide or hinges have
+/// friction.
 pub fn projected_series<'a>(
     layout: &'static Layout,
     set: ContactSet,

@@ -31,7 +31,8 @@ fn work_equals_load_work() {
                 step.interpolate(0.0, &mut from);
                 step.interpolate(end, &mut to);
                 let (found, expected) = (work(step, end).unwrap(), TURNED.c * (to[0] - from[0]));
-                // Weight times length is 29 J; a step may be off by 1e-9 of that, and by some more within it.
+                // Weight times length is 29 J; a step may be off by 1e-9 of that, and by some more
+                // within it.
                 assert!((found - expected).abs() < 3e-7, "{method:?} to {end}: {found} for {expected}");
             }
         });

@@ -361,10 +361,10 @@ impl OrderLadder {
         pulled.copied().collect()
     }
 
-    /// Whether an open contact would close at once: g̈ < 0 beyond the rounding of its terms. An event
-    /// is located to some 1e-11, so that the accelerations after it are known no better, nor than
-    /// what those reactions accelerate that were located at zero, and what forces change by in the
-    /// error of the place.
+    /// Whether an open contact would close at once: g̈ < 0 beyond the rounding of its terms. An
+    /// event is located to some 1e-11, so that the accelerations after it are known no better, nor
+    /// than what those reactions accelerate that were located at zero, and what forces change by in
+    /// the error of the place.
     fn is_any_pressed(&self, model: &Model, state: &[f64], off: &[(usize, f64)]) -> bool {
         if off.is_empty() {
             return false;

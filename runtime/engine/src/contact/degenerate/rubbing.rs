@@ -1,4 +1,5 @@
-//! Contacts with friction on their way up the orders: what each order leaves them, and the motions that order 0 allows.
+//! Contacts with friction on their way up the orders: what each order leaves them, and the motions
+//! that order 0 allows.
 
 use super::{ContactProblem, OrderLadder};
 use crate::contact::friction::{ContactMode, FrictionSolution, Frictional, Reason, SlipDirection};

@@ -31,8 +31,8 @@ fn rows_that_take_no_part_are_zero() {
     }
 }
 
-/// The end of a rod that turns has g̈ = ÿ − θ̈ l/2 cos θ + θ̇² l/2 sin θ: pressed where this is less than zero by more than what is
-/// known of its terms.
+/// The end of a rod that turns has g̈ = ÿ − θ̈ l/2 cos θ + θ̇² l/2 sin θ: pressed where this is
+/// less than zero by more than what is known of its terms.
 #[test]
 fn a_contact_is_pressed_beyond_the_rounding_of_its_terms() {
     let (turn, rate) = (0.3_f64, 1.7);
@@ -52,7 +52,8 @@ fn a_contact_is_pressed_beyond_the_rounding_of_its_terms() {
     }
 }
 
-/// A reaction that was located at zero but for N makes twice W N of g̈ no pressing, W = (1 + 3 cos²θ)/m; one below zero opens by itself.
+/// A reaction that was located at zero but for N makes twice W N of g̈ no pressing, W = (1 + 3
+/// cos²θ)/m; one below zero opens by itself.
 #[test]
 fn located_reactions_do_not_press() {
     for (m, l) in [(1.0, 2.0), (3e5, 7e-4)] {
@@ -72,8 +73,8 @@ fn located_reactions_do_not_press() {
     }
 }
 
-/// M₀ a₂ − J₀ᵀ λ₂ = f₂ − Σ (Mₖ a₂₋ₖ − Jₖᵀ λ₂₋ₖ), and J₀ a₂ + b₂ + Σ Jₖ a₂₋ₖ = 0: what is rounding of them follows from the largest of their
-/// terms, and of those of order 0 in a natural time.
+/// M₀ a₂ − J₀ᵀ λ₂ = f₂ − Σ (Mₖ a₂₋ₖ − Jₖᵀ λ₂₋ₖ), and J₀ a₂ + b₂ + Σ Jₖ a₂₋ₖ = 0: what is rounding
+/// of them follows from the largest of their terms, and of those of order 0 in a natural time.
 #[test]
 fn higher_orders_are_known_as_well_as_their_terms() {
     let model = Model::new(&AFrame { m: 2.0, l: 0.7, g: 9.81 });
@@ -81,7 +82,8 @@ fn higher_orders_are_known_as_well_as_their_terms() {
     let state = [0.6_f64.asin(), 0.7 * 0.6, rate, 0.7 * c * rate];
     let a = [[0.4, -0.3], [1.5, 0.2]].map(|a| DVector::from_row_slice(&a));
     let along = || SeriesEquations::along(&model, &state, &a);
-    // Reactions so large that their terms are the largest, none, and no rows' own terms beside those of the accelerations.
+    // Reactions so large that their terms are the largest, none, and no rows' own terms beside
+    // those of the accelerations.
     for (load, time, quiet) in [
         (1e4, None, false),
         (0.0, None, false),
@@ -164,8 +166,8 @@ struct Guided {
     g: f64,
 }
 
-/// A contact whose reaction was located at zero is open, unless it is held, and a guide does what it did; what they may do is asked of
-/// the next order. All others may do anything.
+/// A contact whose reaction was located at zero is open, unless it is held, and a guide does what
+/// it did; what they may do is asked of the next order. All others may do anything.
 #[test]
 fn contacts_with_friction_begin_as_they_are_known() {
     let model = Model::new(&Guided { m: 1.0, l: 1.0, mu: 0.3, g: 9.81 });

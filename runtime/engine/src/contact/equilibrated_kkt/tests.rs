@@ -18,8 +18,8 @@ fn a_matrix_is_regular_by_its_least_pivot() {
     }
 }
 
-/// What inverts a matrix but for a part of the solution leaves so much less of the right-hand side each time, four times; what makes it no
-/// better is not taken.
+/// What inverts a matrix but for a part of the solution leaves so much less of the right-hand side
+/// each time, four times; what makes it no better is not taken.
 #[test]
 fn solutions_are_refined_while_that_helps() {
     let matrix = DMatrix::from_row_slice(2, 2, &[3.0, 1.0, -1.0, 2.0]);
@@ -34,7 +34,8 @@ fn solutions_are_refined_while_that_helps() {
     assert!(refined(&matrix, &right, |_| None).is_err());
 }
 
-/// Two rows of one coordinate that ask for accelerations 2 ε apart are each missed by ε: rounding up to 1e-9 of the terms.
+/// Two rows of one coordinate that ask for accelerations 2 ε apart are each missed by ε: rounding
+/// up to 1e-9 of the terms.
 #[test]
 fn rows_contradict_each_other_beyond_rounding() {
     for (mass, length) in [(1.0, 1.0), (1e-8, 1e5), (1e10, 1e-3)] {
@@ -64,8 +65,8 @@ fn parts_are_what_entries_connect() {
     assert_eq!(largest_in_part(&found, &values).as_slice(), [3.0, 7.0, 0.5, 3.0, 7.0, 3.0]);
 }
 
-/// Bodies that do not touch each other are solved for each by itself: one on three rows of which any two would do, one that falls, one
-/// on a single row, in units that differ by many orders.
+/// Bodies that do not touch each other are solved for each by itself: one on three rows of which
+/// any two would do, one that falls, one on a single row, in units that differ by many orders.
 #[test]
 fn parts_are_solved_for_themselves() {
     for heavy in [1e-12, 1.0, 1e12] {
@@ -88,7 +89,8 @@ fn parts_are_solved_for_themselves() {
     }
 }
 
-/// Feet at xₖ bear a weight of one at c in many ways, of which the shortest is 1/n + (c − x̄)(xₖ − x̄)/Σ(x − x̄)², however many there are.
+/// Feet at xₖ bear a weight of one at c in many ways, of which the shortest is 1/n + (c − x̄)(xₖ −
+/// x̄)/Σ(x − x̄)², however many there are.
 #[test]
 fn many_redundant_rows_share_a_load() {
     for count in [2, 3, 30, 120] {

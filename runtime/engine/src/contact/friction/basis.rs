@@ -1,6 +1,6 @@
 //! Independent contacts that carry a shared load without pulling. The reactions satisfy
-//! `Σ aₖ λₖ = F`, λ ≥ 0. Where there are more columns than their rank, a null vector v of A leads to
-//! other reactions, in which one of them vanishes (Carathéodory):
+//! `Σ aₖ λₖ = F`, λ ≥ 0. Where there are more columns than their rank, a null vector v of A leads
+//! to other reactions, in which one of them vanishes (Carathéodory):
 //!
 //! ```text
 //! λ − t v,    A v = 0,    t = λᵢ / vᵢ

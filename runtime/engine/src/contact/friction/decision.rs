@@ -11,7 +11,8 @@ use crate::contact::least_constraint::add_change;
 use crate::contact::trials::LcpError;
 use crate::numerics::zero::{RANK, SOLVED};
 
-/// Two accelerations are one up to this, relative to the larger one and to what the forces alone would cause.
+/// Two accelerations are one up to this, relative to the larger one and to what the forces alone
+/// would cause.
 const SAME: f64 = 1e-8;
 /// The unit roundoff's margin that tolerances of [`EquilibratedKkt`] contain, taken back.
 const SIZE: f64 = 1.0 / SOLVED;
@@ -27,7 +28,8 @@ pub(crate) enum Reason {
     LiftOff,
     /// Of these it has the most contacts that stick.
     Sticks,
-    /// Of these it is the first in the order Stick, Slide forward, Slide backward, Open of the contacts.
+    /// Of these it is the first in the order Stick, Slide forward, Slide backward, Open of the
+    /// contacts.
     First,
     /// It is the only one, or the first by the same rules, and all are unstable.
     Unstable,
@@ -60,14 +62,15 @@ impl From<LcpError> for FrictionError {
 /// The motion that follows.
 #[derive(Debug, Clone)]
 pub(crate) struct FrictionSolution {
-    /// Accelerations and multipliers of all rows, R among them. `bearing` and `degenerate` tell of contacts without
-    /// friction only.
+    /// Accelerations and multipliers of all rows, R among them. `bearing` and `degenerate` tell of
+    /// contacts without friction only.
     pub(crate) solution: Solution,
     /// The mode of each contact with friction.
     pub(crate) modes: Vec<ContactMode>,
     /// The same contacts with what is left to the next order.
     pub(crate) next: Vec<Frictional>,
-    /// The modes of all solutions with different accelerations, contacts with friction first, then the candidates without.
+    /// The modes of all solutions with different accelerations, contacts with friction first, then
+    /// the candidates without.
     pub(crate) solutions: Vec<Vec<ContactMode>>,
     /// Which of them it is.
     pub(crate) taken: usize,
@@ -241,8 +244,8 @@ impl BalancedProblem<'_> {
         self.units.iter().zip(chosen).map(|(unit, &k)| unit.choices[k].mode).collect()
     }
 
-    /// Solutions with different accelerations, each with as many contacts closed as it allows. Those in the same modes differ
-    /// in how redundant contacts share their load, and count as one.
+    /// Solutions with different accelerations, each with as many contacts closed as it allows.
+    /// Those in the same modes differ in how redundant contacts share their load, and count as one.
     fn distinct(&self, found: Vec<Candidate>) -> Vec<Candidate> {
         let mut distinct: Vec<Candidate> = Vec::new();
         for mut candidate in found {
@@ -261,7 +264,8 @@ impl BalancedProblem<'_> {
         distinct
     }
 
-    /// Whether the accelerations are one, and the reactions of guides: where these leave no freedom nothing else differs.
+    /// Whether the accelerations are one, and the reactions of guides: where these leave no freedom
+    /// nothing else differs.
     fn are_one(&self, one: &Trial, other: &Trial) -> bool {
         let same = |x: f64, y: f64, least: f64| (x - y).abs() <= SAME * x.abs().max(y.abs()).max(least);
         let moves = |i: usize| same(one.a[i], other.a[i], SIZE * self.kkt.tolerance[i]);
@@ -273,7 +277,8 @@ impl BalancedProblem<'_> {
         (0..self.kkt.n).all(moves) && (shared || self.units.iter().filter(|it| it.is_guide()).all(bears))
     }
 
-    /// Gives each contact the first mode that the motion is one of: what does not open is closed, what does not slip sticks.
+    /// Gives each contact the first mode that the motion is one of: what does not open is closed,
+    /// what does not slip sticks.
     fn close_touching(&self, candidate: &mut Candidate) {
         for (unit, chosen) in self.units.iter().zip(&mut candidate.chosen) {
             let first = unit.choices.iter().position(|it| self.is_mode_of(unit, it, &candidate.trial));
@@ -320,8 +325,8 @@ impl BalancedProblem<'_> {
         })
     }
 
-    /// The modes that a motion leaves possible, that which it has been solved in among them, each with the conditions that it meets
-    /// with zero.
+    /// The modes that a motion leaves possible, that which it has been solved in among them, each
+    /// with the conditions that it meets with zero.
     fn left_open(&self, unit: &Unit, own: ContactMode, trial: &Trial) -> Vec<ModeChoice> {
         // Nearly singular equations are solved to more than the rounding of their rows.
         let is_possible = |choice: &&ModeChoice| choice.mode == own || self.is_mode_of(unit, choice, trial);
@@ -337,8 +342,8 @@ impl BalancedProblem<'_> {
         possible.map(open).collect()
     }
 
-    /// Whether redundant contacts move the system alike however they share their load: those that slide at different μ do
-    /// not, and have more independent columns than rows.
+    /// Whether redundant contacts move the system alike however they share their load: those that
+    /// slide at different μ do not, and have more independent columns than rows.
     fn is_determined(&self, modes: &[ContactMode]) -> bool {
         let closed = self.closed(modes);
         let rows: Vec<_> = closed.rows.iter().map(|&row| self.kkt.column_of(row)).collect();

@@ -1,7 +1,7 @@
 //! How far contacts that share their load are from slipping: the margin s of limit analysis
-//! ([`limit`]), with an edge `aₑ = J_N ± μ_s J_t` for each side of the cone of a contact that sticks,
-//! `J_N − σ μ J_t` of one that slides and J_N of one without friction. At s = 0 the contacts slip or
-//! open together, however they have shared their load before.
+//! ([`limit`]), with an edge `aₑ = J_N ± μ_s J_t` for each side of the cone of a contact that
+//! sticks, `J_N − σ μ J_t` of one that slides and J_N of one without friction. At s = 0 the
+//! contacts slip or open together, however they have shared their load before.
 
 use nalgebra::DVector;
 

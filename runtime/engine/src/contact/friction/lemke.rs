@@ -1,12 +1,13 @@
-//! Lemke's method (*Bimatrix equilibrium points and mathematical programming*, Management Science 11, 1965) for the linear
-//! complementarity problem
+//! Lemke's method (*Bimatrix equilibrium points and mathematical programming*, Management Science
+//! 11, 1965) for the linear complementarity problem
 //!
 //! ```text
 //! w = A z + q,    0 ≤ w ⟂ z ≥ 0
 //! ```
 //!
-//! with the covering vector d > 0: of `w = A z + d z₀ + q` the path from large z₀ is followed until z₀ = 0. The
-//! lexicographic rule excludes cycles. The path may also end in a ray, which proves nothing for a matrix that is not copositive.
+//! with the covering vector d > 0: of `w = A z + d z₀ + q` the path from large z₀ is followed until
+//! z₀ = 0. The lexicographic rule excludes cycles. The path may also end in a ray, which proves
+//! nothing for a matrix that is not copositive.
 
 use crate::numerics::zero::RANK;
 use nalgebra::{DMatrix, DVector};
@@ -26,7 +27,8 @@ struct Tableau {
     tie: f64,
 }
 
-/// Which z are basic at a solution: those that may be positive. `None` where the path ends in a ray.
+/// Which z are basic at a solution: those that may be positive. `None` where the path ends in a
+/// ray.
 pub(super) fn solve(a: &DMatrix<f64>, q: &DVector<f64>, cover: &DVector<f64>) -> Option<Vec<bool>> {
     let m = q.len();
     let mut tableau = Tableau::new(a, q, cover);

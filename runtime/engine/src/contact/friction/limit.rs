@@ -6,8 +6,8 @@
 //!
 //! At s = 0 no reactions within the cones are left. The dual is the kinematic theorem: s is the
 //! least power `Jᵀ λ · w` of a virtual velocity w with `aₑ · w ≥ 0` and `Σ aₑ · w = 1`, and the
-//! contacts slip or open with it (Drucker, *Coulomb friction, plasticity, and limit loads*, J. Appl.
-//! Mech. 21, 1954).
+//! contacts slip or open with it (Drucker, *Coulomb friction, plasticity, and limit loads*, J.
+//! Appl. Mech. 21, 1954).
 
 use nalgebra::{DMatrix, DVector};
 

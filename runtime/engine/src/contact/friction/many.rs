@@ -1,10 +1,10 @@
-//! Many contacts: a solution by Lemke's method on few of them at a time. A solution with some contacts left open that nothing
-//! presses on is one of all, so contacts are taken in only where one does: of redundant contacts, however many, those that
-//! bear are enough.
+//! Many contacts: a solution by Lemke's method on few of them at a time. A solution with some
+//! contacts left open that nothing presses on is one of all, so contacts are taken in only where
+//! one does: of redundant contacts, however many, those that bear are enough.
 //!
-//! A contact whose limit of sticking is above its kinetic friction is taken to slide where it cannot stick at its limit. A
-//! rough contact is taken to stick; those that open are released with their tangents. What is found is checked by the
-//! equations with these contacts closed.
+//! A contact whose limit of sticking is above its kinetic friction is taken to slide where it
+//! cannot stick at its limit. A rough contact is taken to stick; those that open are released with
+//! their tangents. What is found is checked by the equations with these contacts closed.
 
 use super::modes::{ContactMode, SlipDirection};
 use super::planar_lcp::Shape;
@@ -105,8 +105,8 @@ impl BalancedProblem<'_> {
         (0..self.units.len()).map(place).collect()
     }
 
-    /// The rows that are closed whatever is found: two-sided ones, contacts that are decided or at their brink, and tangents of
-    /// rough contacts.
+    /// The rows that are closed whatever is found: two-sided ones, contacts that are decided or at
+    /// their brink, and tangents of rough contacts.
     fn held(&self, shapes: &[Option<Shape>], rough: &[usize]) -> ActiveRows {
         let mode = |at: usize| match shapes[at] {
             None => self.units[at].choices[0].mode,

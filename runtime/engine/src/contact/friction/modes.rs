@@ -1,7 +1,8 @@
 //! The modes of a contact, what each asks for, and what of it a next order has to decide.
 //!
-//! A condition that order 0 meets with a margin stays met for some time; one that is met with zero is asked of the first order
-//! that does not vanish. So at each order a contact has some modes, each with the conditions that are still open:
+//! A condition that order 0 meets with a margin stays met for some time; one that is met with zero
+//! is asked of the first order that does not vanish. So at each order a contact has some modes,
+//! each with the conditions that are still open:
 //!
 //! ```text
 //! Open       g̈_N ≥ 0
@@ -50,7 +51,8 @@ pub(crate) enum ContactMode {
         /// The sense of its slip, if it slips.
         sense: Option<SlipDirection>,
     },
-    /// Open with no more than the normal impulse that is given, which rubs: without slip, or with one. In impacts alone.
+    /// Open with no more than the normal impulse that is given, which rubs: without slip, or with
+    /// one. In impacts alone.
     Part(Option<SlipDirection>),
 }
 
@@ -63,8 +65,8 @@ pub(crate) enum SlipVelocity {
     Backward,
     /// v = 0.
     Rest,
-    /// v = 0, and the force of sticking was located at its limit: it slides in this sense or opens, be its slip acceleration zero
-    /// but for rounding.
+    /// v = 0, and the force of sticking was located at its limit: it slides in this sense or opens,
+    /// be its slip acceleration zero but for rounding.
     Leaves(SlipDirection),
 }
 
@@ -166,8 +168,8 @@ pub(crate) struct Bound {
     pub(crate) offset: f64,
 }
 
-/// Bounds of friction while an impulse is given: `−forward ≤ R ≤ backward`, the first one reached where the contact slips
-/// forward.
+/// Bounds of friction while an impulse is given: `−forward ≤ R ≤ backward`, the first one reached
+/// where the contact slips forward.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ImpulseBounds {
     pub(crate) forward: Bound,

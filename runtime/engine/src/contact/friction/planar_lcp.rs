@@ -1,6 +1,7 @@
-//! Planar friction as a linear complementarity problem (Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts*,
-//! 1996, chapter 5). Of a contact at rest the reserves of friction `λ_R = μ λ_N + R` and `λ_L = μ λ_N − R` are
-//! complementary to the parts of the slip acceleration `v̇ = v̇⁺ − v̇⁻`:
+//! Planar friction as a linear complementarity problem (Pfeiffer and Glocker, *Multibody Dynamics
+//! with Unilateral Contacts*, 1996, chapter 5). Of a contact at rest the reserves of friction
+//! `λ_R = μ λ_N + R` and `λ_L = μ λ_N − R` are complementary to the parts of the slip acceleration
+//! `v̇ = v̇⁺ − v̇⁻`:
 //!
 //! ```text
 //! g̈_N = J_N a + b_N       ⟂  λ_N         a = a° + M̂⁻¹ Σ (J_N − μ J_t)ᵀ λ_N + J_tᵀ λ_R
@@ -8,7 +9,8 @@
 //! λ_L = 2 μ λ_N − λ_R     ⟂  v̇⁻
 //! ```
 //!
-//! A contact that slides has g̈_N ⟂ λ_N alone, one at its limit whose normal reaction is decided σ v̇ ⟂ μ λ_N + σ R.
+//! A contact that slides has g̈_N ⟂ λ_N alone, one at its limit whose normal reaction is decided σ
+//! v̇ ⟂ μ λ_N + σ R.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -32,7 +34,8 @@ pub(super) enum Shape {
     Brink(SlipDirection),
 }
 
-/// The columns of forces and the rows of the complementary accelerations; entries besides `J M̂⁻¹ C`.
+/// The columns of forces and the rows of the complementary accelerations; entries besides
+/// `J M̂⁻¹ C`.
 #[derive(Default)]
 struct LcpTableau {
     columns: Vec<Option<DVector<f64>>>,
@@ -86,7 +89,8 @@ impl Unit {
 }
 
 impl BalancedProblem<'_> {
-    /// The modes of some contacts while all others stay open or, where they are decided, as they are.
+    /// The modes of some contacts while all others stay open or, where they are decided, as they
+    /// are.
     pub(super) fn lemke(
         &self,
         shapes: &[(usize, Shape)],

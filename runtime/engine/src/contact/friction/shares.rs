@@ -8,7 +8,8 @@ use crate::contact::equilibrated_kkt::EquilibratedKkt;
 use crate::contact::shares::{Factor, share};
 
 impl EquilibratedKkt {
-    /// λ of every row, the shortest of those that hold the motion of a solution; in impacts with what is given, those found.
+    /// λ of every row, the shortest of those that hold the motion of a solution; in impacts with
+    /// what is given, those found.
     pub(crate) fn share_with_friction(
         &self,
         question: &FrictionProblem,

@@ -1,16 +1,18 @@
-//! Which closed contacts stiff springs can hold. With N = K δ for the compressions δ = −g of the closed normals and K → ∞
+//! Which closed contacts stiff springs can hold. With N = K δ for the compressions δ = −g of the
+//! closed normals and K → ∞
 //!
 //! ```text
 //! δ̈ = −W N − …,    W = J_N M̂⁻¹ (J_N − σ μ J_t)ᵀ
 //! ```
 //!
-//! where M̂⁻¹ takes in the two-sided rows and the tangents of contacts that stick: an eigenvalue of W with a real part that is
-//! not positive makes the compressions grow at once (Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts*, 1996,
-//! on Painlevé; equal stiffness of all contacts). Of contacts that depend on each other only independent compressions count:
-//! W is restricted to the range of J_N M̂⁻¹ J_Nᵀ.
+//! where M̂⁻¹ takes in the two-sided rows and the tangents of contacts that stick: an eigenvalue of
+//! W with a real part that is not positive makes the compressions grow at once (Pfeiffer and
+//! Glocker, *Multibody Dynamics with Unilateral Contacts*, 1996, on Painlevé; equal stiffness of
+//! all contacts). Of contacts that depend on each other only independent compressions count: W is
+//! restricted to the range of J_N M̂⁻¹ J_Nᵀ.
 //!
-//! The diagonal entry of one sliding contact with all others kept as they are is what vanishes at the border of Painlevé's
-//! region.
+//! The diagonal entry of one sliding contact with all others kept as they are is what vanishes at
+//! the border of Painlevé's region.
 
 use std::collections::BTreeSet;
 
@@ -34,9 +36,9 @@ pub(crate) struct Sliding {
     pub(crate) signed_mu: f64,
 }
 
-/// W_NN − σ μ W_Nt of a sliding contact while other rows stay closed and other contacts slide: by how much its normal
-/// reaction opens it. At zero the reaction is infinite; where it is negative the contact cannot be held. `None` where the
-/// accelerations are not determined.
+/// W_NN − σ μ W_Nt of a sliding contact while other rows stay closed and other contacts slide: by
+/// how much its normal reaction opens it. At zero the reaction is infinite; where it is negative
+/// the contact cannot be held. `None` where the accelerations are not determined.
 pub(crate) fn painleve(
     mass: &DMatrix<f64>,
     jacobian: &DMatrix<f64>,
@@ -56,8 +58,8 @@ pub(crate) fn painleve(
     Some(kkt.opening(contact.normal, &a) / (unit * unit))
 }
 
-/// The least W_NN − σ μ W_Nt of the contacts that slide in a set, each relative to its W_NN. `None` where none slides, or the
-/// accelerations are not determined.
+/// The least W_NN − σ μ W_Nt of the contacts that slide in a set, each relative to its W_NN. `None`
+/// where none slides, or the accelerations are not determined.
 pub(crate) fn least_hold(system: &dyn System, state: &[f64], set: &ContactSet) -> Option<f64> {
     holds(system, state, set).into_iter().map(|(_, hold)| hold).reduce(f64::min)
 }
@@ -134,7 +136,8 @@ impl BalancedProblem<'_> {
         left.first().map(|&k| (k, reason))
     }
 
-    /// Whether stiff springs hold the closed contacts, those of each part of the system for themselves.
+    /// Whether stiff springs hold the closed contacts, those of each part of the system for
+    /// themselves.
     pub(super) fn is_stable(&self, modes: &[ContactMode]) -> bool {
         if !modes.iter().any(|mode| mode.is_closed() && mode.sense().is_some()) {
             return true;
@@ -153,7 +156,8 @@ impl BalancedProblem<'_> {
         })
     }
 
-    /// W of some closed normals in own units on independent compressions, while all closed ones give way.
+    /// W of some closed normals in own units on independent compressions, while all closed ones
+    /// give way.
     fn compliance(
         &self,
         modes: &[ContactMode],

@@ -1,7 +1,9 @@
-//! Impacts of models with friction in hinges. The impulse Q of a journal's friction is limited by that of the hinge, `|Q| ≤ μ |P|`,
-//! and against the slip after the impact where there is one, as Newton's law has it of contacts; P follows from the change of the
-//! rates and the other impulses as F does from accelerations and reactions. Hinges that do not obey are let slide or stuck until all
-//! do; where that fails all modes are tried. |P| of those that slide is found by repetition, which contracts as that of the motion does.
+//! Impacts of models with friction in hinges. The impulse Q of a journal's friction is limited by
+//! that of the hinge, `|Q| ≤ μ |P|`, and against the slip after the impact where there is one, as
+//! Newton's law has it of contacts; P follows from the change of the rates and the other impulses
+//! as F does from accelerations and reactions. Hinges that do not obey are let slide or stuck until
+//! all do; where that fails all modes are tried. |P| of those that slide is found by repetition,
+//! which contracts as that of the motion does.
 
 use core::cell::Cell;
 
@@ -15,12 +17,13 @@ use crate::system::System;
 
 /// Repetitions at most.
 const STEPS: usize = 200;
-/// Impulses are one up to this part of the largest, or up to so much if repetition does not bring them closer.
+/// Impulses are one up to this part of the largest, or up to so much if repetition does not bring
+/// them closer.
 const SAME: f64 = roundoff(4.0);
 /// The residual of an outcome that obeys the laws of the other rows.
 const RESIDUAL: f64 = 1e-9;
-/// Changes of the rates are so much larger accelerations that the forces of gravity and of the velocities are nothing beside theirs;
-/// a power of two.
+/// Changes of the rates are so much larger accelerations that the forces of gravity and of the
+/// velocities are nothing beside theirs; a power of two.
 const SUDDEN: f64 = (1_u128 << 127) as f64;
 /// What is zero relative to the largest rate or impulse.
 const ZERO: f64 = 1e-11;
@@ -59,8 +62,8 @@ pub(crate) fn answer(
 }
 
 impl HingeCollision<'_> {
-    /// From hinges that all stick to those that have to slide, and back, until all obey; none where that goes in a circle or at the
-    /// expense of restitution.
+    /// From hinges that all stick to those that have to slide, and back, until all obey; none where
+    /// that goes in a circle or at the expense of restitution.
     fn improved(&self) -> Option<Outcome> {
         let found = policy::improve(self.hinges.len(), |senses| {
             let outcome = self.with(senses).ok()??;
@@ -70,7 +73,8 @@ impl HingeCollision<'_> {
         found.filter(|outcome| outcome.factor == 1.0)
     }
 
-    /// The best of all modes: one that keeps restitutions whole comes before one whose hinges stick against them.
+    /// The best of all modes: one that keeps restitutions whole comes before one whose hinges stick
+    /// against them.
     fn searched(&self) -> Result<Outcome, CollisionError> {
         let mut failure = CollisionError::Jammed;
         let mut best: Option<(usize, Outcome)> = None;
@@ -90,7 +94,8 @@ impl HingeCollision<'_> {
         best.map(|(_, outcome)| outcome).ok_or(failure)
     }
 
-    /// The outcome with these senses of the hinges, if |P| is found and the other rows obey their laws.
+    /// The outcome with these senses of the hinges, if |P| is found and the other rows obey their
+    /// laws.
     fn with(&self, senses: &[f64]) -> Result<Option<Outcome>, CollisionError> {
         let Self { collision, hinges, .. } = self;
         let mut acting = (*collision).clone();
@@ -134,7 +139,8 @@ impl HingeCollision<'_> {
         outcome
     }
 
-    /// The senses of the hinges that obey their law, and of the others what they have to do instead.
+    /// The senses of the hinges that obey their law, and of the others what they have to do
+    /// instead.
     fn obeyed(&self, outcome: &Outcome, senses: &[f64]) -> Vec<f64> {
         let collision = self.collision;
         let speed = collision.speed(&outcome.rates);

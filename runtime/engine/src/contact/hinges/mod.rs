@@ -1,6 +1,7 @@
-//! Models with friction in hinges: what opens, sticks or slides, at acceleration level. The reaction of a hinge is the length of its
-//! force, which no linear problem gives; so all modes of all contacts and hinges are tried, the motion of each solved for
-//! ([`liftoff_core::hinge`]), and held to the law, or those of many hinges [improved](policy) until all obey it:
+//! Models with friction in hinges: what opens, sticks or slides, at acceleration level. The
+//! reaction of a hinge is the length of its force, which no linear problem gives; so all modes of
+//! all contacts and hinges are tried, the motion of each solved for ([`liftoff_core::hinge`]), and
+//! held to the law, or those of many hinges [improved](policy) until all obey it:
 //!
 //! ```text
 //! hinge, v ≠ 0:            R = −σ μ |F|,      σ = sign v
@@ -8,9 +9,9 @@
 //! hinge, v = 0, v̇ ≠ 0:    R = −σ μ |F|,      σ = sign v̇
 //! ```
 //!
-//! Contacts whose reactions were located at zero open, hinges located at their limits slide. What a law leaves open at order 0 is
-//! decided by [what follows](ahead). Of several motions that with the fewest closed contacts is taken, of these that with the most that
-//! stick.
+//! Contacts whose reactions were located at zero open, hinges located at their limits slide. What a
+//! law leaves open at order 0 is decided by [what follows](ahead). Of several motions that with the
+//! fewest closed contacts is taken, of these that with the most that stick.
 
 mod ahead;
 mod choices;

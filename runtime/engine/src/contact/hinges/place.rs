@@ -1,4 +1,5 @@
-//! The state that is asked about, its motion with some contacts closed, and the laws that it has to satisfy.
+//! The state that is asked about, its motion with some contacts closed, and the laws that it has to
+//! satisfy.
 
 use smallvec::smallvec;
 
@@ -93,7 +94,8 @@ impl<'a> HingeProblem<'a> {
         self.laws(found).iter().all(SignCondition::holds) && self.holds(found.set, &found.accelerations)
     }
 
-    /// The sense that a hinge has to have instead of the one of its choice; the same if it obeys its law.
+    /// The sense that a hinge has to have instead of the one of its choice; the same if it obeys
+    /// its law.
     pub(super) fn obeyed(&self, found: &HingeCandidate, hinge: usize, sense: f64) -> f64 {
         let layout = self.context.layout();
         let choice = HingeChoice::of_hinge(sense);
@@ -143,7 +145,8 @@ impl<'a> HingeProblem<'a> {
         opened.into_iter().chain(presses).chain(rubs)
     }
 
-    /// Whether the closed rows hold: those that depend on each other need not, as of a rocker that is to stick at its dead centre.
+    /// Whether the closed rows hold: those that depend on each other need not, as of a rocker that
+    /// is to stick at its dead centre.
     fn holds(&self, set: ContactSet, accelerations: &[f64]) -> bool {
         let layout = self.context.layout();
         let mut closed = (0..layout.rows()).filter(|&row| layout.is_closed(row, &set));

@@ -1,7 +1,8 @@
 //! Which hinges stick and which slide, and in what sense: 0, 1, −1.
 
-/// From hinges that all stick to those that have to slide, and back, until all obey; none where that goes in a circle. `answer` gives
-/// what follows for some senses, and the senses that the hinges have to have instead.
+/// From hinges that all stick to those that have to slide, and back, until all obey; none where
+/// that goes in a circle. `answer` gives what follows for some senses, and the senses that the
+/// hinges have to have instead.
 pub(super) fn improve<T>(count: usize, answer: impl Fn(&[f64]) -> Option<(T, Vec<f64>)>) -> Option<T> {
     let mut tried: Vec<Vec<f64>> = Vec::new();
     let mut senses = vec![0.0; count];

@@ -1,4 +1,5 @@
-//! Motions that satisfy the law: all of them, or with many hinges at rest one for each combination of the other contacts.
+//! Motions that satisfy the law: all of them, or with many hinges at rest one for each combination
+//! of the other contacts.
 
 use super::choices::{HingeChoice, Options};
 use super::place::{HingeCandidate, HingeProblem};
@@ -10,8 +11,9 @@ pub(super) fn all(place: &HingeProblem, options: &[Options]) -> Vec<HingeCandida
     combinations(options).filter_map(lawful).collect()
 }
 
-/// Motions whose hinges at rest have been [improved](policy::improve) until all obey; nothing where some combination of the other
-/// contacts may have motions that this does not find, where these are more than `most`, or where a motion does not last.
+/// Motions whose hinges at rest have been [improved](policy::improve) until all obey; nothing where
+/// some combination of the other contacts may have motions that this does not find, where these are
+/// more than `most`, or where a motion does not last.
 pub(super) fn improved(
     place: &HingeProblem,
     options: &[Options],

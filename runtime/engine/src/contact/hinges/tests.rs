@@ -79,7 +79,8 @@ fn improvement_agrees_with_enumeration() {
     assert!(improved > 30 && sticking > 10 && sticking < 190, "{improved} {sticking}");
 }
 
-/// A hinge that slides has its sense, in all modes and among improved ones; the others are as they would be.
+/// A hinge that slides has its sense, in all modes and among improved ones; the others are as they
+/// would be.
 #[test]
 fn a_hinge_that_moves_keeps_its_sense() {
     let mut compared = 0;
@@ -127,7 +128,8 @@ fn evaluate_chain(state: [f64; 10]) -> (RunContext, Numbers) {
     (RunContext { model, scales }, Numbers::from_slice(&state))
 }
 
-/// With accelerations a + (b − a) τ/Δt the rates gain (a + b) Δt/2, the coordinates u Δt + (2 a + b) Δt²/6.
+/// With accelerations a + (b − a) τ/Δt the rates gain (a + b) Δt/2, the coordinates u Δt + (2 a +
+/// b) Δt²/6.
 #[test]
 fn a_moment_later_the_state_has_moved() {
     let dt = |context: &RunContext, state: &Numbers| {
@@ -154,7 +156,8 @@ fn a_moment_later_the_state_has_moved() {
     }
 }
 
-/// What a motion is: its closed contacts with their slips, its accelerations, and whether its reactions are the only ones.
+/// What a motion is: its closed contacts with their slips, its accelerations, and whether its
+/// reactions are the only ones.
 fn found(set: ContactSet, acceleration: f64, unique: bool) -> HingeCandidate {
     let reactions = Numbers::from_slice(&[if unique { 1.0 } else { 2.0 }; 10]);
     let accelerations = Numbers::from_slice(&[acceleration, 0.0, 0.0, 0.0, 0.0]);
@@ -214,7 +217,8 @@ pub(super) struct Resting {
     pub(super) g: f64,
 }
 
-/// One that opens must not fall, unless that is known; one that is closed must press, unless it is held.
+/// One that opens must not fall, unless that is known; one that is closed must press, unless it is
+/// held.
 #[test]
 fn each_choice_has_its_laws() {
     let model = Model::new(&Resting { m: 2.0, l: 0.5, mu: 0.3, r: 0.02, g: 9.81 });
@@ -265,8 +269,8 @@ struct Guided {
     g: f64,
 }
 
-/// A guide or hinge never opens, and a guide presses to either side; what is held does not open, what is unloaded does. The sense of a slip
-/// that is known is not asked for.
+/// A guide or hinge never opens, and a guide presses to either side; what is held does not open,
+/// what is unloaded does. The sense of a slip that is known is not asked for.
 #[test]
 fn contacts_have_the_choices_of_their_kinds() {
     use crate::model::{ContactKind, Side, Slip as Slips};

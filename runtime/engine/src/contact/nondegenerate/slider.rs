@@ -1,15 +1,17 @@
-//! One touching contact with friction, where its motion is clearly decided. With W the Delassus matrix of its normal and its
-//! tangent, w± = W_NN ± μ W_Nt, and g̈° without the contact,
+//! One touching contact with friction, where its motion is clearly decided. With W the Delassus
+//! matrix of its normal and its tangent, w± = W_NN ± μ W_Nt, and g̈° without the contact,
 //!
 //! ```text
 //! sliding in the sense σ:    w N = −g̈°,    w = W_NN − σ μ W_Nt
 //! ```
 //!
-//! With w > 0 the sense that it slides in leaves one motion: closed where g̈° < 0, open where g̈° > 0. At rest it has four modes:
-//! open, stick, and a slide in either sense. Where the conditions of one are met and those of the others are not, that one
-//! follows, as it always does where w₊, w₋ > 0 and μ_s = μ: the complementarity problem is one of a P-matrix (Pfeiffer and
-//! Glocker, *Multibody Dynamics with Unilateral Contacts*, 1996). Where several modes can follow, as between the cones of μ and
-//! μ_s or in Painlevé's paradox, [`enumeration`](crate::contact::friction) finds and tells them.
+//! With w > 0 the sense that it slides in leaves one motion: closed where g̈° < 0, open where g̈° > 0.
+//! At rest it has four modes: open, stick, and a slide in either sense. Where the conditions of one
+//! are met and those of the others are not, that one follows, as it always does where w₊, w₋ > 0
+//! and μ_s = μ: the complementarity problem is one of a P-matrix (Pfeiffer and Glocker, *Multibody
+//! Dynamics with Unilateral Contacts*, 1996). Where several modes can follow, as between the cones
+//! of μ and μ_s or in Painlevé's paradox, [`enumeration`](crate::contact::friction) finds and tells
+//! them.
 
 use super::solve;
 use crate::contact::friction::{SlipDirection, SlipVelocity as KnownSlip};

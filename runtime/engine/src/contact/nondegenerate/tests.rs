@@ -20,7 +20,8 @@ fn decided(model: Model, state: &[f64], touching: u64, unloaded: u64) -> Option<
 /// Units in which nothing is one: m, l, g.
 const FRAME: AFrame = AFrame { m: 3.0, l: 0.02, g: 9.81 };
 
-/// The A-frame falling with φ̇ < 0 at sin φ = s on the level S, whose reaction is 2 m g (¼ − (3/2) s S + (9/4) s²).
+/// The A-frame falling with φ̇ < 0 at sin φ = s on the level S, whose reaction is 2 m g (¼ − (3/2)
+/// s S + (9/4) s²).
 fn frame(s: f64, sum: f64, unloaded: bool) -> Option<ContactSolution> {
     let AFrame { l, g, .. } = FRAME;
     let (c, rate) = ((1.0 - s * s).sqrt(), -(3.0 * (sum - s) * g / l).sqrt());
@@ -91,8 +92,8 @@ fn loads_change_with_time() {
     }
 }
 
-/// A ladder that slides down: the reactions of its foot and of its head both fall, and what follows if both have vanished is not
-/// told by each alone.
+/// A ladder that slides down: the reactions of its foot and of its head both fall, and what follows
+/// if both have vanished is not told by each alone.
 #[test]
 fn two_that_vanish_at_once_are_not_such_a_case() {
     let ladder = || Model::new(&Ladder { m: 1.0, l: 1.0, g: 1.0 });
@@ -105,8 +106,8 @@ fn two_that_vanish_at_once_are_not_such_a_case() {
     assert_eq!(closed(0b11), None);
 }
 
-/// A block that rocks about a corner, forth or back: its reaction falls in one of them, and its tangential reaction would be lost
-/// with it.
+/// A block that rocks about a corner, forth or back: its reaction falls in one of them, and its
+/// tangential reaction would be lost with it.
 #[test]
 fn a_rough_contact_that_vanishes_is_not_such_a_case() {
     let (b, h) = (0.5, 1.0);

@@ -4,7 +4,8 @@ use nalgebra::DMatrix;
 
 use super::*;
 
-/// A point mass of one in the plane with rates (v, ġ): a normal row and a tangent row, and what they do.
+/// A point mass of one in the plane with rates (v, ġ): a normal row and a tangent row, and what
+/// they do.
 struct Case {
     rows: [Row; 2],
     before: [f64; 2],

@@ -1,6 +1,7 @@
-//! The shortest reactions by the faces of their cones on which they lie: K is bounded by planes, and `½ |λ|² → min` with Jᵀ λ = F is
-//! a problem of least constraint in which λ stands for the accelerations. It comes to an end where Newton's method does not: on a
-//! face that moves the system less than its load asks for, the derivative of Jᵀ λ(y) is singular.
+//! The shortest reactions by the faces of their cones on which they lie: K is bounded by planes,
+//! and `½ |λ|² → min` with Jᵀ λ = F is a problem of least constraint in which λ stands for the
+//! accelerations. It comes to an end where Newton's method does not: on a face that moves the
+//! system less than its load asks for, the derivative of Jᵀ λ(y) is singular.
 
 use nalgebra::{DMatrix, DVector, RowDVector};
 
@@ -49,7 +50,8 @@ impl Shares {
         }
     }
 
-    /// Planes through the apex, with normals of unit length: those that hold λ, and those that it stays above.
+    /// Planes through the apex, with normals of unit length: those that hold λ, and those that it
+    /// stays above.
     fn planes(&self) -> [Vec<RowDVector<f64>>; 2] {
         let plane = |entries: &[(usize, f64)]| {
             let mut plane = RowDVector::zeros(self.jacobian.nrows());

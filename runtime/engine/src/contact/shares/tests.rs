@@ -72,7 +72,8 @@ impl Loaded {
         if self.negative.contains(&place) { -1.0 } else { 1.0 }
     }
 
-    /// Columns that span a face of each contact's cone, with whether they have a sign, and what is open two-sided.
+    /// Columns that span a face of each contact's cone, with whether they have a sign, and what is
+    /// open two-sided.
     fn faces(&self) -> Vec<Vec<DVector<f64>>> {
         let r = self.reactions.len();
         let column = |entries: &[(usize, f64)]| {
@@ -129,8 +130,8 @@ impl Loaded {
         })
     }
 
-    /// The length of the shortest of the reactions that are shortest on a face and allowed, and by how much reactions on that face change
-    /// with their load.
+    /// The length of the shortest of the reactions that are shortest on a face and allowed, and by
+    /// how much reactions on that face change with their load.
     fn brute_force(&self) -> (f64, f64) {
         let load = self.jacobian.tr_mul(&self.reactions);
         let unit = |k: usize| 1.0 / self.levers[k];
@@ -138,7 +139,8 @@ impl Loaded {
         for face in self.faces().iter().filter(|face| !face.is_empty()) {
             let span = DMatrix::from_columns(face);
             let units = DMatrix::from_fn(span.nrows(), span.ncols(), |k, j| unit(k) * span[(k, j)]);
-            // Along an orthonormal basis of the face the shortest reactions have the shortest components.
+            // Along an orthonormal basis of the face the shortest reactions have the shortest
+            // components.
             let r = units.clone().qr().r();
             let Some(back) = r.try_inverse() else { continue };
             let acts = self.jacobian.tr_mul(&span) * &back;
@@ -186,7 +188,8 @@ fn shared_loads_are_held_by_the_shortest_reactions() {
         assert!((load(&found) - load(&it.reactions)).amax() <= HELD, "{k}");
         assert!(it.is_allowed(&found), "{k} {found}");
         let Some(y) = dual else {
-            // Rounding puts what is at the border of what the cones bear beyond it: pressed a little more they are found.
+            // Rounding puts what is at the border of what the cones bear beyond it: pressed a
+            // little more they are found.
             left += 1;
             shared(&it.pressed(1e-6), &mut dual);
             assert!(dual.is_some(), "{k}: none is found");
@@ -224,7 +227,8 @@ fn shares_have_no_units() {
     }
 }
 
-/// While it slides its friction is −σ μ N of each support, and a third of the weight is the least that each can bear.
+/// While it slides its friction is −σ μ N of each support, and a third of the weight is the least
+/// that each can bear.
 #[test]
 fn supports_that_slide_share_the_load_with_their_friction() {
     let (m, g, mu) = (2.0, 9.81, 0.3);

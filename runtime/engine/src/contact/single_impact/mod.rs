@@ -1,11 +1,12 @@
-//! The impact of a single contact, on others that it does not press: along Routh's path of [`friction`](super::friction), with
+//! The impact of a single contact, on others that it does not press: along Routh's path of
+//! [`friction`](super::friction), with
 //!
 //! ```text
 //! W = J M⁻¹ Jᵀ of the normal and the tangent,    u⁺ = u⁻ + M⁻¹ (J_Nᵀ P + J_tᵀ P_t)
 //! ```
 //!
-//! Without friction the three laws agree, ġ⁺ = −e ġ⁻ and P = −(1 + e) ġ⁻ / W. What is not clear by much is left to the search of
-//! `impact`.
+//! Without friction the three laws agree, ġ⁺ = −e ġ⁻ and P = −(1 + e) ġ⁻ / W. What is not clear by
+//! much is left to the search of `impact`.
 
 mod cholesky;
 mod response;
@@ -18,7 +19,8 @@ use crate::model::Law;
 use response::Response;
 use sum::Sum;
 
-/// A collision whose joints and held supports, if there are any, are in its coordinates; nothing is applied from outside.
+/// A collision whose joints and held supports, if there are any, are in its coordinates; nothing is
+/// applied from outside.
 pub(crate) struct ReducedCollision<'a, M, J> {
     /// What the rows are.
     pub(crate) rows: &'a [Row],
@@ -70,7 +72,8 @@ impl<M: Fn(usize, usize) -> f64, J: Fn(usize, usize) -> f64> ReducedCollision<'_
         })
     }
 
-    /// The only contact that approaches, where nothing holds both ways; without friction nothing may depart either.
+    /// The only contact that approaches, where nothing holds both ways; without friction nothing
+    /// may depart either.
     fn striking(&self) -> Option<Striking> {
         let mut found = None;
         let (mut departs, mut friction) = (false, None);

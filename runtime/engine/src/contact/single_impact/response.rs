@@ -1,4 +1,5 @@
-//! How rates respond to the impulses of the contact that strikes, M⁻¹ J_Nᵀ and M⁻¹ J_tᵀ per unit, and what the other contacts see of it.
+//! How rates respond to the impulses of the contact that strikes, M⁻¹ J_Nᵀ and M⁻¹ J_tᵀ per unit,
+//! and what the other contacts see of it.
 
 use nalgebra::DVector;
 use smallvec::smallvec;
@@ -49,7 +50,8 @@ impl<'a, M: Fn(usize, usize) -> f64, J: Fn(usize, usize) -> f64> Response<'a, M,
         (DVector::from_fn(struck.rates.len(), |i, _| struck.rates[i] + change(i)), impulses)
     }
 
-    /// ġ⁺ of all contacts and v⁺ at them, none of which but the one that strikes may be pressed at any point of the path.
+    /// ġ⁺ of all contacts and v⁺ at them, none of which but the one that strikes may be pressed at
+    /// any point of the path.
     pub(super) fn opening(&self, path: &Path<f64>) -> Option<DVector<f64>> {
         let Striking { row: own, friction, .. } = *self.striking;
         let rows = self.struck.rows;

@@ -1,4 +1,5 @@
-//! Sums with the size of their terms, by which what is zero but for rounding is told from what is not.
+//! Sums with the size of their terms, by which what is zero but for rounding is told from what is
+//! not.
 
 use crate::numerics::zero::SOLVED;
 

@@ -26,7 +26,8 @@ fn model(part: f64, heavy: f64, l: f64) -> Model {
     Model::new(&Loaded { m: part * heavy, heavy, l, g: 9.81 })
 }
 
-/// With ε = m/M of the balanced mass matrix det M = 1 − (1 + ε/2)²/((1 + ε)(1 + ε/3)) ≈ ε/3 at any angle, in any units.
+/// With ε = m/M of the balanced mass matrix det M = 1 − (1 + ε/2)²/((1 + ε)(1 + ε/3)) ≈ ε/3 at any
+/// angle, in any units.
 #[test]
 fn accelerations_are_determined_by_a_determinant() {
     for (heavy, l) in [(1.0, 1.0), (3e-6, 2e4), (7e8, 1e-5)] {
@@ -40,8 +41,8 @@ fn accelerations_are_determined_by_a_determinant() {
     }
 }
 
-/// A turn about the heavy end moves next to no mass: the rod's angle and its light end are undetermined, the latter only across the rod.
-/// The floor does not hold it where it is upright.
+/// A turn about the heavy end moves next to no mass: the rod's angle and its light end are
+/// undetermined, the latter only across the rod. The floor does not hold it where it is upright.
 #[test]
 fn massless_coordinates_are_named() {
     let (level, upright) = (0.0, core::f64::consts::FRAC_PI_2);

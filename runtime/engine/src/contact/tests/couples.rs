@@ -29,8 +29,8 @@ struct Levelled {
     omega: f64,
 }
 
-/// The couple C of the drive and the difference d of the ends' reactions hold d l/2 + C = q l/2. At the lever l/√2 the shortest are
-/// d = q/2 and C = q l/4, whatever the unit of length is.
+/// The couple C of the drive and the difference d of the ends' reactions hold d l/2 + C = q l/2. At
+/// the lever l/√2 the shortest are d = q/2 and C = q l/4, whatever the unit of length is.
 #[test]
 fn couples_and_forces_are_compared_at_their_lever() {
     for l in [1e-3, 1.0, 4e4] {
@@ -75,7 +75,8 @@ struct Jointed {
     omega: f64,
 }
 
-/// The lever is that of J, whose squares by a are l², l² and 1 of the couple, by b (l/2)²: ℓ = 3 l/2, whatever the inertia.
+/// The lever is that of J, whose squares by a are l², l² and 1 of the couple, by b (l/2)²: ℓ = 3
+/// l/2, whatever the inertia.
 #[test]
 fn levers_are_those_of_the_rows_in_their_own_units() {
     for (p, l) in [(1.0, 1.0), (50.0, 1.0), (7.0, 1e3)] {

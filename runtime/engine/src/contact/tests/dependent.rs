@@ -16,7 +16,8 @@ fn rows(jacobian: &[[f64; 4]]) -> ClosedRows {
     }
 }
 
-/// Rows 20 and 22 share coordinates with 24, which is alike to their sum; 21 and 23 are of other ones.
+/// Rows 20 and 22 share coordinates with 24, which is alike to their sum; 21 and 23 are of other
+/// ones.
 #[test]
 fn rows_that_share_a_load() {
     let all = rows(&[

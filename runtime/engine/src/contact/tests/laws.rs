@@ -21,8 +21,8 @@ fn particles(rates: [f64; 2], laws: [Law; 2], coupling: f64) -> Result<Outcome, 
     .solve()
 }
 
-/// The law of those that act; Poisson's where others depart, or where one that acts declares it; Stronge's of one alone. An
-/// impulse on one lifts the other.
+/// The law of those that act; Poisson's where others depart, or where one that acts declares it;
+/// Stronge's of one alone. An impulse on one lifts the other.
 #[test]
 fn coupled_contacts_that_act_have_one_law() {
     let several = Err(CollisionError::Several);
@@ -135,8 +135,9 @@ fn shared_impulses_are_reported_by_either_law() {
     }
 }
 
-/// Contacts with something applied from outside, which acts before them on what joints leave free: what they gain is the kinetic energy
-/// after all less that after it alone, and never more than nothing.
+/// Contacts with something applied from outside, which acts before them on what joints leave free:
+/// what they gain is the kinetic energy after all less that after it alone, and never more than
+/// nothing.
 #[test]
 fn contacts_gain_what_the_kinetic_energy_gains() {
     let mut random = Random(0x243F_6A88_85A3_08D3);

@@ -25,7 +25,8 @@ fn closed(
     (free + inverse * j.tr_mul(&multipliers), multipliers)
 }
 
-/// More contacts than any other way could decide, of which many depend on each other: fixed rows hold, candidates bear or open.
+/// More contacts than any other way could decide, of which many depend on each other: fixed rows
+/// hold, candidates bear or open.
 #[test]
 fn active_basis_holds_all_others() {
     let mut random = Random(0x1F83_D9AB_5BE0_CD19);
@@ -65,7 +66,8 @@ fn active_basis_holds_all_others() {
     assert!(bearing > 400, "{bearing}");
 }
 
-/// 0 ≤ a − 1 and 0 ≤ −a + 1 − ε contradict each other by ε, which is rounding up to a part of their terms.
+/// 0 ≤ a − 1 and 0 ≤ −a + 1 − ε contradict each other by ε, which is rounding up to a part of their
+/// terms.
 #[test]
 fn contacts_contradict_each_other_beyond_rounding() {
     for size in [1e-6, 1.0, 1e6] {
@@ -84,8 +86,8 @@ fn contacts_contradict_each_other_beyond_rounding() {
     }
 }
 
-/// Unit vectors, of which some depend on others, put in and taken out: what is in is independent, and any vector is the sum of its
-/// combination of these and of what is independent of them.
+/// Unit vectors, of which some depend on others, put in and taken out: what is in is independent,
+/// and any vector is the sum of its combination of these and of what is independent of them.
 #[test]
 fn vectors_split_into_what_depends_and_what_does_not() {
     let mut random = Random(0x428A_2F98_D728_AE22);

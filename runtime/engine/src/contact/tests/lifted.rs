@@ -57,8 +57,8 @@ fn model(is_rough: bool, w: f64, [a, b, c]: [f64; 3]) -> Model {
     }
 }
 
-/// The first power that is there decides: what falls opens, what rises stays, and what stays zero too. So it does where the reaction was
-/// located at zero up to the error of an event.
+/// The first power that is there decides: what falls opens, what rises stays, and what stays zero
+/// too. So it does where the reaction was located at zero up to the error of an event.
 #[test]
 fn the_first_rate_that_does_not_vanish_decides() {
     let touching = ContactSet::EMPTY.with(0);
@@ -92,7 +92,8 @@ fn the_first_rate_that_does_not_vanish_decides() {
     }
 }
 
-/// A load that grows with time takes the weight off a rough floor at t = m g/a, whatever rounding leaves of the reaction there.
+/// A load that grows with time takes the weight off a rough floor at t = m g/a, whatever rounding
+/// leaves of the reaction there.
 #[test]
 fn a_growing_load_lifts_what_is_rough() {
     for k in 0..40 {

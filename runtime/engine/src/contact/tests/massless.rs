@@ -6,7 +6,8 @@ use super::solve;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
 use crate::contact::trials::LcpError;
 
-/// A coordinate without mass is held by a contact that it presses; from one that it is drawn away from it has no acceleration.
+/// A coordinate without mass is held by a contact that it presses; from one that it is drawn away
+/// from it has no acceleration.
 #[test]
 fn pulled_massless_points_have_no_motion() {
     let mass = DMatrix::from_diagonal(&DVector::from_row_slice(&[2.0, 0.0]));
@@ -21,8 +22,8 @@ fn pulled_massless_points_have_no_motion() {
     assert_eq!(solve(&mass, &tied, &[-1.0, -0.5], &[-0.25]).unwrap_err(), LcpError::Singular);
 }
 
-/// Massless bodies that nothing presses are held by their contacts without a reaction, more of them than there are sets to be tried;
-/// a mass beside them leaves its own.
+/// Massless bodies that nothing presses are held by their contacts without a reaction, more of them
+/// than there are sets to be tried; a mass beside them leaves its own.
 #[test]
 fn massless_bodies_rest_on_their_contacts_unpressed() {
     for count in [1, 3, 17] {
@@ -39,12 +40,14 @@ fn massless_bodies_rest_on_their_contacts_unpressed() {
     }
 }
 
-/// M a = f of two coordinates with the correlation 1 − δ, beside others that many contacts hold: undetermined where their least
-/// singular value is below half of the digits of the largest one, which is that of the contacts.
+/// M a = f of two coordinates with the correlation 1 − δ, beside others that many contacts hold:
+/// undetermined where their least singular value is below half of the digits of the largest one,
+/// which is that of the contacts.
 #[test]
 fn half_of_the_digits_are_asked_of_accelerations() {
     for contacts in [0, 1, 100] {
-        // The least singular value is δ, the largest 2, or that of so many rows of one beside a mass.
+        // The least singular value is δ, the largest 2, or that of so many rows of one beside a
+        // mass.
         let rows = contacts as f64;
         let largest = f64::max(2.0, 0.5 + (0.25 + rows).sqrt());
         let cutoff = f64::EPSILON.sqrt() * largest;
@@ -72,7 +75,8 @@ fn a_coordinate_without_mass_alone_is_undetermined() {
     assert_eq!(undetermined(1e-7), [vec![0], vec![]]);
 }
 
-/// What moves without inertia is (1, 1, k) in balanced coordinates: the third has no part in it below a tenth.
+/// What moves without inertia is (1, 1, k) in balanced coordinates: the third has no part in it
+/// below a tenth.
 #[test]
 fn coordinates_that_hardly_move_are_not_named() {
     for (k, free) in [(0.5, vec![0, 1, 2]), (0.11, vec![0, 1, 2]), (0.09, vec![0, 1]), (0.0, vec![0, 1])] {

@@ -20,8 +20,9 @@ struct RoughRod {
     g: f64,
 }
 
-/// The rod turns about its end, N = m (g − ¾ g cos²θ − ½ l ω² sin θ) = 0. As N rises it goes on so; as N falls the end would have to
-/// leave the floor, which the rest of the motion, ÿ = −¾ g cos²θ without the force across, presses on.
+/// The rod turns about its end, N = m (g − ¾ g cos²θ − ½ l ω² sin θ) = 0. As N rises it goes on so;
+/// as N falls the end would have to leave the floor, which the rest of the motion, ÿ = −¾ g cos²θ
+/// without the force across, presses on.
 #[test]
 fn a_rough_contact_without_reaction_stays_while_that_rises() {
     let (m, l, g) = (2.0, 0.5, 9.81);
@@ -68,7 +69,8 @@ struct RodOnRoughEnds {
     g: f64,
 }
 
-/// The same of either end, the other one above the floor; and what it bears where N = m (g − ¾ g cos²θ − ½ l ω² sin θ) is not zero.
+/// The same of either end, the other one above the floor; and what it bears where N = m (g − ¾ g
+/// cos²θ − ½ l ω² sin θ) is not zero.
 #[test]
 fn each_rough_contact_holds_its_own_tangent() {
     let (m, l, g) = (2.0, 0.5, 9.81);

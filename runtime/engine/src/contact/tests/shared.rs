@@ -27,8 +27,8 @@ pub(in crate::contact) struct Pushed {
     pub(in crate::contact) p: f64,
 }
 
-/// However the supports share the weight, each rubs by its own part of it: R = −σ μ N where they slide, |R| ≤ μ N where they stick, with
-/// ΣN = m g, no moment, and ΣR = −p.
+/// However the supports share the weight, each rubs by its own part of it: R = −σ μ N where they
+/// slide, |R| ≤ μ N where they stick, with ΣN = m g, no moment, and ΣR = −p.
 #[test]
 fn each_support_rubs_by_its_own_share() {
     let (m, g, mu) = (2.0, 9.81, 0.3);

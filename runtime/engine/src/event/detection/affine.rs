@@ -1,4 +1,5 @@
-//! Guards that are affine functions of the reduced state, g = g₀ + a·y. Over a step whose dense output is y = Σ cₖ θᵏ they are
+//! Guards that are affine functions of the reduced state, g = g₀ + a·y. Over a step whose dense
+//! output is y = Σ cₖ θᵏ they are
 //!
 //! ```text
 //! g(θ) = g₀ + a·c₀ + Σ (a·cₖ) θᵏ
@@ -15,11 +16,12 @@ use crate::model::{ContactSet, Slip};
 use crate::series::ORDERS;
 use crate::system::{DenseOutput, PhaseEquations};
 
-/// Where slopes are taken, in natural units: so far away that what a guard is at zero is lost in the rounding of the difference. An
-/// affine function has the same slope everywhere.
+/// Where slopes are taken, in natural units: so far away that what a guard is at zero is lost in
+/// the rounding of the difference. An affine function has the same slope everywhere.
 const FAR: f64 = (1_u64 << 40) as f64;
 
-/// Zero coefficients behind those of a polynomial, as a series has them that ends there: by these its rest is judged.
+/// Zero coefficients behind those of a polynomial, as a series has them that ends there: by these
+/// its rest is judged.
 const ENDS: usize = 2;
 
 /// The guards of a run's phases that have only such.
@@ -83,7 +85,8 @@ impl AffineGuards {
         Self { set, coefficients, is_finite, entries, reactions, series }
     }
 
-    /// Their polynomials over a step; none where its dense output is of too high a degree, or where they overflow far away.
+    /// Their polynomials over a step; none where its dense output is of too high a degree, or where
+    /// they overflow far away.
     pub(crate) fn over(&mut self, step: &DenseOutput) -> Option<Guards<'_>> {
         let terms = step.degree() + 1;
         if terms + ENDS > ORDERS || !self.is_finite {
@@ -103,7 +106,8 @@ impl AffineGuards {
     }
 }
 
-/// All guards at a reduced state: zero are gaps of closed contacts, and slip velocities but of those that slide.
+/// All guards at a reduced state: zero are gaps of closed contacts, and slip velocities but of
+/// those that slide.
 fn values(phase: &dyn PhaseEquations, reduced: &[f64]) -> Vec<f64> {
     let (system, set) = (phase.system(), phase.info().set);
     let layout = system.layout();

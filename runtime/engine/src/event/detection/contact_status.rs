@@ -10,8 +10,8 @@ pub(crate) struct ContactStatus<'a> {
     pub(crate) closed: ContactSet,
     pub(crate) held: ContactSet,
     pub(crate) removed: ContactSet,
-    /// Open contacts at the ends of their bars or beyond, and open ones below their grounds: what of
-    /// them is not above closes only after it has come back.
+    /// Open contacts at the ends of their bars or beyond, and open ones below their grounds: what
+    /// of them is not above closes only after it has come back.
     pub(crate) below: ContactSet,
     /// Closed contacts whose reaction or slip velocity is zero, or whose friction force is at its
     /// limit, and that have just been decided to go on as they are.

@@ -1,6 +1,6 @@
-//! The guards of a phase over one step: reactions of closed contacts, gaps of open ones, feet of closed corners, of contacts
-//! with friction the limits of those that stick and the slip velocities of those that slide, and the conditions that are
-//! waited for.
+//! The guards of a phase over one step: reactions of closed contacts, gaps of open ones, feet of
+//! closed corners, of contacts with friction the limits of those that stick and the slip velocities
+//! of those that slide, and the conditions that are waited for.
 
 mod advance;
 mod affine;

@@ -1,12 +1,14 @@
-//! What loads and drives follow, over a step. Methods judge a step by values at a few places: a load that acts between them
-//! is not seen, and neither is a drive that jumps there. A step is accepted only if each signal f(t, q) is seen:
+//! What loads and drives follow, over a step. Methods judge a step by values at a few places: a
+//! load that acts between them is not seen, and neither is a drive that jumps there. A step is
+//! accepted only if each signal f(t, q) is seen:
 //!
 //! ```text
 //! |f − p| ≤ r/10 + δ  between the nodes of its interpolant p,   f ∈ [low − R, high + R] everywhere
 //! ```
 //!
-//! with r = high − low the range of its values there, δ what the tolerance leaves of the largest f and of the natural force, and
-//! R the largest of r, δ and a sixteenth of that f. The second is proved by interval bounds over pieces of the step.
+//! with r = high − low the range of its values there, δ what the tolerance leaves of the largest f
+//! and of the natural force, and R the largest of r, δ and a sixteenth of that f. The second is
+//! proved by interval bounds over pieces of the step.
 
 use super::SHORTEST;
 use super::sample::Scratch;
@@ -26,7 +28,8 @@ const SHARE: f64 = 0.1;
 const LEAST: f64 = 1.0 / 16.0;
 /// Pieces that are bounded in one step at most.
 const MOST_PIECES: usize = 256;
-/// A jump is larger by this factor than what the function changes by beside it, a pole than its values farther off.
+/// A jump is larger by this factor than what the function changes by beside it, a pole than its
+/// values farther off.
 const JUMP: f64 = 16.0;
 /// A slope that changes by this part of it has a kink.
 const STEEP: f64 = 1e-3;
@@ -44,7 +47,8 @@ pub(crate) struct Signal {
 }
 
 impl Signal {
-    /// Those of a model. What the model's own names hide from the words of conditions is not watched.
+    /// Those of a model. What the model's own names hide from the words of conditions is not
+    /// watched.
     pub(crate) fn all(layout: &'static Layout) -> Vec<Self> {
         let signal = |signal: &crate::model::Signal| {
             let condition = Condition::parse(layout, &format!("{} > 0", signal.expression)).ok()?;
@@ -96,7 +100,8 @@ pub(crate) struct Signals<'a> {
     list: &'a [Signal],
     /// The largest size of each so far, or at all.
     largest: Vec<f64>,
-    /// Those that no step, however short, was proved to have seen: they are not followed any farther.
+    /// Those that no step, however short, was proved to have seen: they are not followed any
+    /// farther.
     is_lost: Vec<bool>,
     /// Steps in a row that have not seen one.
     pub(crate) unseen: u32,
@@ -234,7 +239,8 @@ fn first_unbounded(is_bounded: &dyn Fn([f64; 2]) -> bool) -> Option<f64> {
     None
 }
 
-/// What a function of time has at a time where bounds prove nothing, in words; none where it is smooth.
+/// What a function of time has at a time where bounds prove nothing, in words; none where it is
+/// smooth.
 fn find_break(value: &dyn Fn(f64) -> f64, t: f64, natural: f64) -> Option<&'static str> {
     let d = (SPAN * natural).max(4.0 * SHORTEST * t.abs());
     let [far, left, right, farther] = [t - 2.0 * d, t - d, t + d, t + 2.0 * d].map(value);

@@ -8,15 +8,18 @@ use crate::system::InitialValueProblem;
 
 /// Tolerances looser than this are met by a pair of order 5 with less work.
 const LOOSE: f64 = 1e-5;
-/// At tighter tolerances DOP853 takes so many steps that the series of the full equations take less time.
+/// At tighter tolerances DOP853 takes so many steps that the series of the full equations take less
+/// time.
 const TIGHT: f64 = 1e-11;
 
 /// At this part of a tolerance errors of DOP853 are those of Taylor's method at the whole.
 const AS_EXACT: f64 = 1e-2;
-/// Of a closed form that has more products than this at 1e-6, times (1e-6/ε)^[`GROWTH`] at ε, the series take longer than DOP853 as exact
-/// as they: an order takes 1.3 ns for each product, a right-hand side some 35 ns and 0.4 ns for each; from 1e-6 to 1e-10 the number
-/// of right-hand sides beside that of orders grows from 1.3 to 2.2. Chains of 4, 6, 8, 12, 16 bars, with 65, 168, 236, 372, 508 products, take
-/// 0.8, 0.6, 0.4, 0.3, 0.23 of the time at 1e-6; of 6 and more bars 0.85, 0.6, 0.45, 0.38 at 1e-10.
+/// Of a closed form that has more products than this at 1e-6, times (1e-6/ε)^[`GROWTH`] at ε, the
+/// series take longer than DOP853 as exact as they: an order takes 1.3 ns for each product, a
+/// right-hand side some 35 ns and 0.4 ns for each; from 1e-6 to 1e-10 the number of right-hand
+/// sides beside that of orders grows from 1.3 to 2.2. Chains of 4, 6, 8, 12, 16 bars, with 65, 168,
+/// 236, 372, 508 products, take 0.8, 0.6, 0.4, 0.3, 0.23 of the time at 1e-6; of 6 and more bars
+/// 0.85, 0.6, 0.45, 0.38 at 1e-10.
 const PRODUCTS: f64 = 60.0;
 const GROWTH: f64 = 0.12;
 
@@ -62,15 +65,16 @@ fn explicit<'a>(problem: &Problem<'a>) -> Option<StartedStepper<'a>> {
     }
 }
 
-/// Whether Taylor's method is the faster one, if there are series: those of the full equations, where there is nothing to watch, are
-/// only at tight tolerances.
+/// Whether Taylor's method is the faster one, if there are series: those of the full equations,
+/// where there is nothing to watch, are only at tight tolerances.
 fn series_pay(Problem { problem, .. }: &Problem) -> bool {
     let is_closed_form = problem.phase.info().form == Form::Reduced;
     let has_contacts = !problem.phase.system().layout().contacts.is_empty();
     is_closed_form || has_contacts || problem.relative < TIGHT
 }
 
-/// Whether nothing is watched by the series of a closed form, and they take longer than DOP853 as exact as they.
+/// Whether nothing is watched by the series of a closed form, and they take longer than DOP853 as
+/// exact as they.
 fn is_long(Problem { problem, .. }: &Problem) -> bool {
     let has_contacts = !problem.phase.system().layout().contacts.is_empty();
     let bound = PRODUCTS * (1e-6 / problem.relative).powf(GROWTH);

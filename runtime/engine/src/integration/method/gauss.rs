@@ -3,8 +3,8 @@
 use super::{Dop853, Method, Problem, StartedStepper};
 use crate::system::erased;
 
-/// Gauss collocation of order 12 with a constant step, for long smooth runs without drift of the energy:
-/// [`crate::integrate::Gauss`]; DOP853 beyond 1024 entries.
+/// Gauss collocation of order 12 with a constant step, for long smooth runs without drift of the
+/// energy: [`crate::integrate::Gauss`]; DOP853 beyond 1024 entries.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Gauss;
 

@@ -29,7 +29,8 @@ use crate::system::{InitialValueProblem, PhaseStepper};
 pub trait Method: Send + Sync + 'static {
     /// Its name in reports: `dop853`.
     fn name(&self) -> &'static str;
-    /// Whether phases in closed form are integrated by Taylor's method, unless their damping is stiff.
+    /// Whether phases in closed form are integrated by Taylor's method, unless their damping is
+    /// stiff.
     fn takes_series(&self) -> bool {
         false
     }

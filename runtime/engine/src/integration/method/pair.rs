@@ -1,4 +1,5 @@
-//! Two integrations of one phase, of which one is at work: another method takes over from the usual one, and gives back.
+//! Two integrations of one phase, of which one is at work: another method takes over from the usual
+//! one, and gives back.
 
 use crate::integrate::Counts;
 use crate::system::PhaseStepper;

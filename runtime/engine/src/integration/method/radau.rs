@@ -3,8 +3,8 @@
 use super::{Dop853, Method, Problem, StartedStepper};
 use crate::system::erased;
 
-/// Radau IIA of order 5, for stiff springs and dampers: [`crate::integrate::Radau`]; DOP853 for phases of more than
-/// 64 entries.
+/// Radau IIA of order 5, for stiff springs and dampers: [`crate::integrate::Radau`]; DOP853 for
+/// phases of more than 64 entries.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Radau;
 

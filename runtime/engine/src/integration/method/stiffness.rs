@@ -13,14 +13,15 @@ use super::{Choice, Method, MethodChanges, Problem, Radau, StartedStepper};
 use crate::integrate::{Counts, Guards, StepError};
 use crate::system::{DenseOutput, Jacobian, PhaseStepper};
 
-/// Damping is stiff where −tr ∂f/∂y exceeds this per natural time: what it damps has decayed long before anything else moves.
+/// Damping is stiff where −tr ∂f/∂y exceeds this per natural time: what it damps has decayed long
+/// before anything else moves.
 pub(super) const STIFF: f64 = 1e3;
 /// Steps from one look to the next.
 const OFTEN: u32 = 16;
 /// Looks in a row that must find it stiff: what decays fast at first has done so by then.
 const SURE: u32 = 2;
-/// An explicit step is kept short by damping where it is longer than this part of the time of decay, near the edge of the
-/// method's stability, and not where it is shorter for accuracy's sake.
+/// An explicit step is kept short by damping where it is longer than this part of the time of
+/// decay, near the edge of the method's stability, and not where it is shorter for accuracy's sake.
 const HELD: f64 = 0.5;
 /// The implicit method is left where damping is so much less than what it is taken for.
 const GONE: f64 = 0.1;
@@ -105,8 +106,8 @@ struct Rates {
     frequency: f64,
 }
 
-/// The same, watched for stiffness where the phase has a Jacobian: without one its equations cannot be stiff. Where they are so at
-/// the start, `implicit` begins.
+/// The same, watched for stiffness where the phase has a Jacobian: without one its equations cannot
+/// be stiff. Where they are so at the start, `implicit` begins.
 pub(super) fn watched<'a>(
     begun: StartedStepper<'a>,
     problem: &Problem<'a>,

@@ -2,7 +2,8 @@
 
 use super::{Dop853, Method, Problem, StartedStepper};
 
-/// Taylor's method of variable order, [`crate::integrate::Taylor`], for the phases that have series, in closed form or of the full equations without sliding contacts; DOP853 for the others.
+/// Taylor's method of variable order, [`crate::integrate::Taylor`], for the phases that have
+/// series, in closed form or of the full equations without sliding contacts; DOP853 for the others.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Taylor;
 

@@ -2,7 +2,8 @@
 
 use super::{Method, Problem, StartedStepper};
 
-/// Tsitouras's explicit Runge–Kutta pair of order 5, for tolerances of 1e-5 and looser: [`crate::integrate::Tsit5`].
+/// Tsitouras's explicit Runge–Kutta pair of order 5, for tolerances of 1e-5 and looser:
+/// [`crate::integrate::Tsit5`].
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Tsit5;
 

@@ -1,5 +1,5 @@
-//! A pendulum whose pivot is driven, x = a (1 − cos ω t): time in the state, a row with drift, an odd reduced state.
-//! l φ̈ = −g sin φ − ẍ cos φ, with φ from the vertical.
+//! A pendulum whose pivot is driven, x = a (1 − cos ω t): time in the state, a row with drift, an
+//! odd reduced state. l φ̈ = −g sin φ − ẍ cos φ, with φ from the vertical.
 
 use crate::model::*;
 use crate::prelude::*;
@@ -210,7 +210,8 @@ fn an_energy_level_gives_the_free_rate() {
     }
 }
 
-/// It swings from 0.3 down to −0.3 and back: the condition ceases a hundredth of a second before it holds again, within one step.
+/// It swings from 0.3 down to −0.3 and back: the condition ceases a hundredth of a second before it
+/// holds again, within one step.
 #[test]
 fn a_condition_that_ceases_for_a_moment_is_met() {
     let simulation = Simulation::new(&Driven { a: 0.0 }).unwrap().until("phi > -0.2999").unwrap();

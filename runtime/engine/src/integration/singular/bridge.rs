@@ -1,15 +1,17 @@
 //! One step of a closed loop across a singular position, or from one.
 //!
-//! Along a branch of the loop the motion is smooth, through the singular position too; only the equations say nothing there. The
-//! step is Gauss's collocation, whose points the singular position lies between:
+//! Along a branch of the loop the motion is smooth, through the singular position too; only the
+//! equations say nothing there. The step is Gauss's collocation, whose points the singular position
+//! lies between:
 //!
 //! ```text
 //! ü = a(P q, P u) at the points,   P the projection onto the closed constraints
 //! ```
 //!
-//! by repeated integration from the state at its start. At each point the branch is the nearest one: the guess q₀ + u₀ t + ½a₀ t²
-//! is off by (t/R)³/6, R the time in which the motion moves by a natural unit, the other branch by t/R. What the projection
-//! has left to correct, and the gaps between the points, the singular position among them, say whether there is such a branch.
+//! by repeated integration from the state at its start. At each point the branch is the nearest
+//! one: the guess q₀ + u₀ t + ½a₀ t² is off by (t/R)³/6, R the time in which the motion moves by a
+//! natural unit, the other branch by t/R. What the projection has left to correct, and the gaps
+//! between the points, the singular position among them, say whether there is such a branch.
 
 use crate::context::{RunContext, reduce};
 use crate::integration::chart::nan_max;
@@ -20,8 +22,9 @@ use crate::system::{DenseOutput, PhaseEquations};
 
 /// Repeated integrations; each is ten times nearer and more.
 const MOST: usize = 40;
-/// The motion is known when it changes by no more than this, or no less than before by no more than that: what rounding changes
-/// is transverse to the branch, and the projection at the end corrects it.
+/// The motion is known when it changes by no more than this, or no less than before by no more than
+/// that: what rounding changes is transverse to the branch, and the projection at the end corrects
+/// it.
 const SETTLED: [f64; 2] = [1e-14, 1e-7];
 /// The largest correction of positions by the projection, in natural units. That of rates, in those
 /// per R, is [`MARGIN`], and the largest gap [`SOLVED`].
@@ -156,7 +159,8 @@ impl BridgeMotion<'_> {
         self.context.switched_as(&state, self.from).into_vec()
     }
 
-    /// The largest difference of two states, lengths and angles in natural units and rates in those per R.
+    /// The largest difference of two states, lengths and angles in natural units and rates in those
+    /// per R.
     fn apart(&self, a: &[f64], b: &[f64]) -> f64 {
         let [positions, rates] = self.differences(a, b);
         nan_max(positions, rates)
@@ -198,7 +202,8 @@ impl BridgeMotion<'_> {
         (held && self.keeps_energy(from, &mut state)).then_some(Bridge { t: [t, t + h], state, series })
     }
 
-    /// Gives a state beyond the energy of one before, if it is near; the velocity constraints are homogeneous without drives.
+    /// Gives a state beyond the energy of one before, if it is near; the velocity constraints are
+    /// homogeneous without drives.
     fn keeps_energy(&self, from: &[f64], to: &mut [f64]) -> bool {
         if !self.context.is_conservative() {
             return true;
@@ -214,8 +219,8 @@ impl BridgeMotion<'_> {
     }
 }
 
-/// The length of a step past a singular position at the first of two times and at least to the second, so that no point is near
-/// the position.
+/// The length of a step past a singular position at the first of two times and at least to the
+/// second, so that no point is near the position.
 pub(super) fn length([at, end]: [f64; 2]) -> f64 {
     let clear =
         |h: &f64| X.iter().fold(f64::INFINITY, |least, x| least.min((0.5 * h * (x + 1.0) - at).abs()));

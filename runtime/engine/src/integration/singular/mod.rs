@@ -1,10 +1,12 @@
-//! Closed loops at singular positions, where their rows of J lose rank and the equations say nothing of how to go on.
+//! Closed loops at singular positions, where their rows of J lose rank and the equations say
+//! nothing of how to go on.
 //!
-//! A motion through such a position is smooth along its branch. Up to a distance w in time it is integrated; from there to the
-//! same distance beyond one step of collocation is made whose points the singular position lies between ([`bridge`]). The
-//! distance: the smallest singular value σ of the closed rows of J in natural units falls like |t − tₛ|, so σ and its rate along
-//! the motion tell tₛ. Steps towards it are bounded by what is left. Times are those of the motion, R, in which the
-//! fastest coordinate moves by a natural unit at its rate or at its acceleration.
+//! A motion through such a position is smooth along its branch. Up to a distance w in time it is
+//! integrated; from there to the same distance beyond one step of collocation is made whose points
+//! the singular position lies between ([`bridge`]). The distance: the smallest singular value σ of
+//! the closed rows of J in natural units falls like |t − tₛ|, so σ and its rate along the motion
+//! tell tₛ. Steps towards it are bounded by what is left. Times are those of the motion, R, in
+//! which the fastest coordinate moves by a natural unit at its rate or at its acceleration.
 
 mod bridge;
 
@@ -21,20 +23,23 @@ use crate::system::Equations;
 pub(crate) use bridge::Bridge;
 use bridge::BridgeMotion;
 
-/// The loosest tolerance near a singular position: errors must still be small enough to tell the branches apart.
+/// The loosest tolerance near a singular position: errors must still be small enough to tell the
+/// branches apart.
 const LOOSEST: f64 = 1e-10;
-/// The rounding of rates at the distance w from a singular position, ε/w², in natural units: no error estimate resolves less.
+/// The rounding of rates at the distance w from a singular position, ε/w², in natural units: no
+/// error estimate resolves less.
 pub(crate) const ROUNDED: f64 = roundoff(2.0) / (NEAR * NEAR);
 /// w in units of R.
 const NEAR: f64 = 0.1;
 /// Parts of w at which one trial after another is made to find a branch that goes on smoothly.
 const TRIALS: [f64; 4] = [1.0, 0.5, 0.25, 0.1];
-/// σ beyond is at least this part of what it was before; a motion that slows down takes steps so much longer, so many times.
+/// σ beyond is at least this part of what it was before; a motion that slows down takes steps so
+/// much longer, so many times.
 const BEYOND: f64 = 0.5;
 const LONGER: f64 = 1.4;
 const MOST_LONGER: usize = 5;
-/// No step is longer than this part of R, twice that where no singular position is within R, nor than this part of the time to a
-/// singular position.
+/// No step is longer than this part of R, twice that where no singular position is within R, nor
+/// than this part of the time to a singular position.
 const LONGEST: f64 = 0.25;
 const APPROACH: f64 = 0.5;
 /// σ vanishes in no less than this part of σ R.
@@ -45,7 +50,8 @@ const FAR: f64 = 0.3;
 const PROBE: f64 = 1e-5;
 /// Below this fraction a failed step is blamed on the loop.
 const LOST: f64 = 1e-4;
-/// Where σ is below this the digits of a start determine the branch only if they satisfy the equations of second order.
+/// Where σ is below this the digits of a start determine the branch only if they satisfy the
+/// equations of second order.
 const UNDECIDED: f64 = 5e-4;
 /// The energy may change in a step by so many tolerances.
 const ENERGY: f64 = 1e4;
@@ -96,7 +102,8 @@ impl SingularityMonitor {
         self.tolerance
     }
 
-    /// Takes note of the start: what comes next, or the joints of a loop that starts in a singular position.
+    /// Takes note of the start: what comes next, or the joints of a loop that starts in a singular
+    /// position.
     pub(crate) fn begin(
         &mut self,
         context: &RunContext,
@@ -171,8 +178,8 @@ impl SingularityMonitor {
         self.forecast((t, next), place, left)
     }
 
-    /// Whether no singular position is within several steps, as a lower bound of σ, which vanishes where σ does, and the rate of
-    /// that bound tell.
+    /// Whether no singular position is within several steps, as a lower bound of σ, which vanishes
+    /// where σ does, and the rate of that bound tell.
     fn is_far(&mut self, context: &RunContext, state: &[f64], (bound, time, next): (f64, f64, f64)) -> bool {
         let ahead = |loops: &mut Self, ahead: &[f64]| {
             least_bound(&loops.scaled_jacobian(&context.system().equations(ahead)))
@@ -237,7 +244,8 @@ impl SingularityMonitor {
         1.0 / self.unit.iter().enumerate().map(speed).fold(f64::MIN_POSITIVE, f64::max)
     }
 
-    /// The closed rows of J in natural units, each in units of the longest that it has been: a row may vanish.
+    /// The closed rows of J in natural units, each in units of the longest that it has been: a row
+    /// may vanish.
     fn scaled_jacobian(&mut self, equations: &Equations<f64>) -> DMatrix<f64> {
         let n = self.unit.len();
         let mut jacobian =
@@ -292,7 +300,8 @@ impl SingularityMonitor {
         joints
     }
 
-    /// The motion from a state at `t` past a singular position; none where it does not go on smoothly.
+    /// The motion from a state at `t` past a singular position; none where it does not go on
+    /// smoothly.
     pub(crate) fn cross(
         &mut self,
         context: &RunContext,
@@ -316,8 +325,8 @@ impl SingularityMonitor {
         sigma >= BEYOND * from.sigma && (from.sigma >= UNDECIDED || self.opens(context, bridge))
     }
 
-    /// Whether σ rises in proportion to the time from a singular start: where it rises later, another branch leaves the position
-    /// in the same direction.
+    /// Whether σ rises in proportion to the time from a singular start: where it rises later,
+    /// another branch leaves the position in the same direction.
     fn opens(&mut self, context: &RunContext, bridge: &Bridge) -> bool {
         let [near, far] =
             [0.25, 1.0].map(|theta| self.measure(context, &bridge.state_at(context, theta)).sigma);

@@ -1,4 +1,5 @@
-//! Linkages that flatten: bars of one length, so that the motion along the smooth branch is that of one crank.
+//! Linkages that flatten: bars of one length, so that the motion along the smooth branch is that of
+//! one crank.
 
 use crate::RunCause;
 use crate::integration::method::MethodId;
@@ -71,7 +72,8 @@ fn crank(g: f64, l: f64, rate: f64, t: f64) -> Vec<f64> {
     run.start(Pose::new("theta'", rate)).unwrap().limit(t).run().unwrap().final_state()
 }
 
-/// Ten passes in ten seconds from a speed of 1 m/s at the top; the smooth branch is a crank in 7/9 of the gravity.
+/// Ten passes in ten seconds from a speed of 1 m/s at the top; the smooth branch is a crank in 7/9
+/// of the gravity.
 #[test]
 fn two_coupled_four_bars_keep_their_energy_through_every_pass() {
     for (l, m) in [(1.0, 1.0), (1e-6, 1e3)] {
@@ -101,8 +103,8 @@ fn a_parallelogram_flattens_and_goes_on_from_near_and_far() {
     }
 }
 
-/// With the pins a little farther apart than the coupler is long there is no singular position, but a sharp turn into the
-/// crossed branch; the motion is not continued straight on.
+/// With the pins a little farther apart than the coupler is long there is no singular position, but
+/// a sharp turn into the crossed branch; the motion is not continued straight on.
 #[test]
 fn a_near_miss_is_no_singular_position() {
     for delta in [1e-3, 1e-5, 1e-7] {
@@ -116,7 +118,8 @@ fn a_near_miss_is_no_singular_position() {
     }
 }
 
-/// At rest in a singular position the branch is not determined, nor by rates that satisfy none to second order.
+/// At rest in a singular position the branch is not determined, nor by rates that satisfy none to
+/// second order.
 #[test]
 fn a_start_without_a_branch_is_refused() {
     for rate in [0.0, -1.0] {
@@ -147,9 +150,11 @@ fn level(four: bool, theta: f64, rate: f64) -> Simulation {
     run.unwrap().start(pose).unwrap()
 }
 
-/// Speeds from 0.1 to 100, positions anywhere and near the singular ones, all methods, tolerances from 1e-4 to 1e-14. Near singular
-/// positions loops are integrated at 1e-10 at the loosest, before that as was asked: each of some hundred steps loses no more, relative to
-/// the kinetic energy or the weight. Where a slow motion begins so near a singular position that rounding hides its branch, the run says so.
+/// Speeds from 0.1 to 100, positions anywhere and near the singular ones, all methods, tolerances
+/// from 1e-4 to 1e-14. Near singular positions loops are integrated at 1e-10 at the loosest, before
+/// that as was asked: each of some hundred steps loses no more, relative to the kinetic energy or
+/// the weight. Where a slow motion begins so near a singular position that rounding hides its
+/// branch, the run says so.
 #[test]
 fn random_runs_keep_their_energy_or_say_why_not() {
     let (mut seed, mut refused, runs) = (1, 0, 100);
@@ -179,7 +184,8 @@ fn random_runs_keep_their_energy_or_say_why_not() {
     assert!(refused <= runs / 20, "{refused}");
 }
 
-/// In a singular position rates determine the branch that they satisfy to second order; here the level one.
+/// In a singular position rates determine the branch that they satisfy to second order; here the
+/// level one.
 #[test]
 fn a_start_in_a_singular_position_follows_its_rates() {
     for (four, theta) in [(false, 0.0), (true, 0.0), (false, core::f64::consts::PI)] {

@@ -1,5 +1,5 @@
-//! A polynomial in the Bernstein basis, p(x) = Σ bⱼ C(n, j) xʲ (1 − x)ⁿ⁻ʲ, whose coefficients bound it on 0 ≤ x ≤ 1
-//! (Farouki, *CAGD* 29 (2012) 379).
+//! A polynomial in the Bernstein basis, p(x) = Σ bⱼ C(n, j) xʲ (1 − x)ⁿ⁻ʲ, whose coefficients bound
+//! it on 0 ≤ x ≤ 1 (Farouki, *CAGD* 29 (2012) 379).
 
 use super::polynomial::{FINE, Polynomial};
 

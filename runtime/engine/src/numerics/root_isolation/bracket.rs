@@ -1,5 +1,5 @@
-//! A root between two points of opposite sign: inverse quadratic interpolation where it is safe, else
-//! bisection (Chandrupatla, *Adv. Eng. Softw.* 28 (1997) 145).
+//! A root between two points of opposite sign: inverse quadratic interpolation where it is safe,
+//! else bisection (Chandrupatla, *Adv. Eng. Softw.* 28 (1997) 145).
 
 use super::GuardError;
 
@@ -24,7 +24,8 @@ const MOST: usize = 200;
 /// The first place is that of the chord, and at least so much of the interval from its ends.
 const FIRST: f64 = 0.1;
 
-/// The root between `a` and `b`, to rounding: the nearest point found, and the one across the change of sign.
+/// The root between `a` and `b`, to rounding: the nearest point found, and the one across the
+/// change of sign.
 pub(super) fn root(f: &mut dyn FnMut(f64) -> f64, a: Point, b: Point) -> [Point; 2] {
     let (mut new, mut old, mut fraction) = (a, b, (a.value / (a.value - b.value)).clamp(FIRST, 1.0 - FIRST));
     for _ in 0..MOST {
@@ -68,8 +69,8 @@ mod tests {
         all.map(|[theta, value]| Point { theta, value })
     }
 
-    /// Of θ = 0.3 + 0.5 v + 0.1 v², quadratic in the values, the zero is at 0.3. At the borders 1 − √(1 − ξ) = φ and φ = √ξ of what
-    /// is safe it is the middle.
+    /// Of θ = 0.3 + 0.5 v + 0.1 v², quadratic in the values, the zero is at 0.3. At the borders 1 −
+    /// √(1 − ξ) = φ and φ = √ξ of what is safe it is the middle.
     #[test]
     fn the_next_point_is_the_zero_of_the_inverse_quadratic_where_that_is_safe() {
         let inverse = |v: f64| [0.3 + 0.5 * v + 0.1 * v * v, v];

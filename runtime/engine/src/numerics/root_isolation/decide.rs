@@ -1,13 +1,14 @@
-//! What a guard g ≥ 0 does over a step, with δ the bound of its error: below −δ it has crossed, at the
-//! last change from + to − before; an interior minimum within ±δ is a touch; above δ, nothing.
+//! What a guard g ≥ 0 does over a step, with δ the bound of its error: below −δ it has crossed, at
+//! the last change from + to − before; an interior minimum within ±δ is a touch; above δ, nothing.
 
 use super::partition::{Accuracy, Division};
 use super::series::PowerSeries;
 use super::sign_history::{Crossing, History};
 use super::{GuardError, RootStart};
 
-/// Follows the guard `g` from θ = 0 to the first event. It counts as clear only where a fit that has been compared with it
-/// between its nodes stays above the error bound by more than it may differ.
+/// Follows the guard `g` from θ = 0 to the first event. It counts as clear only where a fit that
+/// has been compared with it between its nodes stays above the error bound by more than it may
+/// differ.
 ///
 /// # Errors
 /// If `g` is infinite or not a number somewhere, or turns too often to be followed.
@@ -23,8 +24,8 @@ pub fn watch(
     Ok(guard.verdict(&mut g))
 }
 
-/// [`watch`] of the guard Σ cₖ θᵏ, exact for these coefficients; `delta` bounds the error of the series. Those after the first
-/// [`TERMS`](super::TERMS) do not count.
+/// [`watch`] of the guard Σ cₖ θᵏ, exact for these coefficients; `delta` bounds the error of the
+/// series. Those after the first [`TERMS`](super::TERMS) do not count.
 ///
 /// # Errors
 /// If a coefficient is infinite or not a number.

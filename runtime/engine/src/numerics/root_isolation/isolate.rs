@@ -10,9 +10,9 @@ use crate::numerics::zero::roundoff;
 /// Two turning points nearer than this differ in value by p‴/12 of its cube: nothing.
 const NARROWEST: f64 = 1.0 / (1 << 20) as f64;
 
-/// Visits the turning points within (0, 1) of a polynomial in ascending order, its derivative given by coefficients and by
-/// values, both up to `rounding`. Where turning points cannot be told apart it visits a point among them; the polynomial is monotone between
-/// neighbours, up to rounding.
+/// Visits the turning points within (0, 1) of a polynomial in ascending order, its derivative given
+/// by coefficients and by values, both up to `rounding`. Where turning points cannot be told apart
+/// it visits a point among them; the polynomial is monotone between neighbours, up to rounding.
 pub(super) fn turning_points(
     slope: Bernstein,
     rounding: f64,

@@ -34,9 +34,9 @@ impl Root {
     }
 }
 
-/// The first root of `g` in (0, 1]: a change of sign either way, or an extremum within its error bound of zero. A change of
-/// sign through a pole or a jump is no root. At θ = 0 there is a root only where the step [continues](Start::Continues) one
-/// that ended with the other sign.
+/// The first root of `g` in (0, 1]: a change of sign either way, or an extremum within its error
+/// bound of zero. A change of sign through a pole or a jump is no root. At θ = 0 there is a root
+/// only where the step [continues](Start::Continues) one that ended with the other sign.
 ///
 /// # Errors
 /// If `g` is infinite or not a number somewhere, or turns too often to be followed.
@@ -74,8 +74,9 @@ pub fn find_root(
     Ok(None)
 }
 
-/// Whether the values across a change of sign, `ends`, are within `rounding` or nearer to each other than those farther
-/// away, as they are where the function passes through zero, and not where it jumps over it or has a pole.
+/// Whether the values across a change of sign, `ends`, are within `rounding` or nearer to each
+/// other than those farther away, as they are where the function passes through zero, and not where
+/// it jumps over it or has a pole.
 fn is_continuous(g: &mut dyn FnMut(f64) -> f64, ends: [Point; 2], rounding: f64) -> bool {
     let jump = (ends[0].value - ends[1].value).abs();
     if ends[0].value == 0.0 || jump <= rounding {
@@ -112,9 +113,10 @@ pub fn find_root_series(c: &[f64], start: RootStart, delta: f64) -> Result<Optio
     }))
 }
 
-/// Visits every maximum and minimum of `g` in (0, 1] that stands out by more than `delta` ≥ 0 and by
-/// more than rounding, in ascending order. One so near the seam of two steps that it does not stand out from it is seen at
-/// the end of the step before, and may be seen again by the step after.
+/// Visits every maximum and minimum of `g` in (0, 1] that stands out by more than `delta` ≥ 0 and
+/// by more than rounding, in ascending order. One so near the seam of two steps that it does not
+/// stand out from it is seen at the end of the step before, and may be seen again by the step
+/// after.
 ///
 /// # Errors
 /// If `g` is infinite or not a number somewhere.

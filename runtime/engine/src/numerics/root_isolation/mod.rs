@@ -1,9 +1,10 @@
-//! Events of a scalar function over one step, θ from 0 to 1, none missed: a polynomial is fitted, its
-//! turning points isolated, and the function followed from one to the next, monotone in between.
+//! Events of a scalar function over one step, θ from 0 to 1, none missed: a polynomial is fitted,
+//! its turning points isolated, and the function followed from one to the next, monotone in
+//! between.
 //!
-//! The step is half open: an event at θ = 0 belongs to the step before or is known, one at θ = 1 counts.
-//! A minimum so near the seam of two steps that its depth is within the noise is seen by the step
-//! before, at θ = 1, and may be seen again by the step after.
+//! The step is half open: an event at θ = 0 belongs to the step before or is known, one at θ = 1
+//! counts. A minimum so near the seam of two steps that its depth is within the noise is seen by
+//! the step before, at θ = 1, and may be seen again by the step after.
 
 mod bernstein;
 mod bracket;
@@ -47,9 +48,9 @@ pub enum RootStart {
     Free,
     /// It is zero there, within the error bound, and that is no event.
     Root,
-    /// It is zero there, its first nonzero derivative is of this order, and that is no event. A series is divided by this power
-    /// of θ, so that every sign after the root counts; values of a function are too inaccurate for that and are treated as for
-    /// [`RootStart::Root`].
+    /// It is zero there, its first nonzero derivative is of this order, and that is no event. A
+    /// series is divided by this power of θ, so that every sign after the root counts; values of a
+    /// function are too inaccurate for that and are treated as for [`RootStart::Root`].
     Order(usize),
     /// The step continues one at whose end it had this sign, whatever rounding makes of it here.
     Continues {

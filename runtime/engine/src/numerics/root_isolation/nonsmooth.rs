@@ -1,5 +1,6 @@
-//! Where no polynomial fits, as at a kink: samples, and between them the function's nearest approaches to zero, or dips below it, by
-//! golden section (Brent, *Algorithms for Minimization without Derivatives*, 1973, ch. 5).
+//! Where no polynomial fits, as at a kink: samples, and between them the function's nearest
+//! approaches to zero, or dips below it, by golden section (Brent, *Algorithms for Minimization
+//! without Derivatives*, 1973, ch. 5).
 
 use super::GuardError;
 use super::bracket::Point;
@@ -14,7 +15,8 @@ const DIVISIONS: usize = 72;
 /// (√5 − 1)/2.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
-/// Visits the samples, both ends among them, and the nearest approaches to zero, in ascending order.
+/// Visits the samples, both ends among them, and the nearest approaches to zero, in ascending
+/// order.
 pub(super) fn approaches(sample: &mut PieceFunction, visit: &mut dyn FnMut(Point)) -> Result<(), GuardError> {
     let mut sizes = [f64::INFINITY; FINE + 3];
     let mut points = [Point { theta: 0.0, value: 0.0 }; FINE + 1];

@@ -8,7 +8,8 @@ use super::nonsmooth::{PieceFunction, approaches};
 use super::polynomial::{CHECK, COARSE, Polynomial, node};
 use crate::numerics::zero::roundoff;
 
-/// Where a function is sampled first: θⱼ = (1 − cos πj/8)/2, and where the fit of these values is compared with it.
+/// Where a function is sampled first: θⱼ = (1 − cos πj/8)/2, and where the fit of these values is
+/// compared with it.
 pub const NODES: [f64; COARSE + 2] = {
     let mut nodes = [CHECK; COARSE + 2];
     let mut j = 0;
@@ -24,8 +25,8 @@ pub const NODES: [f64; COARSE + 2] = {
 pub struct Accuracy {
     /// Its error bound, at least zero.
     pub delta: f64,
-    /// Whether what no fit resolves is followed through its samples, however often it turns; otherwise only a few poles and
-    /// kinks are.
+    /// Whether what no fit resolves is followed through its samples, however often it turns;
+    /// otherwise only a few poles and kinks are.
     pub is_noisy: bool,
 }
 
@@ -38,7 +39,8 @@ impl From<f64> for Accuracy {
 /// A function that no fit resolves is divided at most so many times.
 const DEEPEST: u32 = 5;
 
-/// With more unresolved pieces than this a function is taken to oscillate too fast, not to have kinks or poles.
+/// With more unresolved pieces than this a function is taken to oscillate too fast, not to have
+/// kinks or poles.
 const ROUGH: usize = 8;
 
 /// A point of the division.
@@ -47,7 +49,8 @@ pub(super) struct Node {
     pub(super) point: Point,
     /// Differences below this are those of the fit.
     pub(super) noise: f64,
-    /// At the end of the step, how much the value differs from that of the extremum there or beyond; else infinite.
+    /// At the end of the step, how much the value differs from that of the extremum there or
+    /// beyond; else infinite.
     pub(super) beyond: f64,
     /// Whether a polynomial fits the function since the point before.
     pub(super) smooth: bool,

@@ -1,7 +1,7 @@
-//! Chebyshev interpolation at the nested points θⱼ = (1 − cos πj/n)/2, n = 8, 16, 32
-//! (Trefethen, *Approximation Theory and Approximation Practice*, ch. 3 and 8): the degree rises until
-//! the coefficients end below the tolerance, or level off in the noise of g. What has been fitted is compared with g between
-//! the nodes.
+//! Chebyshev interpolation at the nested points θⱼ = (1 − cos πj/n)/2, n = 8, 16, 32 (Trefethen,
+//! *Approximation Theory and Approximation Practice*, ch. 3 and 8): the degree rises until the
+//! coefficients end below the tolerance, or level off in the noise of g. What has been fitted is
+//! compared with g between the nodes.
 
 use super::GuardError;
 use super::bracket::sample;
@@ -39,11 +39,12 @@ const NOISE: f64 = 1e-9;
 /// What the coefficients left out of an unfinished fit may sum to, in units of the last.
 const UNRESOLVED: f64 = 10.0;
 
-/// The largest part that the coefficients of a quarter may be of those before: 0.32 per degree in the lowest fit, 0.75 in the
-/// highest, behind which the rest sums to 3 times the last.
+/// The largest part that the coefficients of a quarter may be of those before: 0.32 per degree in
+/// the lowest fit, 0.75 in the highest, behind which the rest sums to 3 times the last.
 const SHRINKS: f64 = 0.1;
 
-/// Places between the nodes where a fit is compared with g; those of the lower degrees are nodes of the next.
+/// Places between the nodes where a fit is compared with g; those of the lower degrees are nodes of
+/// the next.
 const CHECKS: [(usize, [f64; 2]); 3] = [
     (COARSE, [node(11, 2 * COARSE); 2]),
     (2 * COARSE, [node(5, FINE), node(21, FINE)]),
@@ -55,8 +56,9 @@ pub(super) const CHECK: f64 = CHECKS[0].1[0];
 /// A fit may differ from g there by so many times its error.
 const CHECKED: f64 = 4.0;
 
-/// Noise leaves coefficients of its own size behind: all of the last half of them are less than its height by this factor with a
-/// probability of 1e-7 in the fit of degree 16, of 1e-11 in that of degree 32.
+/// Noise leaves coefficients of its own size behind: all of the last half of them are less than its
+/// height by this factor with a probability of 1e-7 in the fit of degree 16, of 1e-11 in that of
+/// degree 32.
 const HIDDEN: f64 = 16.0;
 
 /// Σ cₖ Tₖ(2x − 1) on 0 ≤ x ≤ 1.
@@ -69,8 +71,8 @@ pub(super) struct Polynomial {
     pub(super) ends: [f64; 2],
     /// Whether the error is down to what was asked or to the noise of g.
     pub(super) resolved: bool,
-    /// What g may differ by from the polynomial where that is to prove that g has no root: infinite where the coefficients do
-    /// not shrink.
+    /// What g may differ by from the polynomial where that is to prove that g has no root: infinite
+    /// where the coefficients do not shrink.
     pub(super) margin: f64,
     /// The same if what does not shrink is the noise of g.
     pub(super) scatter: f64,
@@ -99,7 +101,8 @@ pub(super) const fn node(j: usize, n: usize) -> f64 {
 }
 
 impl Polynomial {
-    /// Fits g, known to within `delta`, on `[start, end]` to a hundredth of that, or until it is good enough.
+    /// Fits g, known to within `delta`, on `[start, end]` to a hundredth of that, or until it is
+    /// good enough.
     pub(super) fn fit(
         g: &mut dyn FnMut(f64) -> f64,
         [start, end]: [f64; 2],
@@ -234,8 +237,8 @@ impl Polynomial {
     }
 }
 
-/// The matrix of cₖ = (2/n) Σ″ⱼ gⱼ Tₖ(−cos πj/n), the double prime and c₀, cₙ halving the ends: a row for each j. `R` = n + 1
-/// rows, rounded up in `C` so that they are whole vectors.
+/// The matrix of cₖ = (2/n) Σ″ⱼ gⱼ Tₖ(−cos πj/n), the double prime and c₀, cₙ halving the ends: a
+/// row for each j. `R` = n + 1 rows, rounded up in `C` so that they are whole vectors.
 const fn matrix<const R: usize, const C: usize>() -> [[f64; C]; R] {
     let n = R - 1;
     let mut rows = [[0.0; C]; R];
@@ -265,7 +268,8 @@ fn coefficients(values: &[f64; FINE + 1], n: usize) -> [f64; FINE + 1] {
     }
 }
 
-/// The last four of Chebyshev's coefficients of a function with these values at [`NODES`](super::NODES).
+/// The last four of Chebyshev's coefficients of a function with these values at
+/// [`NODES`](super::NODES).
 pub fn last_coefficients(values: &[f64]) -> [f64; 4] {
     core::array::from_fn(|k| values.iter().zip(&LOW).map(|(value, row)| value * row[COARSE - 3 + k]).sum())
 }
@@ -298,8 +302,8 @@ fn tail(c: &[f64]) -> f64 {
     c[n].abs().max(c[n - 1].abs() * rate)
 }
 
-/// Whether the coefficients shrink from quarter to quarter as those of a smooth function do, at a rate at which the ones left
-/// out are less than [`UNRESOLVED`] times the last.
+/// Whether the coefficients shrink from quarter to quarter as those of a smooth function do, at a
+/// rate at which the ones left out are less than [`UNRESOLVED`] times the last.
 fn shrink(c: &[f64]) -> bool {
     let quarter = |k: usize| largest(&c[k * (c.len() - 1) / 4 + 1..=(k + 1) * (c.len() - 1) / 4]);
     let [first, second, third, fourth] = [0, 1, 2, 3].map(quarter);

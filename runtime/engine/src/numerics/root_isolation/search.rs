@@ -78,8 +78,8 @@ impl RootSearch {
         }
     }
 
-    /// A root at the end or nearer to it than the function is known. Half of δ is the most that the step after this one
-    /// takes for noise.
+    /// A root at the end or nearer to it than the function is known. Half of δ is the most that the
+    /// step after this one takes for noise.
     fn end(&self, Node { point, noise, beyond, .. }: Node) -> Option<SearchResult> {
         let zero = self.side.is_some() && point.value.abs() <= noise.min(self.delta);
         let last = || self.zigzag.finish().filter(|_| beyond <= noise.max(0.5 * self.delta));

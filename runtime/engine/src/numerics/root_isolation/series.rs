@@ -1,6 +1,6 @@
-//! A guard's own series g(θ) = Σ cₖ θᵏ. Of known order m at the start, θᵐ is divided out: the sign of g is that of
-//! Σ cₘ₊ₖ θᵏ then. Values by compensated Horner (Graillat, Langlois, Louvet, *Compensated Horner scheme*, 2005, alg. 8):
-//! as if in twice the precision, rounded.
+//! A guard's own series g(θ) = Σ cₖ θᵏ. Of known order m at the start, θᵐ is divided out: the sign
+//! of g is that of Σ cₘ₊ₖ θᵏ then. Values by compensated Horner (Graillat, Langlois, Louvet,
+//! *Compensated Horner scheme*, 2005, alg. 8): as if in twice the precision, rounded.
 
 use super::bernstein::Bernstein;
 use super::bracket::Point;
@@ -40,7 +40,8 @@ impl<'a> PowerSeries<'a> {
         if self.order > 0 { 0.0 } else { delta }
     }
 
-    /// Whether bounds of the divided series are as wanted, the cheap ones first; none are where its ends are not.
+    /// Whether bounds of the divided series are as wanted, the cheap ones first; none are where its
+    /// ends are not.
     pub(super) fn is_within(&self, wanted: impl Fn([f64; 2]) -> bool) -> bool {
         let is_possible = |value: f64| wanted([value; 2]);
         self.terms.first().is_none_or(|first| is_possible(*first))
@@ -49,18 +50,20 @@ impl<'a> PowerSeries<'a> {
                     && (wanted(self.partial_sums()) || wanted(self.range())))
     }
 
-    /// Bounds of the divided series, the one farther from zero left out: for a₀ > 0, it is at least a₀ + Σ min(aₖ, 0).
+    /// Bounds of the divided series, the one farther from zero left out: for a₀ > 0, it is at least
+    /// a₀ + Σ min(aₖ, 0).
     pub(super) fn reach(&self) -> [f64; 2] {
         let [first, rest @ ..] = self.terms else { return [0.0; 2] };
         let side = first.signum();
         let fall = 0.5 * summed(rest, |a| a.abs() - side * a);
-        // Where the bound is of use the falls are less than a₀, and their rounding than SUMMED · a₀; an infinite a₀ has none.
+        // Where the bound is of use the falls are less than a₀, and their rounding than SUMMED ·
+        // a₀; an infinite a₀ has none.
         let least = first.abs() - (fall + SUMMED * first.abs());
         if side.is_sign_positive() { [least, f64::INFINITY] } else { [f64::NEG_INFINITY, -least] }
     }
 
-    /// Bounds of the divided series by its partial sums, of which it is a mean: Σ aₖ θᵏ = Σ Sₖ (θᵏ − θᵏ⁺¹) + Sₙ θⁿ
-    /// (Abel's summation).
+    /// Bounds of the divided series by its partial sums, of which it is a mean: Σ aₖ θᵏ = Σ Sₖ (θᵏ
+    /// − θᵏ⁺¹) + Sₙ θⁿ (Abel's summation).
     pub(super) fn partial_sums(&self) -> [f64; 2] {
         let (mut sum, mut size) = (0.0, 0.0);
         let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY];
@@ -164,15 +167,16 @@ impl Slope {
     }
 }
 
-/// Whether Σ cₖ θᵏ stays above `delta` on 0 ≤ θ ≤ 1, and above its rounding, by the sum of what lets it fall,
-/// Σ max(−cₖ, 0) = ½ Σ (|cₖ| − cₖ): the cheapest proof, which nearly all steps have.
+/// Whether Σ cₖ θᵏ stays above `delta` on 0 ≤ θ ≤ 1, and above its rounding, by the sum of what
+/// lets it fall, Σ max(−cₖ, 0) = ½ Σ (|cₖ| − cₖ): the cheapest proof, which nearly all steps have.
 pub fn stays_above(c: &[f64], delta: f64) -> bool {
     let [first, rest @ ..] = &c[..c.len().min(TERMS)] else { return false };
     let least = first - (0.5 * summed(rest, |c| c.abs() - c) + SUMMED * first);
     least > delta && least > SUMMED * (first + sizes(rest))
 }
 
-/// Whether it stays above `delta` by any bound of the series, the expensive ones only where the cheap ones do not prove it.
+/// Whether it stays above `delta` by any bound of the series, the expensive ones only where the
+/// cheap ones do not prove it.
 pub fn is_above(c: &[f64], delta: f64) -> bool {
     PowerSeries::new(c, RootStart::Free).is_within(|[low, _]| low > delta)
 }
@@ -195,9 +199,9 @@ pub fn without_zeros(c: &[f64]) -> &[f64] {
     &c[..c.iter().rposition(|c| *c != 0.0).map_or(0, |last| last + 1)]
 }
 
-/// What the terms after the last of Σ cₖ θᵏ may sum to on 0 ≤ θ ≤ 1: a geometric series from the last two, at the rate at
-/// which they are less than the two before (every other one vanishes where g is even or odd). Infinite where they do not
-/// shrink: the step is too long for the series.
+/// What the terms after the last of Σ cₖ θᵏ may sum to on 0 ≤ θ ≤ 1: a geometric series from the
+/// last two, at the rate at which they are less than the two before (every other one vanishes where
+/// g is even or odd). Infinite where they do not shrink: the step is too long for the series.
 pub fn tail(c: &[f64]) -> f64 {
     let largest = |c: &[f64]| c.iter().fold(0.0, |most: f64, c| most.max(c.abs()));
     let [rest @ .., a, b, y, z] = c else { return f64::INFINITY };
@@ -212,8 +216,8 @@ pub fn tail(c: &[f64]) -> f64 {
     if ratio < 1.0 { 2.0 * last * ratio / (1.0 - ratio) } else { f64::INFINITY }
 }
 
-/// The coefficients of what is left of Σ cₖ θᵏ behind `from`, stretched to 0 ≤ s ≤ 1, θ = `from` + (1 − `from`) s
-/// (Taylor shift by repeated synthetic division).
+/// The coefficients of what is left of Σ cₖ θᵏ behind `from`, stretched to 0 ≤ s ≤ 1, θ = `from` +
+/// (1 − `from`) s (Taylor shift by repeated synthetic division).
 pub fn rest(c: &[f64], from: f64) -> [f64; TERMS] {
     let c = without_zeros(&c[..c.len().min(TERMS)]);
     let n = c.len();

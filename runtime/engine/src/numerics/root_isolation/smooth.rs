@@ -1,5 +1,5 @@
-//! A smooth function over a step with bounds of its values and slopes over any piece: those in the middle, and what the
-//! greatest slope and curvature allow to either side.
+//! A smooth function over a step with bounds of its values and slopes over any piece: those in the
+//! middle, and what the greatest slope and curvature allow to either side.
 
 use super::GuardError;
 use super::polynomial::Polynomial;

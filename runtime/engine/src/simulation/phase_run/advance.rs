@@ -19,16 +19,19 @@ use crate::system::{DenseOutput, PhaseStepper};
 use crate::trajectory::{LogEntry, LoggedDecision};
 use smallvec::smallvec;
 
-/// After each such number of consecutive steps below [`TINY`] natural times a phase is checked for a singularity.
+/// After each such number of consecutive steps below [`TINY`] natural times a phase is checked for
+/// a singularity.
 const STEPS: usize = 64;
 const TINY: f64 = 1e-9;
 /// After so many of them in a row the run stops: the step size is at its floor.
 const MOST_STEPS: usize = 64 * STEPS;
 
-/// After so many steps in a row that were rejected for an unresolved guard, each [`SHORTER`], it is taken for noise.
+/// After so many steps in a row that were rejected for an unresolved guard, each [`SHORTER`], it is
+/// taken for noise.
 const MOST_UNRESOLVED: u32 = 4;
 
-/// After so many steps in a row that have not seen a load, each [`SHORTER`], what is left of it is not proved to be small.
+/// After so many steps in a row that have not seen a load, each [`SHORTER`], what is left of it is
+/// not proved to be small.
 const MOST_UNSEEN: u32 = 8;
 
 /// So much of the natural time, or of the time.
@@ -163,7 +166,8 @@ impl<'a> PhaseRun<'a> {
         found
     }
 
-    /// The guards of the first event of the last step, if there is one, by series where these are known.
+    /// The guards of the first event of the last step, if there is one, by series where these are
+    /// known.
     fn look(
         &mut self,
         recording: &mut Recording,
@@ -211,13 +215,14 @@ impl<'a> PhaseRun<'a> {
         self.progress.work.note(&self.context.system().energy(&self.state));
     }
 
-    /// The error that says so if the accelerations are nearly undetermined at this state, before which the steps shrink.
+    /// The error that says so if the accelerations are nearly undetermined at this state, before
+    /// which the steps shrink.
     fn singular(&self, end: &[f64]) -> Option<ContactError> {
         refuse_singular(&self.context.model, &self.embedded(end), self.phase.info().set).err()
     }
 
-    /// Counts a step over which a guard was not resolved. If steps so much shorter do not resolve it either, it is taken for
-    /// noise from now on.
+    /// Counts a step over which a guard was not resolved. If steps so much shorter do not resolve
+    /// it either, it is taken for noise from now on.
     fn note_unresolved(&mut self, error: StepError) {
         let StepError::Unresolved { t } = error else { return };
         self.progress.unresolved += 1;
@@ -282,8 +287,8 @@ impl<'a> PhaseRun<'a> {
         }
     }
 
-    /// Rejects the last step, over which a guard was not resolved, in favour of a shorter one, or ends the phase at the border of
-    /// Painlevé's region.
+    /// Rejects the last step, over which a guard was not resolved, in favour of a shorter one, or
+    /// ends the phase at the border of Painlevé's region.
     fn shorten(
         &mut self,
         error: StepError,
@@ -308,9 +313,9 @@ impl<'a> PhaseRun<'a> {
         Err(error)
     }
 
-    /// Rejects the last step in favour of a shorter one; false if it was as short as possible. A guard that is not finite
-    /// within a step may have its event before that; one that turns too often to be followed turns less often in a part of the
-    /// step.
+    /// Rejects the last step in favour of a shorter one; false if it was as short as possible. A
+    /// guard that is not finite within a step may have its event before that; one that turns too
+    /// often to be followed turns less often in a part of the step.
     fn step_back(&self, recording: &mut Recording, stepper: &mut dyn PhaseStepper) -> bool {
         let Some(step) = recording.last() else { return false };
         let (t0, y0, h) = (step.t0, step.start(), SHORTER * step.h);
@@ -322,8 +327,8 @@ impl<'a> PhaseRun<'a> {
         true
     }
 
-    /// Whether the closed form is not to be trusted within a step, though it was at its start: what the guards have there is the
-    /// error of the state by the third power of the pivot.
+    /// Whether the closed form is not to be trusted within a step, though it was at its start: what
+    /// the guards have there is the error of the state by the third power of the pivot.
     fn is_nearly_singular(&self, dense: &DenseOutput, theta: f64) -> bool {
         if !eliminates(&*self.phase) {
             return false;

@@ -28,13 +28,15 @@ use crate::trajectory::{LogEntry, LoggedDecision, RecordedPhase, Work};
 use record::Recording;
 use smallvec::smallvec;
 
-/// Ratio of the absolute tolerance, in natural units and not below rounding, to the relative one: a motion that starts from φ =
-/// 1e-4 keeps its relative accuracy, and a coordinate that is zero by symmetry does not shrink the steps.
+/// Ratio of the absolute tolerance, in natural units and not below rounding, to the relative one: a
+/// motion that starts from φ = 1e-4 keeps its relative accuracy, and a coordinate that is zero by
+/// symmetry does not shrink the steps.
 const FINENESS: f64 = 1e-4;
 
-/// The longest step while guards are watched, in natural times: over a longer one a short flight at its start would be lost in
-/// the rounding of the values at its end. A phase that has lasted longer may make steps as long as it has lasted; one that begins
-/// with a flight, as long as that will be by its height and the natural acceleration, and a little more, so that it lands.
+/// The longest step while guards are watched, in natural times: over a longer one a short flight at
+/// its start would be lost in the rounding of the values at its end. A phase that has lasted longer
+/// may make steps as long as it has lasted; one that begins with a flight, as long as that will be
+/// by its height and the natural acceleration, and a little more, so that it lands.
 const LONGEST: f64 = 1.0;
 const LANDED: f64 = 1.0625;
 
@@ -137,7 +139,8 @@ pub(crate) struct Progress {
     work: Work,
     /// Whether nobody looks into the steps, so that only their ends are needed.
     is_unseen: bool,
-    /// Whether the phase ends within the step across a singular position, where nothing can be projected.
+    /// Whether the phase ends within the step across a singular position, where nothing can be
+    /// projected.
     bridged: bool,
     /// Room for a reduced state.
     reduced: Numbers,
@@ -170,7 +173,8 @@ impl PhaseRun<'_> {
         self.finish((end, counts), recording, loops, touches)
     }
 
-    /// Integrates from where the recording ends, until the end or until a singular position asks for a finer tolerance.
+    /// Integrates from where the recording ends, until the end or until a singular position asks
+    /// for a finer tolerance.
     fn integrate(
         &mut self,
         method: &dyn Method,

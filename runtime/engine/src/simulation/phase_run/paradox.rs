@@ -1,10 +1,12 @@
-//! The border of Painlevé's region: where the normal reaction of a contact that slides stops to hold it,
+//! The border of Painlevé's region: where the normal reaction of a contact that slides stops to
+//! hold it,
 //!
 //! ```text
 //! p = (W_NN − σ μ W_Nt) / W_NN → 0,    N = N⁰ / p → ∞
 //! ```
 //!
-//! Accelerations grow beyond all bounds towards it, so that steps shrink and guards turn ever faster. A phase ends there.
+//! Accelerations grow beyond all bounds towards it, so that steps shrink and guards turn ever
+//! faster. A phase ends there.
 
 use crate::numerics::zero::RANK;
 use crate::system::PhaseStepper;
@@ -12,8 +14,8 @@ use crate::system::PhaseStepper;
 use super::PhaseRun;
 use super::record::Recording;
 
-/// A phase whose steps cannot be made any shorter has ended at the border where p is less than this. There p may vanish as
-/// the root of the time that is left.
+/// A phase whose steps cannot be made any shorter has ended at the border where p is less than
+/// this. There p may vanish as the root of the time that is left.
 const STUCK: f64 = 1e-4;
 
 /// Where a step lies that failed.
@@ -38,7 +40,8 @@ impl PhaseRun<'_> {
         }
     }
 
-    /// Whether no shorter step from a reduced state is possible because the phase has come to the border.
+    /// Whether no shorter step from a reduced state is possible because the phase has come to the
+    /// border.
     pub(super) fn is_at_border(&self, state: &[f64]) -> bool {
         self.hold(state).is_some_and(|p| p.abs() < STUCK)
     }

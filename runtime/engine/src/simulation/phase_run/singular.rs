@@ -15,7 +15,8 @@ const BEYOND: f64 = 0.1;
 const UNDETERMINED: f64 = 0.1;
 
 impl PhaseRun<'_> {
-    /// Looks out for singular positions where a loop starts, or where it goes on with a finer tolerance.
+    /// Looks out for singular positions where a loop starts, or where it goes on with a finer
+    /// tolerance.
     pub(super) fn begin_loop(
         &mut self,
         recording: &mut Recording,
@@ -55,7 +56,8 @@ impl PhaseRun<'_> {
         self.follow(recording, stepper, (loops, forecast), touches)
     }
 
-    /// Takes the tolerance that a singular position which is near asks for; whether that is another one.
+    /// Takes the tolerance that a singular position which is near asks for; whether that is another
+    /// one.
     fn refine(&mut self, loops: &SingularityMonitor) -> bool {
         let finer = self.tolerance.min(loops.tolerance());
         let before = core::mem::replace(&mut self.tolerance, finer);

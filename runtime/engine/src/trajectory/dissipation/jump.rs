@@ -5,8 +5,9 @@ use crate::expression::Variable;
 use crate::integration::phase_point::PhasePoint;
 use crate::trajectory::RecordedPhase;
 
-/// What the energy falls by from the end of a phase to the start of the next, and what was done on the model in between. Not a number
-/// where impulses of drives that hold throughout, or of rough surfaces that move, did work: events do not have them.
+/// What the energy falls by from the end of a phase to the start of the next, and what was done on
+/// the model in between. Not a number where impulses of drives that hold throughout, or of rough
+/// surfaces that move, did work: events do not have them.
 pub(super) fn loss(record: &Trajectory, [before, after]: [&RecordedPhase; 2]) -> f64 {
     let span = [before.t1, after.t0];
     let [from, to] = [before.interpolate(before.t1), after.interpolate(after.t0)];
@@ -38,7 +39,8 @@ fn rate(record: &Trajectory, at: &PhasePoint, index: usize, axis: usize) -> f64 
     Variable::Point { index, axis, order: 1 }.value(&record.context, at)
 }
 
-/// The work of moving surfaces and of drives that take hold, whose velocity is −∂g/∂t of the slip or of the gap.
+/// The work of moving surfaces and of drives that take hold, whose velocity is −∂g/∂t of the slip
+/// or of the gap.
 fn carried(record: &Trajectory, at: &PhasePoint, is_impact: impl Fn(f64) -> bool) -> f64 {
     let layout = record.layout();
     let equations = record.context.system().equations(at.state());

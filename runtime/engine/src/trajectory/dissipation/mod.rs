@@ -4,9 +4,10 @@
 //! D = ∫ (Σ −R v + Σ c ḋ²) dt + Σ (T⁻ − T⁺ + W)
 //! ```
 //!
-//! with W the work of applied impulses and moving surfaces at an impact, so that T + V + D changes by the work of loads, drives and
-//! moving surfaces alone. The integral is taken over each recorded step by Gauss's rule of eight points, halved until what it
-//! leaves out is below 1e-12 of the energy; beside that it has the error of the motion.
+//! with W the work of applied impulses and moving surfaces at an impact, so that T + V + D changes
+//! by the work of loads, drives and moving surfaces alone. The integral is taken over each recorded
+//! step by Gauss's rule of eight points, halved until what it leaves out is below 1e-12 of the
+//! energy; beside that it has the error of the motion.
 
 mod jump;
 mod power;

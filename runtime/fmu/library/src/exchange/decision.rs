@@ -61,8 +61,9 @@ fn decision(run: &Trajectory, t: f64) -> Option<Decision> {
 }
 
 impl Decision {
-    /// The same at rest on its contacts, where impacts that follow one another ever faster come to their end within √tolerance of the
-    /// natural time: they fly no higher than the tolerance, in natural lengths.
+    /// The same at rest on its contacts, where impacts that follow one another ever faster come to
+    /// their end within √tolerance of the natural time: they fly no higher than the tolerance, in
+    /// natural lengths.
     ///
     /// # Errors
     /// Nothing follows that rest.

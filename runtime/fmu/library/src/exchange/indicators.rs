@@ -1,13 +1,14 @@
-//! The values of the event indicators, each raised by a band: what has just become zero does not cross it once more by the error of
-//! a step,
+//! The values of the event indicators, each raised by a band: what has just become zero does not
+//! cross it once more by the error of a step,
 //!
 //! ```text
 //! z + ε u (1 + K exp(−(t − t₀)/τ)),    τ = ∛(K ε) T
 //! ```
 //!
-//! with the importer's tolerance ε, the natural unit u of z and the natural time T. The second term is there for contacts that have
-//! opened, or begun to slide, at t₀ without being struck: z then grows with the third power of the time, more slowly at first than the
-//! errors of some steps add up; u (t/T)³ is as large as K ε u, that of K steps, at τ.
+//! with the importer's tolerance ε, the natural unit u of z and the natural time T. The second term
+//! is there for contacts that have opened, or begun to slide, at t₀ without being struck: z then
+//! grows with the third power of the time, more slowly at first than the errors of some steps add
+//! up; u (t/T)³ is as large as K ε u, that of K steps, at τ.
 
 use crate::place::Instant;
 use liftoff::{Output, Simulation};

@@ -1,10 +1,13 @@
-//! The state at an event from that at which an importer has located it: what is to be zero there is zero.
+//! The state at an event from that at which an importer has located it: what is to be zero there is
+//! zero.
 //!
-//! Contacts that close: the state is taken back along the motion, q + v τ + a τ²/2 and v + a τ, to where the gap that is deepest was
-//! zero, so that no energy comes from the way below; then to the nearest position with g = 0 in the mass metric, with the rates that
-//! contacts are struck with. Contacts that cease to slide: the nearest rates without slip, if they are near: where a linkage passes a
-//! dead point a slip changes its sign while others go on, and nothing comes to rest. A corner that has come to the end of its bar is
-//! lifted off it, by less than can be seen and more than counts as closed.
+//! Contacts that close: the state is taken back along the motion, q + v τ + a τ²/2 and v + a τ, to
+//! where the gap that is deepest was zero, so that no energy comes from the way below; then to the
+//! nearest position with g = 0 in the mass metric, with the rates that contacts are struck with.
+//! Contacts that cease to slide: the nearest rates without slip, if they are near: where a linkage
+//! passes a dead point a slip changes its sign while others go on, and nothing comes to rest. A
+//! corner that has come to the end of its bar is lifted off it, by less than can be seen and more
+//! than counts as closed.
 
 use super::indicators::{STEPS, ends};
 use super::projected;
@@ -17,8 +20,8 @@ use liftoff_fmu::Guard;
 const LIFT: f64 = 1e-9;
 const CORRECTIONS: usize = 3;
 
-/// Rates without slip are near if they are changed by no more than so many bands of an indicator: other rates may be changed more than
-/// the slip that was in the band.
+/// Rates without slip are near if they are changed by no more than so many bands of an indicator:
+/// other rates may be changed more than the slip that was in the band.
 const NEAR: f64 = 100.0;
 
 /// The state at an event at which these indicators have crossed zero.
@@ -58,7 +61,8 @@ fn apart(simulation: &Simulation, a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).enumerate().fold(0.0, |most, (i, (a, b))| f64::max(most, (a - b).abs() / unit(i)))
 }
 
-/// The open contacts that are penetrated: by less than their bands, or by as much as they crossed zero together with others.
+/// The open contacts that are penetrated: by less than their bands, or by as much as they crossed
+/// zero together with others.
 fn below(simulation: &Simulation, place: &Instant) -> ContactSet {
     let (layout, ends) = (simulation.layout(), ends(simulation, place));
     let mut gaps = vec![0.0; layout.contacts.len()];
@@ -87,8 +91,8 @@ fn taken_back(simulation: &Simulation, place: &Instant, closing: ContactSet) -> 
     (0..2 * n).map(moved).collect()
 }
 
-/// The last τ < 0 at which g + ġ τ + g̈ τ²/2 was zero, of a gap that is below zero and falls; where it never was, by the error of the
-/// state, that at which it was greatest.
+/// The last τ < 0 at which g + ġ τ + g̈ τ²/2 was zero, of a gap that is below zero and falls; where
+/// it never was, by the error of the state, that at which it was greatest.
 fn last_zero(gap: f64, rate: f64, acceleration: f64) -> Option<f64> {
     let square = rate.mul_add(rate, -2.0 * gap * acceleration);
     let zero = || if square >= 0.0 { -2.0 * gap / (rate - square.sqrt()) } else { -rate / acceleration };

@@ -1,9 +1,11 @@
-//! Model exchange: the importer integrates coordinates and rates, and the unit gives their derivatives in the phase at hand, the
-//! event indicators of this phase, and at an event the phase that follows.
+//! Model exchange: the importer integrates coordinates and rates, and the unit gives their
+//! derivatives in the phase at hand, the event indicators of this phase, and at an event the phase
+//! that follows.
 //!
-//! The states are those of the free system, so that there are as many in every phase. What is read of them is a state of the phase:
-//! x̂ = embed(restrict(x)) where it has a closed form, x projected on the closed contacts and joints elsewhere; ẋ = f(x̂). The
-//! importer's error in what the phase does not keep, or off its constraints, thus never feeds back.
+//! The states are those of the free system, so that there are as many in every phase. What is read
+//! of them is a state of the phase: x̂ = embed(restrict(x)) where it has a closed form, x projected
+//! on the closed contacts and joints elsewhere; ẋ = f(x̂). The importer's error in what the phase
+//! does not keep, or off its constraints, thus never feeds back.
 
 mod decision;
 mod indicators;

@@ -1,5 +1,6 @@
-//! What no unit of liftoff has: variables of other types, clocks, configuration, states to go back to, derivatives of outputs and
-//! along directions. The description says so. C passes arguments so that a function may take the first of them alone.
+//! What no unit of liftoff has: variables of other types, clocks, configuration, states to go back
+//! to, derivatives of outputs and along directions. The description says so. C passes arguments so
+//! that a function may take the first of them alone.
 
 use super::{Handle, call};
 use crate::logger::{Callback, Logger};

@@ -1,12 +1,13 @@
-//! The functions of FMI 3.0, by the names and with the arguments of its headers. None lets a panic pass.
+//! The functions of FMI 3.0, by the names and with the arguments of its headers. None lets a panic
+//! pass.
 //!
-//! - `lifecycle`: instances, their modes and the events of both kinds; `variables`: values; `exchange`, `co_simulation`: of one kind
-//!   each; `absent`: what no unit of liftoff has.
+//! - `lifecycle`: instances, their modes and the events of both kinds; `variables`: values;
+//!   `exchange`, `co_simulation`: of one kind each; `absent`: what no unit of liftoff has.
 //!
 //! # Safety
 //!
-//! Of all functions: an instance is null or one that an instantiating function has returned and that has not been freed; calls for
-//! one instance do not overlap; other pointers are as in `c`.
+//! Of all functions: an instance is null or one that an instantiating function has returned and
+//! that has not been freed; calls for one instance do not overlap; other pointers are as in `c`.
 
 #![allow(unsafe_code, reason = "C finds functions by their names and gives them pointers")]
 #![allow(non_snake_case, reason = "names of FMI")]

@@ -3,7 +3,8 @@
 use super::{Begun, Instance, Kind, Stage};
 use crate::motion::{Arrival, Motion};
 
-/// Times that differ by this part of themselves and of a step are one: importers add up their steps.
+/// Times that differ by this part of themselves and of a step are one: importers add up their
+/// steps.
 const ONE_TIME: f64 = 1e-9;
 
 /// What a step has come to.

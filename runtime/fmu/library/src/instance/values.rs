@@ -51,7 +51,8 @@ impl Instance {
         value.ok_or_else(|| format!("`{}` has no value", variable.name))
     }
 
-    /// `fmi3GetInt32` and `fmi3GetInt64`: the count of events is one, states of contacts are the other.
+    /// `fmi3GetInt32` and `fmi3GetInt64`: the count of events is one, states of contacts are the
+    /// other.
     pub(crate) fn integers(
         &mut self,
         references: &[u32],

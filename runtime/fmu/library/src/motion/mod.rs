@@ -1,5 +1,6 @@
-//! A run of the engine in progress, for co-simulation. It is computed on a thread of its own, as far as it has been asked for, and
-//! is the run that the engine makes without being stopped on the way: the same steps, the same events, bit by bit.
+//! A run of the engine in progress, for co-simulation. It is computed on a thread of its own, as
+//! far as it has been asked for, and is the run that the engine makes without being stopped on the
+//! way: the same steps, the same events, bit by bit.
 
 mod observer;
 

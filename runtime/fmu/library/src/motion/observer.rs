@@ -1,7 +1,7 @@
 //! The engine's side: an observer that lets the run go on as far as it is asked for.
 //!
-//! Events between steps are told before the next step begins; the state before them is that at the end of the last step. Touches,
-//! which change nothing, are told before the step that they are in.
+//! Events between steps are told before the next step begins; the state before them is that at the
+//! end of the last step. Touches, which change nothing, are told before the step that they are in.
 
 use super::{Reply, Request};
 use crate::place::Instant;

@@ -1,8 +1,10 @@
-//! Pages that run their model again: sliders for its parameters and start beside a motion, and the engine that runs it within the page.
+//! Pages that run their model again: sliders for its parameters and start beside a motion, and the
+//! engine that runs it within the page.
 //!
 //! - `engine`: the engine as text; `sliders`: what can be changed.
-//! - `page/player.js`, `engine.js`, `worker.js`, `sliders.js`, `rerun.js`: what all such pages share; `live.js`: what begins a page of
-//!   one model. The engine is `liftoff-web` as WebAssembly, packed and as text.
+//! - `page/player.js`, `engine.js`, `worker.js`, `sliders.js`, `rerun.js`: what all such pages
+//!   share; `live.js`: what begins a page of one model. The engine is `liftoff-web` as WebAssembly,
+//!   packed and as text.
 
 mod engine;
 mod sliders;
@@ -20,7 +22,8 @@ use serde_json::json;
 /// The style of sliders.
 pub const STYLE: &str = include_str!("page/live.css");
 
-/// What runs in the page, the first before its player is there; each sees what those before it declare.
+/// What runs in the page, the first before its player is there; each sees what those before it
+/// declare.
 pub const SCRIPTS: [&str; 4] = [
     include_str!("page/player.js"),
     include_str!("page/engine.js"),

@@ -1,4 +1,5 @@
-//! Friction cones of closed contacts: the reaction lies within, on the edge where its contact slides.
+//! Friction cones of closed contacts: the reaction lies within, on the edge where its contact
+//! slides.
 
 use super::contacts::{is_closed, pushes};
 use super::stage::Stage;

@@ -23,7 +23,8 @@ const FLASHES: usize = 40;
 
 /// The reactions at all frames.
 pub(super) struct Contacts {
-    /// For each contact the normal and the tangential reaction at each frame; zero while it is open.
+    /// For each contact the normal and the tangential reaction at each frame; zero while it is
+    /// open.
     reactions: Vec<Vec<[f64; 2]>>,
     /// What the longest arrow shows.
     largest: f64,
@@ -120,8 +121,8 @@ impl Contacts {
     }
 }
 
-/// Of forces at the contact's places, in pixels: where each acts, and what it is; of one at their middle where only
-/// the total is known.
+/// Of forces at the contact's places, in pixels: where each acts, and what it is; of one at their
+/// middle where only the total is known.
 fn forces(stage: &Stage, frame: &Configuration, contact: &Contact, [n, r]: [f64; 2]) -> Vec<[Px; 2]> {
     let one = |push: &Push| {
         let normal = towards(frame.normal(push));

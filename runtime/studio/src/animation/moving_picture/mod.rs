@@ -1,10 +1,11 @@
-//! A motion as one SVG that moves by itself: animations by SMIL, no script, nothing outside the file, so that it plays
-//! where only pictures are allowed.
+//! A motion as one SVG that moves by itself: animations by SMIL, no script, nothing outside the
+//! file, so that it plays where only pictures are allowed.
 //!
 //! - `timeline`: the times that are drawn, and when they are on the screen;
 //! - `stage`: the model at these times, in pixels;
 //! - `track`: values over time as `<animate>` elements;
-//! - `standing`, `bodies`, `cones`, `contacts`, `names`, `words`: what is drawn, from back to front;
+//! - `standing`, `bodies`, `cones`, `contacts`, `names`, `words`: what is drawn, from back to
+//!   front;
 //! - `mode_shapes`: small motions about a position in place of a motion.
 
 mod bodies;
@@ -31,12 +32,13 @@ pub use mode_shapes::{ModeShape, mode_shapes};
 /// Times that are drawn, at most and at least.
 const FRAMES: [usize; 2] = [220, 24];
 
-/// Bytes that a picture has at most, unless it has the fewest frames; a card for it takes some more.
+/// Bytes that a picture has at most, unless it has the fewest frames; a card for it takes some
+/// more.
 const LARGEST: usize = 145_000;
 
-/// A motion as an SVG that plays it again and again: bodies, springs, threads, contacts with their reactions, and the
-/// names of the events at their times, so many times `slower` than it is, or as people can follow it. Between two frames
-/// everything moves along straight lines.
+/// A motion as an SVG that plays it again and again: bodies, springs, threads, contacts with their
+/// reactions, and the names of the events at their times, so many times `slower` than it is, or as
+/// people can follow it. Between two frames everything moves along straight lines.
 ///
 /// # Errors
 /// A reaction that cannot be computed.

@@ -1,4 +1,5 @@
-//! Modes of vibration, one below the other, each swinging about the position at rest, which is drawn pale:
+//! Modes of vibration, one below the other, each swinging about the position at rest, which is
+//! drawn pale:
 //!
 //! ```text
 //! q(θ) = q₀ + a Re(v e^{iθ}),   θ from 0 to 2π

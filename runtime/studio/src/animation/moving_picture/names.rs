@@ -65,7 +65,8 @@ fn neighbours(stage: &Stage, point: usize, frame: usize) -> Vec<f64> {
     angles
 }
 
-/// The middle between two neighbours: those the name was between, if there is room, else those furthest apart.
+/// The middle between two neighbours: those the name was between, if there is room, else those
+/// furthest apart.
 fn freest(angles: &[f64], side: f64, anew: bool) -> f64 {
     let next = |i: usize| if i + 1 < angles.len() { angles[i + 1] } else { angles[0] + TAU };
     let gaps = || (0..angles.len()).map(|i| (angles[i], next(i) - angles[i]));

@@ -51,7 +51,8 @@ fn fixed(stage: &Stage, fixture: &Fixture) -> String {
     }
 }
 
-/// From well before the picture to well beyond it, by the foot of its middle, so that equal lines are equal text.
+/// From well before the picture to well beyond it, by the foot of its middle, so that equal lines
+/// are equal text.
 fn straight(stage: &Stage, at: Px, ahead: Px, solid: bool) -> String {
     let middle = stage.size.map(|side| 0.5 * side);
     let from = minus(middle, at);

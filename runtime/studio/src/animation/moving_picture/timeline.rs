@@ -2,7 +2,8 @@
 
 use liftoff::Trajectory;
 
-/// Seconds that a run may take on the screen as they are; longer and shorter ones take about `WISHED`.
+/// Seconds that a run may take on the screen as they are; longer and shorter ones take about
+/// `WISHED`.
 const AS_IT_IS: [f64; 2] = [3.0, 10.0];
 const WISHED: f64 = 6.0;
 
@@ -11,7 +12,8 @@ const RESTING: f64 = 2.0;
 
 /// The times that are drawn, and when.
 pub(super) struct Timeline {
-    /// Times of the run in order; where a phase ends and the next begins, the last before and the first after.
+    /// Times of the run in order; where a phase ends and the next begins, the last before and the
+    /// first after.
     pub times: Vec<f64>,
     interval: [f64; 2],
     /// Time of the run over time on the screen.
@@ -21,7 +23,8 @@ pub(super) struct Timeline {
 }
 
 impl Timeline {
-    /// About so many times of a run, so many times slower than it is; as people can follow it if none is given.
+    /// About so many times of a run, so many times slower than it is; as people can follow it if
+    /// none is given.
     pub fn new(record: &Trajectory, frames: usize, slower: Option<f64>) -> Self {
         let [start, end] = record.interval();
         let length = end - start;

@@ -78,7 +78,8 @@ pub(super) fn steps(timeline: &Timeline, attribute: &str, all: &[(f64, &str)]) -
     )
 }
 
-/// Values of all frames, the last once more for the end of the period; of equal ones in a row the first and the last.
+/// Values of all frames, the last once more for the end of the period; of equal ones in a row the
+/// first and the last.
 fn values(timeline: &Timeline, all: &[String]) -> String {
     let moves = |i: usize| i == 0 || i + 1 == all.len() || all[i - 1] != all[i] || all[i] != all[i + 1];
     let kept: Vec<usize> = (0..all.len()).filter(|&i| moves(i)).collect();

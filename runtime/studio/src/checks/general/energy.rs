@@ -1,4 +1,5 @@
-//! The energy of phases that nothing drives or damps, as their equations tell at the ends and in the middle of each.
+//! The energy of phases that nothing drives or damps, as their equations tell at the ends and in
+//! the middle of each.
 
 use super::{Effort, case, largest, runs, shown, with_tolerance};
 use crate::checks::{Answer, Case, Expected, at_most};
@@ -56,7 +57,8 @@ fn power(
     Ok(largest(powers?.into_iter().map(f64::abs)))
 }
 
-/// How far the energy of a phase departs from what it begins with. At its ends the energy is that of the neighbours.
+/// How far the energy of a phase departs from what it begins with. At its ends the energy is that
+/// of the neighbours.
 fn phase(record: &Trajectory, &Segment { t0, t1, .. }: &Segment, energy: &dyn Fn(f64) -> f64) -> f64 {
     let times = record.times();
     let inside = times.iter().filter(|t| (t0..t1).contains(*t)).map(|t| energy(*t));

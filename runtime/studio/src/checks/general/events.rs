@@ -1,5 +1,5 @@
-//! Whether two runs have the same events: of impacts that follow ever more quickly and come to their end, however many each
-//! run has counted before that end.
+//! Whether two runs have the same events: of impacts that follow ever more quickly and come to
+//! their end, however many each run has counted before that end.
 
 use super::Pair;
 

@@ -1,4 +1,5 @@
-//! A phase's own equations, in the coordinates that it leaves free, against the full equations with multipliers.
+//! A phase's own equations, in the coordinates that it leaves free, against the full equations with
+//! multipliers.
 
 use super::{Effort, Pair, case, runs, same, shown, with_tolerance};
 use crate::checks::{Answer, Case};

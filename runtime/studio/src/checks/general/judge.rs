@@ -1,5 +1,5 @@
-//! The default run before an independent judge: from the declaration alone, in maximal coordinates and double-double, with
-//! contact decisions of its own.
+//! The default run before an independent judge: from the declaration alone, in maximal coordinates
+//! and double-double, with contact decisions of its own.
 
 use super::{Effort, TIGHT, case, runs, with_tolerance};
 use crate::checks::{Answer, Case, Expected, at_most};

@@ -1,4 +1,5 @@
-//! Every method finds the same events as the product's choice does at a tight tolerance, at the same times.
+//! Every method finds the same events as the product's choice does at a tight tolerance, at the
+//! same times.
 
 use super::{Effort, Pair, TIGHT, case, runs, same, shown, with_tolerance};
 use crate::checks::{Answer, Case};

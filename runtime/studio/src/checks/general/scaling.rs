@@ -1,5 +1,6 @@
-//! The same run with lengths, times and masses in other units. The units are powers of four, so that they and the square roots
-//! that natural times have are exact: what differs is the rounding of sums of parameters.
+//! The same run with lengths, times and masses in other units. The units are powers of four, so
+//! that they and the square roots that natural times have are exact: what differs is the rounding
+//! of sums of parameters.
 
 use super::{Effort, Pair, SAME, case, differences, runs, shown};
 use crate::checks::{Answer, Case, Expected};

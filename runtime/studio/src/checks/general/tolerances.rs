@@ -1,5 +1,6 @@
-//! Errors of the last state and of event times against the same motion in double-double, by a method that has no part in the
-//! run: in tolerances they are as large as the errors of some hundred steps together, grown by the motion's own sensitivity.
+//! Errors of the last state and of event times against the same motion in double-double, by a
+//! method that has no part in the run: in tolerances they are as large as the errors of some
+//! hundred steps together, grown by the motion's own sensitivity.
 
 use super::{Effort, case, runs};
 use crate::checks::{Answer, Case, Expected, at_most};

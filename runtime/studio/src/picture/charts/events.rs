@@ -34,7 +34,8 @@ pub(super) struct EventMarks {
 }
 
 impl EventMarks {
-    /// Against time: phases as bands, events as lines with their words; with numbers and a list where words have no room.
+    /// Against time: phases as bands, events as lines with their words; with numbers and a list
+    /// where words have no room.
     pub fn over(record: &Trajectory, axis: &Axis, width: u32) -> Self {
         let groups = groups(record);
         let heads = |text: &dyn Fn(&Group) -> String| -> Vec<Head> {
@@ -109,7 +110,8 @@ impl Group {
     }
 }
 
-/// Events but the start and a mere end; where there are many, those of one kind and the same supports in a row as one.
+/// Events but the start and a mere end; where there are many, those of one kind and the same
+/// supports in a row as one.
 fn groups(record: &Trajectory) -> Vec<Group> {
     let marks = |event: &&Event| !matches!(event.kind, EventKind::Start | EventKind::End | EventKind::Stop);
     let events: Vec<&Event> = record.events().iter().filter(marks).collect();

@@ -28,7 +28,8 @@ pub struct Charts<'a> {
 }
 
 impl<'a> Charts<'a> {
-    /// Of a motion: its coordinates, reactions and energies against time, if nothing else is asked for.
+    /// Of a motion: its coordinates, reactions and energies against time, if nothing else is asked
+    /// for.
     pub fn new(record: &'a Trajectory) -> Self {
         Self { record, outputs: Vec::new(), against: "t".into(), size: (None, None) }
     }
@@ -51,8 +52,9 @@ impl<'a> Charts<'a> {
         Self { size: (width, height), ..self }
     }
 
-    /// As SVG text. Phases are shaded by turns and named by their closed supports, events are marked and named; a value
-    /// that an event changes at once is drawn before and after it, and where it is not finite there is a gap.
+    /// As SVG text. Phases are shaded by turns and named by their closed supports, events are
+    /// marked and named; a value that an event changes at once is drawn before and after it, and
+    /// where it is not finite there is a gap.
     ///
     /// # Errors
     /// An output that the model does not have.

@@ -1,4 +1,5 @@
-//! Words where nothing else is: each takes the place, of those round its point, that covers the least.
+//! Words where nothing else is: each takes the place, of those round its point, that covers the
+//! least.
 
 use super::canvas::{Canvas, Placement, Spot};
 use super::plane::{Box2, Px, add, dot, minus, towards};
@@ -57,8 +58,8 @@ pub(super) fn placed(canvas: &Canvas) -> Vec<PlacedLabel> {
     labels
 }
 
-/// The words with the `k`th where it would stand alone and those in its way elsewhere, if all together are nearer to their best
-/// places.
+/// The words with the `k`th where it would stand alone and those in its way elsewhere, if all
+/// together are nearer to their best places.
 fn made_way(
     k: usize,
     canvas: &Canvas,

@@ -30,8 +30,8 @@ const LETTERS: f64 = 15.0;
 /// Free pixels round all of it.
 const MARGIN: f64 = 14.0;
 
-/// The model in its pose as SVG text: bars, joints, supports hatched on their solid side, threads, springs, gravity,
-/// coordinates, and lengths with their values.
+/// The model in its pose as SVG text: bars, joints, supports hatched on their solid side, threads,
+/// springs, gravity, coordinates, and lengths with their values.
 pub fn drawing(configuration: &Configuration) -> String {
     let mut draft = Draft::new(configuration);
     draft.all();

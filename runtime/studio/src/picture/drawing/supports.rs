@@ -59,7 +59,8 @@ impl Draft<'_> {
         }
     }
 
-    /// Ends of the straight edges that are seen, each once; where two meet in a corner neither goes beyond.
+    /// Ends of the straight edges that are seen, each once; where two meet in a corner neither goes
+    /// beyond.
     fn edges(&self) -> Vec<[Px; 2]> {
         let lines = self.lines(true).map(|(at, angle)| Edge { at, ahead: towards(angle) });
         let mut edges: Vec<Edge> = Vec::new();

@@ -171,7 +171,8 @@ struct Wheel {
     g: f64,
 }
 
-/// The rim is a circle that stands on the floor, with a stroke to its centre; its radius is told, and all of it is seen.
+/// The rim is a circle that stands on the floor, with a stroke to its centre; its radius is told,
+/// and all of it is seen.
 #[test]
 fn a_wheel_stands_on_its_rim() {
     let spec = RunSpec::with(&[("m", 1.0), ("r", 0.25), ("g", 9.81)]);

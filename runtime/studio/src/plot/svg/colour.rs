@@ -1,7 +1,7 @@
 //! Colours that are told apart by all readers, in the light and in the dark.
 
-/// Colours of Okabe and Ito, told apart by colour-blind readers too; the page's style sheet maps each
-/// to its shade in dark mode by this very value.
+/// Colours of Okabe and Ito, told apart by colour-blind readers too; the page's style sheet maps
+/// each to its shade in dark mode by this very value.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Colour {
     /// Text, axes, outlines.

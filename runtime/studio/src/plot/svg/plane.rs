@@ -67,7 +67,8 @@ pub(crate) fn head(tip: Px, direction: Px) -> [Px; 3] {
     [tip, along(back, left_of(ahead), 3.2), along(back, left_of(ahead), -3.2)]
 }
 
-/// The line without points that are seen on a straight line from the one kept before them to one after them.
+/// The line without points that are seen on a straight line from the one kept before them to one
+/// after them.
 pub(crate) fn thinned(line: &[Px]) -> Vec<Px> {
     let (mut kept, mut from) = (line.get(..1).unwrap_or_default().to_vec(), 0);
     for end in 2..line.len() {
@@ -205,7 +206,8 @@ mod tests {
         );
     }
 
-    /// A parabola keeps what its curvature needs: a chord of length c is c²/8 off where the second derivative is 1.
+    /// A parabola keeps what its curvature needs: a chord of length c is c²/8 off where the second
+    /// derivative is 1.
     #[test]
     fn points_that_nobody_sees_are_left_out() {
         let parabola: Vec<Px> = (0..=1000).map(|i| f64::from(i) / 100.0).map(|x| [x, x * x / 2.0]).collect();

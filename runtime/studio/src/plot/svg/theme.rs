@@ -5,14 +5,15 @@ use super::Colour;
 /// Behind the whole of the drawing.
 const PAPER: [&str; 2] = ["#FBFBF9", "#1e2125"];
 
-/// `svg` on a card behind all that it draws, for a viewer may show it on white or on black: light in print and wherever it
-/// is not looked at in the dark, dark on screens that are.
+/// `svg` on a card behind all that it draws, for a viewer may show it on white or on black: light
+/// in print and wherever it is not looked at in the dark, dark on screens that are.
 pub fn with_theme(svg: &str) -> String {
     let card = format!("<rect width=\"100%\" height=\"100%\" rx=\"6\" fill=\"{}\"/>", PAPER[0]);
     svg.replacen('>', &format!(">\n{}\n{card}", style()), 1)
 }
 
-/// What is drawn in the dark. Viewers that know nothing of it, LaTeX's among them, draw what is written.
+/// What is drawn in the dark. Viewers that know nothing of it, LaTeX's among them, draw what is
+/// written.
 fn style() -> String {
     let rule = |property: &str, from: &str, to: &str| format!("[{property}=\"{from}\"]{{{property}:{to}}}");
     let colours = Colour::ALL.iter().flat_map(|colour| {

@@ -1,4 +1,5 @@
-//! A sweep as a drawing: curves over one varied name with its categories as bands, a map over two for each observation.
+//! A sweep as a drawing: curves over one varied name with its categories as bands, a map over two
+//! for each observation.
 
 mod curves;
 mod maps;
@@ -104,7 +105,8 @@ impl Colours {
     }
 }
 
-/// The ends of the cells round sorted values: half way to their neighbours, in equal ratios where so spread.
+/// The ends of the cells round sorted values: half way to their neighbours, in equal ratios where
+/// so spread.
 fn edges(values: &[f64], logarithmic: bool) -> Vec<f64> {
     let middle = |pair: &[f64]| match logarithmic {
         true => (pair[0] * pair[1]).sqrt(),

@@ -29,7 +29,8 @@ pub(super) fn lines(identity: &Identity, observations: &[Observation]) -> [Strin
     [format!("{MARK}{}", Value::Object(identity.clone())), record(columns)]
 }
 
-/// Whether these may be the first bytes of a journal, or all of one whose first line was not written to its end.
+/// Whether these may be the first bytes of a journal, or all of one whose first line was not
+/// written to its end.
 pub(in crate::sweep) fn may_be_ours(bytes: &[u8]) -> bool {
     bytes.starts_with(MARK.as_bytes()) || MARK.as_bytes().starts_with(bytes)
 }
@@ -50,7 +51,8 @@ pub(in crate::sweep) fn same(first: &[u8], identity: &Identity) -> Result<(), St
     }
 }
 
-/// The word in which two sweeps differ, with what it is and what was expected; words that say most come first.
+/// The word in which two sweeps differ, with what it is and what was expected; words that say most
+/// come first.
 pub(in crate::sweep) fn difference(found: &Identity, expected: &Identity) -> Option<String> {
     let words = FIRST.into_iter().chain(expected.keys().chain(found.keys()).map(String::as_str));
     let word = words.into_iter().find(|word| found.get(*word) != expected.get(*word))?;

@@ -1,7 +1,8 @@
-//! What is done of a sweep, kept as it is done: a line that identifies the sweep, the names of the columns, then a line for each
-//! member in the order in which they ended, with a checksum.
+//! What is done of a sweep, kept as it is done: a line that identifies the sweep, the names of the
+//! columns, then a line for each member in the order in which they ended, with a checksum.
 //!
-//! One process at a time writes a journal. What is not as it was written is dropped, to be computed once more.
+//! One process at a time writes a journal. What is not as it was written is dropped, to be computed
+//! once more.
 
 mod head;
 mod row;
@@ -37,8 +38,8 @@ pub(super) struct Known {
 }
 
 impl Journal {
-    /// Opens the journal of a sweep, for this process alone, and reads what is done of it. A last line that was not written to
-    /// its end and damaged lines are taken away.
+    /// Opens the journal of a sweep, for this process alone, and reads what is done of it. A last
+    /// line that was not written to its end and damaged lines are taken away.
     pub(super) fn open(
         path: &Path,
         identity: &Identity,

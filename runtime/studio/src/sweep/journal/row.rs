@@ -4,7 +4,8 @@ use super::Known;
 use crate::sweep::Observation;
 use crate::sweep::cell::{Cell, Outcome};
 
-/// Of FNV-1a with 64 bits: the offset, and the prime, an odd number, so that no two bytes in one place have one checksum.
+/// Of FNV-1a with 64 bits: the offset, and the prime, an odd number, so that no two bytes in one
+/// place have one checksum.
 pub(in crate::sweep) const SEED: u64 = 0xcbf2_9ce4_8422_2325;
 const PRIME: u64 = 0x0100_0000_01b3;
 
@@ -63,7 +64,8 @@ pub(in crate::sweep) fn written(outcome: &Outcome, columns: usize) -> Vec<String
 #[derive(Default)]
 pub(super) struct Rows {
     pub(super) known: Known,
-    /// Whole lines behind the first one that is damaged: they are to be written once more in its place.
+    /// Whole lines behind the first one that is damaged: they are to be written once more in its
+    /// place.
     pub(super) moved: String,
 }
 

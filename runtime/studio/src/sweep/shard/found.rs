@@ -12,11 +12,13 @@ pub(super) struct Found {
     pub(super) places: Vec<u64>,
     /// Bytes up to the end of the last line that was written to its end.
     pub(super) end: u64,
-    /// How many members there are, how many of these have failed, how many lines are not as they had been written.
+    /// How many members there are, how many of these have failed, how many lines are not as they
+    /// had been written.
     pub(super) done: usize,
     pub(super) failed: usize,
     pub(super) damaged: usize,
-    /// Whether the file ends with the line that says that all are there, and has nothing else behind the members.
+    /// Whether the file ends with the line that says that all are there, and has nothing else
+    /// behind the members.
     is_closed: bool,
 }
 

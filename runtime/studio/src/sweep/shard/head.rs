@@ -1,4 +1,5 @@
-//! The two lines at the head of a shard: of which sweep it is which part, and the names of its columns.
+//! The two lines at the head of a shard: of which sweep it is which part, and the names of its
+//! columns.
 
 use super::Shard;
 use crate::sweep::journal::{FORM, Identity, MARK, SEED, checksum, identity_of};

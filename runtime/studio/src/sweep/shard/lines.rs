@@ -66,7 +66,8 @@ fn understood<'a>(line: &'a [u8], head: &Head) -> Line<'a> {
     }
 }
 
-/// Whether a line of the table is that of a member that failed: its last field, the reason, is not empty.
+/// Whether a line of the table is that of a member that failed: its last field, the reason, is not
+/// empty.
 pub(super) fn is_failed(line: &str) -> bool {
     !line.ends_with(',')
 }

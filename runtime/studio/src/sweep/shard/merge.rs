@@ -10,8 +10,8 @@ use std::path::{Path, PathBuf};
 /// All shards of one sweep, files or all of a folder.
 ///
 /// # Errors
-/// A file is no shard, or of another sweep, model or version than the first; a shard is there twice; shards or members are
-/// missing or damaged, all of which are told.
+/// A file is no shard, or of another sweep, model or version than the first; a shard is there
+/// twice; shards or members are missing or damaged, all of which are told.
 pub fn merge(paths: &[PathBuf]) -> Result<Merged, SweepError> {
     let (parts, begun) = parts(paths)?;
     let Some(first) = parts.values().next() else {
@@ -40,7 +40,8 @@ pub fn merge(paths: &[PathBuf]) -> Result<Merged, SweepError> {
     }
 }
 
-/// The shards of these files and folders by their numbers, and what the names of journals say that has been begun.
+/// The shards of these files and folders by their numbers, and what the names of journals say that
+/// has been begun.
 fn parts(paths: &[PathBuf]) -> Result<(BTreeMap<usize, Part>, Vec<Shard>), SweepError> {
     let (mut parts, mut begun) = (BTreeMap::<usize, Part>::new(), Vec::new());
     for path in paths {

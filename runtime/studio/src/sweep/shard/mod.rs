@@ -1,9 +1,12 @@
-//! A sweep in parts that processes run by themselves, on one machine or on many, and that are merged afterwards.
+//! A sweep in parts that processes run by themselves, on one machine or on many, and that are
+//! merged afterwards.
 //!
-//! Shard i of n has every n-th member from the i-th on: neighbours, whose runs are of about one length, are in different shards,
-//! and merging takes a line of each in turn. While it is computed a shard is a journal, whose lines are in the order in which
-//! members ended; a whole one is a file with its lines in the order of members and a last line that says so, written aside and
-//! renamed. Lines are those of the table with a checksum that is bound to the sweep, its shard and the version.
+//! Shard i of n has every n-th member from the i-th on: neighbours, whose runs are of about one
+//! length, are in different shards, and merging takes a line of each in turn. While it is computed
+//! a shard is a journal, whose lines are in the order in which members ended; a whole one is a file
+//! with its lines in the order of members and a last line that says so, written aside and renamed.
+//! Lines are those of the table with a checksum that is bound to the sweep, its shard and the
+//! version.
 
 mod found;
 mod gaps;
@@ -89,7 +92,8 @@ impl Shard {
     }
 }
 
-/// The files of shards in a folder, whole or not, with what their names say, in the order of their numbers.
+/// The files of shards in a folder, whole or not, with what their names say, in the order of their
+/// numbers.
 fn shards_in(folder: &Path) -> io::Result<Vec<(PathBuf, Shard)>> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder)? {

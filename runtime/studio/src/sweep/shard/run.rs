@@ -11,8 +11,8 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 impl Sweep<'_> {
-    /// Runs those members of a shard that its files in this folder do not have. What is done is kept as it is done; once all is,
-    /// the shard's file is written.
+    /// Runs those members of a shard that its files in this folder do not have. What is done is
+    /// kept as it is done; once all is, the shard's file is written.
     pub fn run_shard(&self, shard: Shard, folder: &Path) -> Result<Share, SweepError> {
         let (plan, points) = self.prepared()?;
         let columns = (table::head(&self.varied, &self.observations), self.columns());

@@ -25,7 +25,8 @@ pub struct Share {
     pub computed: usize,
     /// How many have failed.
     pub failed: usize,
-    /// How many lines of files were not as they had been written; their members were computed once more.
+    /// How many lines of files were not as they had been written; their members were computed once
+    /// more.
     pub damaged: usize,
 }
 

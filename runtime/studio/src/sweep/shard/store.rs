@@ -21,14 +21,16 @@ pub(super) struct Store {
     end: u64,
     /// Where in the journal the line of each member is, the head is at 0.
     places: Vec<u64>,
-    /// How many members are done, how many of these have failed, how many lines were not as they had been written.
+    /// How many members are done, how many of these have failed, how many lines were not as they
+    /// had been written.
     pub(super) done: usize,
     pub(super) failed: usize,
     pub(super) damaged: usize,
 }
 
 impl Store {
-    /// Opens the journal of a shard, for this process alone. A last line that was not written to its end is taken away.
+    /// Opens the journal of a shard, for this process alone. A last line that was not written to
+    /// its end is taken away.
     pub(super) fn open(path: &Path, head: Head, fresh: bool) -> Result<Self, SweepError> {
         let failed = |doing| move |source| SweepError::File { doing, path: path.to_owned(), source };
         let mut file = alone(path)?;

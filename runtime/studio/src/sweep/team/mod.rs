@@ -1,9 +1,12 @@
-//! A sweep that processes share, those of `mpirun` for instance: the first leads, the others work for it.
+//! A sweep that processes share, those of `mpirun` for instance: the first leads, the others work
+//! for it.
 //!
-//! The leader has the journal, the table and all files, and computes as well. It gives out points in batches of about
-//! [`BATCH`](queue::BATCH) by the pace of the last one; whoever brings a batch back is given the next. What a batch has not begun
-//! when it has taken four times as long goes to another process, so that runs of very uneven length keep all of them at work. Points and
-//! what was observed are sent with the fewest digits that read as the same number: rows are bit for bit those of one process.
+//! The leader has the journal, the table and all files, and computes as well. It gives out points
+//! in batches of about [`BATCH`](queue::BATCH) by the pace of the last one; whoever brings a batch
+//! back is given the next. What a batch has not begun when it has taken four times as long goes to
+//! another process, so that runs of very uneven length keep all of them at work. Points and what
+//! was observed are sent with the fewest digits that read as the same number: rows are bit for bit
+//! those of one process.
 
 pub(super) mod answer;
 mod leader;

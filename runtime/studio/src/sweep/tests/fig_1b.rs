@@ -1,5 +1,6 @@
-//! Which support of Fig. 1b opens first, against Newton and Euler's equations of each bar solved in 40 digits (mpmath): from
-//! rest at φ₀, while A, C and E bear, with l = g = m₁ + m₂ = 1, s = sin φ, λ = m₂, φ̇² = (s₀ − s)/(⅓ + 2λs²).
+//! Which support of Fig. 1b opens first, against Newton and Euler's equations of each bar solved in
+//! 40 digits (mpmath): from rest at φ₀, while A, C and E bear, with l = g = m₁ + m₂ = 1, s = sin φ,
+//! λ = m₂, φ̇² = (s₀ − s)/(⅓ + 2λs²).
 
 use super::super::Sweep;
 use crate::registry::Models;
@@ -51,7 +52,8 @@ fn zigzag<'a>(models: &'a Models, lambda: &str, phi: &str) -> Sweep<'a> {
     sweep.start(&format!("phi_outer={phi}")).unwrap().observe("first open").unwrap()
 }
 
-/// N_C = 6 N_E at λ = ¼ whatever s and s₀ are: there all three open at once, below A and E do, above C.
+/// N_C = 6 N_E at λ = ¼ whatever s and s₀ are: there all three open at once, below A and E do,
+/// above C.
 #[test]
 fn who_opens_first_changes_at_a_quarter_from_every_height() {
     let models = models();
@@ -67,8 +69,8 @@ fn who_opens_first_changes_at_a_quarter_from_every_height() {
     }
 }
 
-/// The height from which nothing opens before B and D touch the floor: N_C (λ = ½) or N_E (λ = 0.1) touches zero there,
-/// N = ∂N/∂s = 0.
+/// The height from which nothing opens before B and D touch the floor: N_C (λ = ½) or N_E (λ = 0.1)
+/// touches zero there, N = ∂N/∂s = 0.
 #[test]
 fn nothing_opens_from_low() {
     let models = models();
@@ -83,25 +85,29 @@ fn nothing_opens_from_low() {
     }
 }
 
-/// N_C and N_E, of bars of mass m₁ = 1 − λ and m₂ = λ at s = sin φ, at rest at s₀: for Newton and Euler's equations of an outer bar about
-/// its hinge, with φ̇² = (s₀ − s)/(⅓ + 2λs²) and all bars at one angle.
+/// N_C and N_E, of bars of mass m₁ = 1 − λ and m₂ = λ at s = sin φ, at rest at s₀: for Newton and
+/// Euler's equations of an outer bar about its hinge, with φ̇² = (s₀ − s)/(⅓ + 2λs²) and all bars
+/// at one angle.
 fn reactions(lambda: f64, s0: f64, s: f64) -> [f64; 2] {
     let inertia = 1.0 / 3.0 + 2.0 * lambda * s * s;
     let square = (s0 - s) / inertia;
     // φ̈ = ½ d(φ̇²)/dφ.
     let bend = 0.5 * (-1.0 - 4.0 * lambda * s * square) / inertia;
     let c2 = 1.0 - s * s;
-    // Per half, (m₁ + m₂) = g = l = 1: heights of both bars ½ sin φ, ÿ = ½ (φ̈ cos φ − φ̇² sin φ), φ̈ = bend cos φ.
+    // Per half, (m₁ + m₂) = g = l = 1: heights of both bars ½ sin φ, ÿ = ½ (φ̈ cos φ − φ̇² sin φ),
+    // φ̈ = bend cos φ.
     let lift = 0.5 * (bend * c2 - square * s);
     let half = 1.0 + lift;
-    // The outer bar about B, over cos φ: its centre at (3/2 cos φ, ½ sin φ) from C, B at (cos φ, sin φ).
+    // The outer bar about B, over cos φ: its centre at (3/2 cos φ, ½ sin φ) from C, B at (cos φ,
+    // sin φ).
     let across = 1.5 * (-bend * s - square);
     let spin = lambda / 12.0 * bend;
     let moment = 0.5 * lambda * (1.0 + lift) + 0.5 * lambda * s * across + -spin;
     [2.0 * (half - moment), moment]
 }
 
-/// The curves in the plane of λ and φ₀: λ = ¼ between A, E and C, and from where nothing opens, N = ∂N/∂s = 0.
+/// The curves in the plane of λ and φ₀: λ = ¼ between A, E and C, and from where nothing opens, N =
+/// ∂N/∂s = 0.
 #[test]
 fn the_plane_of_fig_1b_has_the_curves_of_its_reactions() {
     let models = models();

@@ -71,7 +71,8 @@ fn a_journal_may_be_cut_anywhere() {
     std::fs::remove_file(path).unwrap();
 }
 
-/// Any byte of a row that is not as it was written: the row is computed once more, the others are kept.
+/// Any byte of a row that is not as it was written: the row is computed once more, the others are
+/// kept.
 #[test]
 fn damaged_rows_of_a_journal_are_recomputed() {
     let (models, path) = (models(), journal("damaged"));
@@ -138,7 +139,8 @@ fn a_journal_is_written_by_one_sweep_at_a_time() {
     std::fs::remove_file(path).unwrap();
 }
 
-/// Bytes and lines changed, lost and doubled, as a fixed sequence has it: what is accepted has the values that are right.
+/// Bytes and lines changed, lost and doubled, as a fixed sequence has it: what is accepted has the
+/// values that are right.
 #[test]
 fn a_mutilated_journal_is_refused_or_right() {
     let (models, path) = (models(), journal("mutilated"));

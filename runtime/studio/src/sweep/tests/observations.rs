@@ -30,14 +30,16 @@ fn members_are_what_single_runs_are() {
     }
 }
 
-/// A member that may end with its first event has the same values there as one that runs to its end.
+/// A member that may end with its first event has the same values there as one that runs to its
+/// end.
 #[test]
 fn what_ends_early_is_seen_alike() {
     let early = ["vary e=0:0.9:4", "observe first impact y'", "observe first impact"];
     let late = [early[0], early[1], early[2], "observe end"];
     let (early, late) = (run("ball", &early), run("ball", &late));
     assert_eq!(numbers(&early, 0), numbers(&late, 0));
-    // From h = 1 with g = 2 at the speed 2, back with e times it; the value is that after the impact.
+    // From h = 1 with g = 2 at the speed 2, back with e times it; the value is that after the
+    // impact.
     for (row, cell) in early.cells(0) {
         assert!((cell.number().unwrap() - 2.0 * row.point[0]).abs() < 1e-12, "{row:?}");
     }
@@ -94,7 +96,8 @@ fn smooth_members_are_read_at_their_ends() {
     assert!(numbers(&table, 1).iter().all(|t| *t == 1.0));
 }
 
-/// What is varied may stand in conditions and times: the wall is taken away at 0.1 s, the run ends at an angle.
+/// What is varied may stand in conditions and times: the wall is taken away at 0.1 s, the run ends
+/// at an angle.
 #[test]
 fn conditions_and_times_use_varied_names() {
     let words = ["vary s=0.5,0.25", "until phi = 2*s", "observe end phi"];

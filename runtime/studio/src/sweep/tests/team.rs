@@ -58,7 +58,8 @@ fn channels(count: usize) -> Vec<Channels> {
     receivers.into_iter().enumerate().map(of).collect()
 }
 
-/// What `lead` makes of so many processes, of which the others do `work`; and how many members these were given.
+/// What `lead` makes of so many processes, of which the others do `work`; and how many members
+/// these were given.
 fn shared<T>(
     count: usize,
     work: impl Fn(&Channels) + Sync,

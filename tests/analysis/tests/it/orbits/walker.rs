@@ -1,5 +1,5 @@
-//! The compass walker of Goswami, Thuilot and Espiau by equations of its own: three point masses on two legs, fixed steps of Runge and
-//! Kutta, heel strikes by the momenta about the new foot.
+//! The compass walker of Goswami, Thuilot and Espiau by equations of its own: three point masses on
+//! two legs, fixed steps of Runge and Kutta, heel strikes by the momenta about the new foot.
 
 use nalgebra::{DMatrix, Matrix2, Vector2};
 
@@ -17,7 +17,8 @@ pub struct Walker {
 /// A step of time, s: its fourth power, times some 1e3, is rounding.
 const STEP: f64 = 1e-4;
 
-/// Angles from the downward vertical and their rates, of the leg that stands and of the one that swings.
+/// Angles from the downward vertical and their rates, of the leg that stands and of the one that
+/// swings.
 pub type State = [f64; 4];
 
 impl Walker {
@@ -68,8 +69,8 @@ impl Walker {
         core::array::from_fn(|i| y[i] + h / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]))
     }
 
-    /// From one heel strike to the next: the angle of the leg that has just come down and the rates of both legs, it first, and the
-    /// time of the step.
+    /// From one heel strike to the next: the angle of the leg that has just come down and the rates
+    /// of both legs, it first, and the time of the step.
     fn step(&self, [stance, u, v]: [f64; 3]) -> ([f64; 3], f64) {
         // Both feet are on the slope where the angles add up to −2γ.
         let above = |y: &State| y[0] + y[1] + 2.0 * self.gamma;

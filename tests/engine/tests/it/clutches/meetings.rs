@@ -1,4 +1,5 @@
-//! Clutches that take hold of what is slow or fast, smoothly, in impacts of others, at poles and at reversals.
+//! Clutches that take hold of what is slow or fast, smoothly, in impacts of others, at poles and at
+//! reversals.
 
 use liftoff::prelude::*;
 
@@ -20,7 +21,8 @@ struct Latch {
     g: f64,
 }
 
-/// It catches what is slow, on its way down; or what is fast, which is then too slow for it and falls from there.
+/// It catches what is slow, on its way down; or what is fast, which is then too slow for it and
+/// falls from there.
 #[test]
 fn a_latch_of_what_is_slow_or_fast() {
     use EventKind::{Arm, Disarm, End, Impact, Start};
@@ -94,7 +96,8 @@ struct Pole {
     a: f64,
 }
 
-/// 1/x < 1 holds for x < 0 and x > 1: it begins at −1 with the rate 1, v² = 1 + 2 (x + 1) up to 0, even from there to 1, and on.
+/// 1/x < 1 holds for x < 0 and x > 1: it begins at −1 with the rate 1, v² = 1 + 2 (x + 1) up to 0,
+/// even from there to 1, and on.
 #[test]
 fn switches_act_at_poles_too() {
     for method in METHODS {
@@ -113,7 +116,8 @@ fn switches_act_at_poles_too() {
     }
 }
 
-/// A bar whose one end is held by two clutches, one of which moves, and whose other end strikes a rough floor.
+/// A bar whose one end is held by two clutches, one of which moves, and whose other end strikes a
+/// rough floor.
 #[derive(BarSystem)]
 #[gravity(g)]
 #[bar(AB, mass = m, length = l)]
@@ -132,7 +136,8 @@ struct Dragged {
     g: f64,
 }
 
-/// Level, the floor's impulse is m l ω/3 and slides along, the clutches bear m l ω/6 and μ m l ω/3; what friction takes is told.
+/// Level, the floor's impulse is m l ω/3 and slides along, the clutches bear m l ω/6 and μ m l ω/3;
+/// what friction takes is told.
 #[test]
 fn clutches_tell_their_impulses_in_impacts_of_others() {
     let bar = Dragged { m: 1.5, l: 1.2, u: 2.0, mu: 0.3, g: 9.81 };

@@ -29,7 +29,8 @@ struct Flywheel {
 
 const FLYWHEEL: Flywheel = Flywheel { m: 1.0, l: 0.5, j: 2.0, c: 3.0, w: 4.0, t_0: 1.0 };
 
-/// φ = φ₀ + c t²/2j meets w t at t* > 1, overtaken or overtaking, the rate c t*/j jumps to w, and the shaft bears −c from then on.
+/// φ = φ₀ + c t²/2j meets w t at t* > 1, overtaken or overtaking, the rate c t*/j jumps to w, and
+/// the shaft bears −c from then on.
 #[test]
 fn a_clutch_takes_hold_where_the_shaft_comes_by() {
     let Flywheel { j, c, w, .. } = FLYWHEEL;
@@ -90,7 +91,8 @@ fn reference(t: f64) -> [f64; 3] {
     [u * t - b * cos, u + b * w * sin, b * w * w * cos]
 }
 
-/// It meets the block from the left or from the right, carries it, and lets it go with its own velocity.
+/// It meets the block from the left or from the right, carries it, and lets it go with its own
+/// velocity.
 #[test]
 fn a_gripper_carries_what_it_meets_until_it_lets_go() {
     for (x, v) in [(1.0, -0.5), (1.3, 0.2), (-1.0, 2.5)] {
@@ -124,7 +126,8 @@ fn a_gripper_carries_what_it_meets_until_it_lets_go() {
     }
 }
 
-/// A start beside the motion that the gripper has is refused, one with it is carried from the start.
+/// A start beside the motion that the gripper has is refused, one with it is carried from the
+/// start.
 #[test]
 fn a_drive_that_is_met_at_the_start_holds_from_there() {
     let [x, v, _] = reference(0.0);
@@ -143,7 +146,8 @@ fn a_drive_that_is_met_at_the_start_holds_from_there() {
     assert!((left_open.events()[0]["x'"] - v).abs() < 1e-12);
 }
 
-/// Armed where what it drives just passes it takes hold at once: with an impact, or without one at its own rate.
+/// Armed where what it drives just passes it takes hold at once: with an impact, or without one at
+/// its own rate.
 #[test]
 fn a_clutch_that_is_armed_in_place_takes_hold_at_once() {
     let Flywheel { j, c, w, t_0, .. } = FLYWHEEL;
@@ -240,7 +244,8 @@ fn a_crane_that_lets_go_throws_its_load() {
     }
 }
 
-/// A load that is caught and let go over and over, from wherever it starts; the impulse, m (c − ṙ), is the rope's.
+/// A load that is caught and let go over and over, from wherever it starts; the impulse, m (c − ṙ),
+/// is the rope's.
 #[test]
 fn loads_that_are_caught_and_let_go_keep_their_balance_of_energy() {
     let mut seed = 7_u64;

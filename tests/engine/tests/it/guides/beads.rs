@@ -19,7 +19,8 @@ struct Bead {
     d: f64,
 }
 
-/// N = d − c t, so that m v̇ = −μ |d − c t|: the side changes at d/c, and the bead stops where μ ∫ |N| dt = m v₀.
+/// N = d − c t, so that m v̇ = −μ |d − c t|: the side changes at d/c, and the bead stops where μ ∫
+/// |N| dt = m v₀.
 #[test]
 fn a_bead_slows_on_both_sides_of_its_wire() {
     let Bead { m, mu, c, d } = Bead { m: 1.3, mu: 0.3, c: 2.0, d: 1.5 };
@@ -149,8 +150,9 @@ struct Held {
     d: f64,
 }
 
-/// With nothing along the wire it stays, and its side changes with N. A force f along it lets it slip where μₛ N = f; then
-/// m v̇ = f − μ |N|, N = d − c t. Without any force N is zero throughout, and nothing happens.
+/// With nothing along the wire it stays, and its side changes with N. A force f along it lets it
+/// slip where μₛ N = f; then m v̇ = f − μ |N|, N = d − c t. Without any force N is zero throughout,
+/// and nothing happens.
 #[test]
 fn a_held_bead_changes_its_side_at_rest_or_slips() {
     let (m, mu, mu_s, c, d) = (0.8, 0.4, 0.6, 3.0, 2.0);

@@ -22,7 +22,8 @@ struct Drawer {
     f: f64,
 }
 
-/// With the centre on the guide −N_A = N_B = f h/l: it locks for 2 μ h > l, whatever the force, and else has (f − 2 μ f h/l)/m.
+/// With the centre on the guide −N_A = N_B = f h/l: it locks for 2 μ h > l, whatever the force, and
+/// else has (f − 2 μ f h/l)/m.
 #[test]
 fn a_drawer_locks_beyond_the_angle_of_friction() {
     let (m, j, l, h, b) = (2.0, 0.3, 0.6, 1.0, 0.0);
@@ -50,8 +51,8 @@ fn a_drawer_locks_beyond_the_angle_of_friction() {
 /// (l − 2 σ μ s b) N_B = f (h − b),    s = sign N_B
 /// ```
 ///
-/// For 2 μ b > l, σ = 1 and f (h − b) > 0 there is no motion in which it slides; for f (h − b) < 0 there are two, of which
-/// stiff guides would hold that with N_B < 0.
+/// For 2 μ b > l, σ = 1 and f (h − b) > 0 there is no motion in which it slides; for f (h − b) < 0
+/// there are two, of which stiff guides would hold that with N_B < 0.
 fn tall(mu: f64, f: f64) -> Drawer {
     Drawer { m: 2.0, j: 0.3, l: 0.6, h: 1.5, b: 1.0, mu, f }
 }
@@ -94,8 +95,8 @@ struct Stopped {
     e: f64,
 }
 
-/// The guides bear P h/l each, and rub against the rebound: m (1 + e) v = P (1 − 2 μ h/l). An impulse I at the handle moves the
-/// drawer by I (1 − 2 μ h/l)/m, and not at all where it locks.
+/// The guides bear P h/l each, and rub against the rebound: m (1 + e) v = P (1 − 2 μ h/l). An
+/// impulse I at the handle moves the drawer by I (1 − 2 μ h/l)/m, and not at all where it locks.
 #[test]
 fn guides_rub_at_impacts() {
     let (m, l, h, mu, e, v) = (2.0, 0.6, 1.0, 0.2, 0.5, 1.0);

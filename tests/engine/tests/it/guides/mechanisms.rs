@@ -1,4 +1,5 @@
-//! A ladder, a slider-crank and a pair of bodies, whose guides obey the laws of motion and friction.
+//! A ladder, a slider-crank and a pair of bodies, whose guides obey the laws of motion and
+//! friction.
 
 use liftoff::method::MethodId;
 use liftoff::prelude::*;
@@ -23,8 +24,9 @@ struct Ellipsograph {
     nu_s: f64,
 }
 
-/// Newton's and Euler's equations of the whole, with the forces at the ends as they are told; Coulomb's law with |N|; the
-/// energy. The bar swings through its lowest position, so that both ends change their sides.
+/// Newton's and Euler's equations of the whole, with the forces at the ends as they are told;
+/// Coulomb's law with |N|; the energy. The bar swings through its lowest position, so that both
+/// ends change their sides.
 #[test]
 fn an_ellipsograph_obeys_the_laws_of_motion_and_friction() {
     let (m, l, g, mu, nu) = (1.2, 0.8, 9.81, 0.1, 0.15);
@@ -45,7 +47,8 @@ fn an_ellipsograph_obeys_the_laws_of_motion_and_friction() {
         let (w, a) = (rate(t), acceleration(t));
         // Centre at (−l/2 cos θ, l/2 sin θ); A at (−l cos θ, 0), B at (0, l sin θ).
         let force = [m * 0.5 * l * (s * a + c * w * w), m * 0.5 * l * (c * a - s * w * w)];
-        // The normals are a quarter turn from the guides: up for A; to the left for B, whose guide points up.
+        // The normals are a quarter turn from the guides: up for A; to the left for B, whose guide
+        // points up.
         let [ax, ay, bx, by] = [ra(t), na(t), -nb(t), rb(t)];
         assert!((ax + bx - force[0]).abs() < 1e-9 * m * g, "{t}");
         assert!((ay + by - m * g - force[1]).abs() < 1e-9 * m * g, "{t}");
@@ -94,8 +97,8 @@ struct Pair {
     mu_s: f64,
 }
 
-/// Momentum and angular momentum stay, and T + D; N is across the bar and R along it on the particle, |R| = μ |N| against the
-/// slip.
+/// Momentum and angular momentum stay, and T + D; N is across the bar and R along it on the
+/// particle, |R| = μ |N| against the slip.
 #[test]
 fn sliders_on_a_free_bar_conserve_momentum() {
     let mut seed = 0x1234_5678_9ABC_DEF1_u64;

@@ -89,8 +89,9 @@ struct Swayed {
     g: f64,
 }
 
-/// At rest one of three frictions more than enough holds it, and their shares are not determined: none bears beyond its limit, and it goes
-/// on again where all of them are at theirs, whatever the method and the tolerance.
+/// At rest one of three frictions more than enough holds it, and their shares are not determined:
+/// none bears beyond its limit, and it goes on again where all of them are at theirs, whatever the
+/// method and the tolerance.
 #[test]
 fn what_hinges_and_a_guide_hold_together_obeys_all_their_limits() {
     use liftoff::method::MethodId::{Auto, Dop853, Radau};

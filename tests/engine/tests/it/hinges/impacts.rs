@@ -22,8 +22,9 @@ struct Gate {
     g: f64,
 }
 
-/// Upright over the wall's foot, at φ = 0, with ω⁻ < 0 and ω⁺ = −e ω⁻: with Q = −r μ |P| (friction against ω⁺),
-/// `J (ω⁺ − ω⁻) = l P_B + Q` and the pin's impulse `P = m (l/2)(ω⁺ − ω⁻) − P_B`, along the wall's normal.
+/// Upright over the wall's foot, at φ = 0, with ω⁻ < 0 and ω⁺ = −e ω⁻: with Q = −r μ |P| (friction
+/// against ω⁺), `J (ω⁺ − ω⁻) = l P_B + Q` and the pin's impulse `P = m (l/2)(ω⁺ − ω⁻) − P_B`, along
+/// the wall's normal.
 #[test]
 fn a_journal_takes_its_share_of_an_impact() {
     let gate = Gate { m: 1.5, l: 0.7, mu: 0.5, r: 0.06, e: 0.6, g: 9.81 };

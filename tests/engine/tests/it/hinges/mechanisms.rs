@@ -66,12 +66,14 @@ struct Trestle {
     g: f64,
 }
 
-/// The legs spread where friction of the feet and of the hinge do not hold them: with equal legs at the angle α to the floor they bear m g each, the
-/// feet slide at ν m g, and the hinge's couple is r μ H, H the force between the legs, horizontal and larger than that of the floor.
+/// The legs spread where friction of the feet and of the hinge do not hold them: with equal legs at
+/// the angle α to the floor they bear m g each, the feet slide at ν m g, and the hinge's couple is
+/// r μ H, H the force between the legs, horizontal and larger than that of the floor.
 #[test]
 fn a_trestle_stands_or_spreads() {
     let trestle = Trestle { m: 1.0, p: 1.0, l: 1.0, mu: 0.4, nu: 0.3, r: 0.1, g: 9.81 };
-    // About B: m g (l/2) cos α − m g l cos α + H l sin α + r μ H = 0 at the limit, with H = ν m g of the floor.
+    // About B: m g (l/2) cos α − m g l cos α + H l sin α + r μ H = 0 at the limit, with H = ν m g
+    // of the floor.
     let holds = |alpha: f64| {
         let needed = 0.5 * alpha.cos() - trestle.nu * alpha.sin();
         needed <= trestle.mu * trestle.r * trestle.nu
@@ -94,7 +96,8 @@ fn a_trestle_stands_or_spreads() {
     }
 }
 
-/// At random rates there is a motion, with friction of supports and of the hinge at once, impacts among it.
+/// At random rates there is a motion, with friction of supports and of the hinge at once, impacts
+/// among it.
 #[test]
 fn a_thrown_trestle_has_a_motion() {
     let trestle = Trestle { m: 1.0, p: 0.7, l: 1.0, mu: 0.4, nu: 0.3, r: 0.05, g: 9.81 };

@@ -32,11 +32,13 @@ const PAIR: Pair = Pair { m: 1.2, l: 0.9, p: 0.8, k: 0.7, mu: 0.4, nu: 0.3, r: 0
 
 type Unknowns = SVector<f64, 10>;
 
-/// Maximal coordinates, both bars by centre and direction, with the forces of the hinges: ẍ, ÿ, φ̈ of each bar, then F on AB at A, and F on
-/// BC at B. The couples of friction follow these by repetition.
+/// Maximal coordinates, both bars by centre and direction, with the forces of the hinges: ẍ, ÿ, φ̈
+/// of each bar, then F on AB at A, and F on BC at B. The couples of friction follow these by
+/// repetition.
 fn oracle(pair: &Pair, [phi, psi]: [f64; 2], [u, w]: [f64; 2]) -> Unknowns {
     let Pair { m, l, p, k, mu, nu, r, g } = *pair;
-    // Half a bar, from its first point to its centre, the direction from which it turns and what its turning adds.
+    // Half a bar, from its first point to its centre, the direction from which it turns and what
+    // its turning adds.
     let half = |angle: f64, length: f64| [0.5 * length * angle.sin(), -0.5 * length * angle.cos()];
     let ([ax, ay], [bx, by]) = (half(phi, l), half(psi, k));
     let mut matrix = SMatrix::<f64, 10, 10>::zeros();
@@ -159,7 +161,8 @@ fn a_hinge_that_sticks_is_a_weld() {
     }
 }
 
-/// Whether a journal turns is asked of its own surface: a small one does not stop at a lax tolerance while it turns.
+/// Whether a journal turns is asked of its own surface: a small one does not stop at a lax
+/// tolerance while it turns.
 #[test]
 fn small_journals_reverse_at_any_tolerance() {
     for r in [1e-1, 1e-3, 1e-5] {
@@ -185,8 +188,8 @@ fn small_journals_reverse_at_any_tolerance() {
     }
 }
 
-/// Where the force of a hinge nearly vanishes its length is hardly smooth: steps of Gauss's method that did not see it were refused
-/// for their energy.
+/// Where the force of a hinge nearly vanishes its length is hardly smooth: steps of Gauss's method
+/// that did not see it were refused for their energy.
 #[test]
 fn gauss_sees_where_a_force_nearly_vanishes() {
     for (pair, [phi, psi, u, w]) in [

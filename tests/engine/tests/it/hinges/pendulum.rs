@@ -74,7 +74,8 @@ fn stops(bar: &Pendulum, phi: f64) -> Vec<[f64; 2]> {
     stops
 }
 
-/// It swings ever less, turns back at once where it stands still, and sticks in the band of its friction.
+/// It swings ever less, turns back at once where it stands still, and sticks in the band of its
+/// friction.
 #[test]
 fn a_pendulum_comes_to_rest_on_its_pin() {
     let expected = stops(&BAR, 1.0);
@@ -183,7 +184,8 @@ fn a_growing_couple_breaks_a_hinge_loose() {
     assert!((record.function("phi'").unwrap()(1.5) - rate).abs() < 1e-9, "{rate}");
 }
 
-/// A journal so large that its couple turns back on its own force leaves no motion, or several: it is named.
+/// A journal so large that its couple turns back on its own force leaves no motion, or several: it
+/// is named.
 #[test]
 fn a_journal_too_large_is_refused() {
     let bar = Pendulum { r: 2.0, mu: 1.0, mu_s: 1.0, ..BAR };

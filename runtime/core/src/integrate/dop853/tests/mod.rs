@@ -6,7 +6,8 @@ use crate::integrate::tests::from;
 use crate::integrate::{Counts, Stepper};
 use crate::scalar::{DoubleDouble, Jet, Real, Scalar};
 
-/// Integrates to `end`; the largest error of the dense output on the way and at the end, and the work.
+/// Integrates to `end`; the largest error of the dense output on the way and at the end, and the
+/// work.
 fn run(tol: f64, end: f64) -> (Counts, f64) {
     let mut solver = Dop853::new(&kepler, from(tol, orbit(0.0)).with_end(end));
     let mut worst: f64 = 0.0;
@@ -30,8 +31,8 @@ fn error_follows_the_tolerance() {
         // Some hundred steps of error tol each, stretched along the orbit; SciPy's DOP853: 240 tol.
         assert!(worst < 1e3 * tol, "{worst:e} at {tol:e}");
         let spent = 2 + 15 * counts.accepted + 11 * counts.rejected;
-        // A trial rejected for its end alone costs one more; here there is none. Where errors are tiny
-        // growth is looked for, four evaluations each.
+        // A trial rejected for its end alone costs one more; here there is none. Where errors are
+        // tiny growth is looked for, four evaluations each.
         let looked = counts.evaluations - spent;
         assert!(looked % 4 == 0 && looked < spent / 20, "{looked}");
     }

@@ -11,8 +11,8 @@ use crate::integrate::tests::fields::{distance, kepler, orbit};
 use crate::integrate::tests::orders::step_orders;
 use crate::integrate::{Dense, StepState, Stepper, Tolerance};
 
-/// The order conditions of collocation at Gauss's nodes: Σ bⱼ cⱼᵏ = 1/(k + 1) for k < 2s and Σ aᵢⱼ cⱼᵏ = cᵢᵏ⁺¹/(k + 1) for
-/// k < s; rounding of sums of up to twelve.
+/// The order conditions of collocation at Gauss's nodes: Σ bⱼ cⱼᵏ = 1/(k + 1) for k < 2s and Σ aᵢⱼ
+/// cⱼᵏ = cᵢᵏ⁺¹/(k + 1) for k < s; rounding of sums of up to twelve.
 fn collocates<const S: usize>() {
     let tableau = Tableau::<S>::new();
     let c = tableau.nodes.map(|x| 0.5 * (1.0 + x));
@@ -82,8 +82,8 @@ fn single(h: f64) -> Dense<f64, 4> {
     step
 }
 
-/// A global error of order p shows as p + 1 in one step; half a unit for the next terms of the expansion at steps so
-/// long that the error is above rounding.
+/// A global error of order p shows as p + 1 in one step; half a unit for the next terms of the
+/// expansion at steps so long that the error is above rounding.
 #[test]
 fn observed_orders() {
     let [p, q] = step_orders(single, 0.7);
@@ -101,8 +101,8 @@ fn dense_output_is_smooth() {
     assert!(distance(step.interpolate(1.0 - 1e-16), *step.end()) < 1e-14);
 }
 
-/// Slopes that are even about the middle of a step have no odd modes: the even ones foretell the error, that of the quadrature
-/// h ∫ cos(a x) dx/2 = h sin(a)/a over x from −1 to 1.
+/// Slopes that are even about the middle of a step have no odd modes: the even ones foretell the
+/// error, that of the quadrature h ∫ cos(a x) dx/2 = h sin(a)/a over x from −1 to 1.
 #[test]
 fn errors_are_predicted_by_either_parity() {
     let tableau = Tableau::<STAGES>::new();

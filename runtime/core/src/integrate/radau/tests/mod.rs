@@ -14,7 +14,8 @@ use crate::integrate::tests::from;
 use crate::integrate::tests::orders::step_orders;
 use crate::integrate::{Dense, Tolerance};
 
-/// Collocation: Σ (A⁻¹)ᵢⱼ cⱼᵏ = k cᵢᵏ⁻¹, with A⁻¹ as T and its blocks make it. Rounding of entries up to 10 times 15.
+/// Collocation: Σ (A⁻¹)ᵢⱼ cⱼᵏ = k cᵢᵏ⁻¹, with A⁻¹ as T and its blocks make it. Rounding of entries
+/// up to 10 times 15.
 #[test]
 fn the_transformation_is_that_of_collocation() {
     let identity = transform(&FORWARD, &BACK);
@@ -32,7 +33,8 @@ fn the_transformation_is_that_of_collocation() {
         let slope = -DEFECT.iter().zip(NODES).map(|(e, c)| e * c.powi(k)).sum::<f64>();
         assert!((slope - f64::from(u8::from(k == 1))).abs() < 1e-13, "p′(0), k = {k}: {slope}");
     }
-    // γ³ − 9 γ² + 36 γ − 60 = 0 (Hairer & Wanner II, IV.5, the denominator of the (2,3)-Padé approximation).
+    // γ³ − 9 γ² + 36 γ − 60 = 0 (Hairer & Wanner II, IV.5, the denominator of the (2,3)-Padé
+    // approximation).
     assert!((((GAMMA - 9.0) * GAMMA + 36.0) * GAMMA - 60.0).abs() < 1e-13);
 }
 

@@ -1,6 +1,6 @@
-//! A bob of mass 1 on a rod of length 1 that gives way like a critically damped spring, k = 1e6 … 1e12 times its weight:
-//! one period from 60° at rest must lead back, as the rigid pendulum's does (period 2π √(l/g) / agm(1, cos 30°)), but for
-//! what the rod gives way, O(1/k).
+//! A bob of mass 1 on a rod of length 1 that gives way like a critically damped spring, k = 1e6 …
+//! 1e12 times its weight: one period from 60° at rest must lead back, as the rigid pendulum's does
+//! (period 2π √(l/g) / agm(1, cos 30°)), but for what the rod gives way, O(1/k).
 
 use core::f64::consts::{FRAC_PI_3, PI};
 
@@ -44,7 +44,8 @@ fn period() -> f64 {
     2.0 * PI / G.sqrt() / mean.0
 }
 
-/// The state after one period, and the work. Absolute tolerances are those of a run, 1e-4 of the relative one.
+/// The state after one period, and the work. Absolute tolerances are those of a run, 1e-4 of the
+/// relative one.
 fn swing(field: &impl Field<4>, start: [f64; 4], tol: f64) -> ([f64; 4], Counts) {
     let tolerance = Tolerance::new(tol, [1e-4 * tol; 4]).expect("a valid tolerance");
     let f = |y: &[f64; 4]| field.rates(y);
@@ -93,7 +94,8 @@ fn the_rigid_limit_is_reached() {
     assert!((cartesian - FRAC_PI_3).abs() < 1e-8 && counts.accepted < 10_000, "{counts:?}");
 }
 
-/// A transient that lasts 1e-9 of the motion is passed over: y′ = −λ(y − sin t) + cos t, with time a state.
+/// A transient that lasts 1e-9 of the motion is passed over: y′ = −λ(y − sin t) + cos t, with time
+/// a state.
 struct Transient;
 
 impl Field<2> for Transient {
@@ -103,7 +105,8 @@ impl Field<2> for Transient {
     }
 }
 
-/// Prothero and Robinson's problem from off its slow solution: only the last steps' errors are left in the end.
+/// Prothero and Robinson's problem from off its slow solution: only the last steps' errors are left
+/// in the end.
 #[test]
 fn a_transient_decays() {
     let f = |y: &[f64; 2]| Transient.rates(y);

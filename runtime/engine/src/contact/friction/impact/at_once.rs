@@ -1,5 +1,6 @@
-//! All contacts at once: Newton's and Poisson's laws with friction (Glocker and Pfeiffer, *Multiple impacts with friction in
-//! rigid multibody systems*, Nonlinear Dynamics 7, 1995). With Coulomb's law `v ∈ −N(P_t | μ P)` for
+//! All contacts at once: Newton's and Poisson's laws with friction (Glocker and Pfeiffer, *Multiple
+//! impacts with friction in rigid multibody systems*, Nonlinear Dynamics 7, 1995). With Coulomb's
+//! law `v ∈ −N(P_t | μ P)` for
 //!
 //! ```text
 //! v = 0: |P_t| ≤ μ P,        v ≠ 0: P_t = −μ P sign v
@@ -8,12 +9,14 @@
 //! Poisson, 2    0 ≤ ġ⁺ ⟂ Pᵉ − e Pᶜ ≥ 0,              v⁺ with P_tᵉ, Pᵉ;    P = Pᶜ + Pᵉ, P_t = P_tᶜ + P_tᵉ
 //! ```
 //!
-//! Poisson's law with one e gains no energy by contacts, P_tᵉ of which is as large as e P_tᶜ where they slip. By guides it may: their
-//! reactions follow from the stage alone, and rub less in the second one than e times those of the first would.
+//! Poisson's law with one e gains no energy by contacts, P_tᵉ of which is as large as e P_tᶜ where
+//! they slip. By guides it may: their reactions follow from the stage alone, and rub less in the
+//! second one than e times those of the first would.
 //!
-//! Each stage has friction of its own, bounded by the normal impulse of that stage, as it would along a path. Where e_t is
-//! declared the second stage gives back at least `e e_t P_tᶜ`: that is what P_tᵉ is while the contact slips along it. Velocities
-//! change by `M Δu = Jᵀ P`: each stage is the acceleration problem of contacts at rest.
+//! Each stage has friction of its own, bounded by the normal impulse of that stage, as it would
+//! along a path. Where e_t is declared the second stage gives back at least `e e_t P_tᶜ`: that is
+//! what P_tᵉ is while the contact slips along it. Velocities change by `M Δu = Jᵀ P`: each stage is
+//! the acceleration problem of contacts at rest.
 
 use nalgebra::DVector;
 

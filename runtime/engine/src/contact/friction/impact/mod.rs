@@ -1,11 +1,13 @@
 //! Impacts with Coulomb friction.
 //!
-//! Where one contact strikes, nothing else is pressed on the way and all joints have held before, its impulse grows along
-//! Routh's path ([`path`]), by Newton's, Poisson's or Stronge's law. Otherwise all contacts answer at once, by Newton's or Poisson's law
-//! ([`at_once`]); Stronge's has no meaning then. Newton's has no solution for contacts that wedge a body between them: with
-//! P ≠ 0 in the cones of friction and Jᵀ P = 0 their velocities obey Pᵀ γ⁺ = 0, and the law asks for −e ġ⁻ > 0 of all that
-//! approach. Poisson's, which has one, answers then, and the outcome names it. What neither law prevents is told: the work of all contacts is part of the
-//! outcome, and no restitution is reduced.
+//! Where one contact strikes, nothing else is pressed on the way and all joints have held before,
+//! its impulse grows along Routh's path ([`path`]), by Newton's, Poisson's or Stronge's law.
+//! Otherwise all contacts answer at once, by Newton's or Poisson's law ([`at_once`]); Stronge's has
+//! no meaning then. Newton's has no solution for contacts that wedge a body between them: with P ≠
+//! 0 in the cones of friction and Jᵀ P = 0 their velocities obey Pᵀ γ⁺ = 0, and the law asks for −e
+//! ġ⁻ > 0 of all that approach. Poisson's, which has one, answers then, and the outcome names it.
+//! What neither law prevents is told: the work of all contacts is part of the outcome, and no
+//! restitution is reduced.
 
 mod at_once;
 pub(in crate::contact) mod path;
@@ -104,7 +106,8 @@ impl Stages<'_> {
         }
     }
 
-    /// The law of all contacts: the one that all declare, or that of those which act without restitution.
+    /// The law of all contacts: the one that all declare, or that of those which act without
+    /// restitution.
     fn law_at_once(&self) -> Result<Law, CollisionError> {
         let departs = self.candidates.iter().any(|&row| self.approach[row] > 0.0);
         let all = |law: Law| self.candidates.iter().all(|&row| self.declares(row, law));

@@ -1,5 +1,6 @@
-//! Routh's path of a single contact (*Dynamics of a System of Rigid Bodies*, 1905, part I, articles 180 to 194): velocities are
-//! linear in the normal impulse P while the contact slips in one sense, or sticks,
+//! Routh's path of a single contact (*Dynamics of a System of Rigid Bodies*, 1905, part I, articles
+//! 180 to 194): velocities are linear in the normal impulse P while the contact slips in one sense,
+//! or sticks,
 //!
 //! ```text
 //! dġ/dP = W_NN + r W_Nt,    dv/dP = W_Nt + r W_tt,    dP_t/dP = r
@@ -15,11 +16,12 @@
 //! Stronge     where ∫ ġ dP from Pᶜ on is −e² ∫ ġ dP up to Pᶜ      (Stronge, Impact Mechanics, 2000)
 //! ```
 //!
-//! Where normal and tangent move as one, W_NN W_tt = W_Nt² as at the tip of a bar on a pin, ġ and v vanish together, and a contact
-//! that then sticks moves no more: by Poisson's and Stronge's laws it stays so, and by Newton's with e > 0 there is no path.
+//! Where normal and tangent move as one, W_NN W_tt = W_Nt² as at the tip of a bar on a pin, ġ and v
+//! vanish together, and a contact that then sticks moves no more: by Poisson's and Stronge's laws
+//! it stays so, and by Newton's with e > 0 there is no path.
 //!
-//! While the contact slips towards Painlevé's side, dġ/dP < 0, the compression grows until the slip ends, as it does on a
-//! path from ġ = 0: the impact without collision.
+//! While the contact slips towards Painlevé's side, dġ/dP < 0, the compression grows until the slip
+//! ends, as it does on a path from ġ = 0: the impact without collision.
 
 use nalgebra::DVector;
 
@@ -196,7 +198,8 @@ fn positive<S: Scalar>(x: S) -> S {
 }
 
 impl Stages<'_> {
-    /// The outcome where a single contact strikes and presses on no other; `None` where that is not so.
+    /// The outcome where a single contact strikes and presses on no other; `None` where that is not
+    /// so.
     pub(super) fn along_path(&self) -> Result<Option<Outcome>, CollisionError> {
         let approaching = || self.candidates.iter().filter(|&&row| self.approach[row] < 0.0);
         let (Some(&normal), 1) = (approaching().next(), approaching().count()) else { return Ok(None) };
@@ -273,7 +276,8 @@ impl Stages<'_> {
         let end = path.vertices[path.vertices.len() - 1];
         let (rates, impulses) = at(&end)?;
         let mut opening = self.opening(kkt, &rates);
-        // What the path ends with is known better than from the rates, in which an ill-conditioned mass matrix costs digits.
+        // What the path ends with is known better than from the rates, in which an ill-conditioned
+        // mass matrix costs digits.
         if end.normal == 0.0 {
             opening[normal] = 0.0;
         }

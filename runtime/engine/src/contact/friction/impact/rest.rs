@@ -1,5 +1,5 @@
-//! The end of a sequence of impacts: contacts keep closed by impulses of either sign, and those with friction slip as they are
-//! said to.
+//! The end of a sequence of impacts: contacts keep closed by impulses of either sign, and those
+//! with friction slip as they are said to.
 //!
 //! ```text
 //! ġ⁺ = 0,    P_t = −σ μ P  sliding,    v⁺ = 0  sticking

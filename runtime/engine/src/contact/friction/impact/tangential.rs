@@ -1,8 +1,10 @@
-//! Impact without collision: a contact slides with ġ = 0 and no reaction satisfies Coulomb's law (Painlevé's paradox). The
-//! compression of a stiff contact then grows however stiff it is, until the slip has ended (Lecornu, *Sur la loi de Coulomb*,
-//! C. R. Acad. Sci. 140, 1905; Génot and Brogliato, *New results on Painlevé paradoxes*, Eur. J. Mech. A 18, 1999): the limit is
-//! Routh's path from ġ = 0. Where others are pressed on the way, all answer at once: besides none at all the compression from
-//! ġ = 0 has other impulses that satisfy its law, and those are taken. Guides answer with all others at once.
+//! Impact without collision: a contact slides with ġ = 0 and no reaction satisfies Coulomb's law
+//! (Painlevé's paradox). The compression of a stiff contact then grows however stiff it is, until
+//! the slip has ended (Lecornu, *Sur la loi de Coulomb*, C. R. Acad. Sci. 140, 1905; Génot and
+//! Brogliato, *New results on Painlevé paradoxes*, Eur. J. Mech. A 18, 1999): the limit is Routh's
+//! path from ġ = 0. Where others are pressed on the way, all answer at once: besides none at all
+//! the compression from ġ = 0 has other impulses that satisfy its law, and those are taken. Guides
+//! answer with all others at once.
 
 use super::super::super::impact::Stages;
 use super::super::super::impulse::{Collision, CollisionError, Outcome};
@@ -12,9 +14,9 @@ use super::ImpactFriction;
 use super::at_once::SolutionFilter;
 
 impl Collision {
-    /// The impulse that ends a slip which no reaction holds. All contacts have ġ = 0: approaches are none. Of several contacts
-    /// that slide the one deepest in the paradox, with the least W_NN − σ μ W_Nt relative to W_NN, is tried first. `Jammed`
-    /// where no impulse changes the motion.
+    /// The impulse that ends a slip which no reaction holds. All contacts have ġ = 0: approaches
+    /// are none. Of several contacts that slide the one deepest in the paradox, with the least W_NN
+    /// − σ μ W_Nt relative to W_NN, is tried first. `Jammed` where no impulse changes the motion.
     pub fn tangential_impact(&self, most_trials: usize) -> Result<Outcome, CollisionError> {
         self.check()?;
         let mut stages = Stages::new(self, Trials::up_to(most_trials));

@@ -13,8 +13,8 @@ use crate::contact::equilibrated_kkt::EquilibratedKkt;
 const FORWARD: ContactMode = ContactMode::Slide(SlipDirection::Forward);
 const BACKWARD: ContactMode = ContactMode::Slide(SlipDirection::Backward);
 
-/// Blocks on the floor, of which the first slides and the second, which moves as fast without friction, is behind it or before it; the
-/// others are pushed from rest.
+/// Blocks on the floor, of which the first slides and the second, which moves as fast without
+/// friction, is behind it or before it; the others are pushed from rest.
 fn train(behind: bool, (mu, masses): (f64, [f64; 2]), pushes: &[f64]) -> FrictionSolution {
     let bodies = 2 + pushes.len();
     let (n, r) = (2 * bodies, 2 * bodies + 1);
@@ -47,8 +47,8 @@ fn train(behind: bool, (mu, masses): (f64, [f64; 2]), pushes: &[f64]) -> Frictio
     problem.conclude(problem.decide_alone().unwrap())
 }
 
-/// Only friction makes the first block press on the one behind it: without friction that contact bears nothing. Both slow down with
-/// a = −μ g m₀/(m₀ + m₁); one before it leaves.
+/// Only friction makes the first block press on the one behind it: without friction that contact
+/// bears nothing. Both slow down with a = −μ g m₀/(m₀ + m₁); one before it leaves.
 #[test]
 fn what_only_friction_presses_is_taken_in() {
     let mu = 0.4;
@@ -98,8 +98,8 @@ fn first_within(feet: usize, last: Option<Frictional>) -> Vec<usize> {
     problem.first_within(&problem.shapes().unwrap())
 }
 
-/// Up to twelve are taken in at once; of more those that bear without friction, which are two of a plank's, and those that act
-/// whatever is found.
+/// Up to twelve are taken in at once; of more those that bear without friction, which are two of a
+/// plank's, and those that act whatever is found.
 #[test]
 fn few_contacts_are_taken_in_at_once() {
     let all = |feet: usize| (0..feet).collect::<Vec<_>>();
@@ -128,8 +128,8 @@ fn few_contacts_are_taken_in_at_once() {
     assert_eq!(first_within(13, Some(decided())), all(12));
 }
 
-/// Contacts at the limit of sticking whose reactions are decided: N rises with w, the push with p in the sense of the slip that may begin.
-/// Each sticks up to p = μ w and slides beyond it.
+/// Contacts at the limit of sticking whose reactions are decided: N rises with w, the push with p
+/// in the sense of the slip that may begin. Each sticks up to p = μ w and slides beyond it.
 #[test]
 fn contacts_at_their_brink_stick_or_slide() {
     let mu = 0.5;

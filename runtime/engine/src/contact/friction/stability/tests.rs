@@ -9,8 +9,8 @@ use crate::contact::complementarity::LcpRows;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
 use crate::contact::friction::tests::random::{Random, cases};
 
-/// J_N M⁻¹ (J_N − σ μ J_t)ᵀ by its trace and its determinant, which do not depend on the basis: with rows of any lengths, and a joint taken
-/// in.
+/// J_N M⁻¹ (J_N − σ μ J_t)ᵀ by its trace and its determinant, which do not depend on the basis:
+/// with rows of any lengths, and a joint taken in.
 #[test]
 fn compliances_are_those_of_natural_units() {
     let mut random = Random(0xB5C0_FBCF_EC4D_3B2F);

@@ -109,7 +109,8 @@ fn independent_bodies_do_not_matter() {
     assert!(drawn > 200, "{drawn}");
 }
 
-/// Contacts without friction, some of them again in another unit: such a one shares the load of its like.
+/// Contacts without friction, some of them again in another unit: such a one shares the load of its
+/// like.
 #[test]
 fn smooth_contacts_at_their_borders() {
     let mut random = Random(0x5851_F42D_4C95_7F2D);

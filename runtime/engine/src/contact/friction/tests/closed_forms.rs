@@ -110,7 +110,8 @@ fn border(angle: f64, mu: f64) -> f64 {
     painleve(&mass, &rod(angle), sliding, &[], &[]).unwrap()
 }
 
-/// 1 + 3 cos²θ − 3 μ sin θ cos θ of the rod that slides backward touches zero at tan θ = 2 for μ = 4/3.
+/// 1 + 3 cos²θ − 3 μ sin θ cos θ of the rod that slides backward touches zero at tan θ = 2 for μ =
+/// 4/3.
 #[test]
 fn the_border_of_painleve_s_paradox() {
     for (mu, degrees) in [
@@ -135,7 +136,8 @@ fn sliding_rod(rate: f64, mu: f64, slip: SlipVelocity) -> Result<FrictionSolutio
     solve(&ROD, &rod(angle), (&[0.0, -1.0, 0.0], &bias), &[contact])
 }
 
-/// In the interval: no solution while the floor is pressed on, two while it is not, of which the rod leaves.
+/// In the interval: no solution while the floor is pressed on, two while it is not, of which the
+/// rod leaves.
 #[test]
 fn the_rod_has_no_or_two_motions() {
     assert_eq!(sliding_rod(0.1, 2.0, SlipVelocity::Backward).unwrap_err(), FrictionError::Inconsistent);
@@ -176,8 +178,8 @@ fn a_plank_with_two_hundred_feet() {
     }
 }
 
-/// A plank on three feet of which each would hold a third: redundant and tried mode by mode. The shortest reactions are
-/// thirds too, of the load across as well while it sticks.
+/// A plank on three feet of which each would hold a third: redundant and tried mode by mode. The
+/// shortest reactions are thirds too, of the load across as well while it sticks.
 #[test]
 fn redundant_feet_stick_with_admissible_reactions() {
     let jacobian = DMatrix::from_fn(6, 3, |row, j| {
@@ -231,8 +233,9 @@ fn redundant_feet_hold_what_a_joint_passes_on() {
     }
 }
 
-/// Planks of unit weight on each other, each on two feet, the lowest on the floor; one of them is pushed. With k planks on it it
-/// slides over the next one from (k + 1) μ on, and those carry what is on them along.
+/// Planks of unit weight on each other, each on two feet, the lowest on the floor; one of them is
+/// pushed. With k planks on it it slides over the next one from (k + 1) μ on, and those carry what
+/// is on them along.
 #[test]
 fn a_tower_of_planks() {
     let (planks, pushed, mu) = (10, 6, 0.5);
@@ -269,7 +272,8 @@ fn a_tower_of_planks() {
     }
 }
 
-/// Feet that differ in μ: how they share the load decides how fast the plank slides, and that is told.
+/// Feet that differ in μ: how they share the load decides how fast the plank slides, and that is
+/// told.
 #[test]
 fn redundant_feet_of_different_friction_leave_the_motion_open() {
     let jacobian = DMatrix::from_fn(6, 3, |row, j| {
@@ -287,8 +291,8 @@ fn redundant_feet_of_different_friction_leave_the_motion_open() {
     }
 }
 
-/// Order 1 with a contact that slides by the decision of order 0, and one at rest that order 0 left without force: Ṅ of the
-/// first is what it bears of a load that moves on, and friction follows it.
+/// Order 1 with a contact that slides by the decision of order 0, and one at rest that order 0 left
+/// without force: Ṅ of the first is what it bears of a load that moves on, and friction follows it.
 #[test]
 fn decided_contacts_bear_at_higher_orders() {
     let jacobian =
@@ -311,7 +315,8 @@ fn decided_contacts_bear_at_higher_orders() {
     }
 }
 
-/// A plank on three feet carries a block by a joint: the joint bears the block, and the feet both, however they share that.
+/// A plank on three feet carries a block by a joint: the joint bears the block, and the feet both,
+/// however they share that.
 #[test]
 fn a_joint_bears_beside_feet_that_share_a_load() {
     let jacobian = DMatrix::from_row_slice(

@@ -11,8 +11,8 @@ use super::closed_forms::solve;
 use crate::contact::complementarity::LcpRows;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
 
-/// Of three blocks that do not touch each other the normal and the tangent of one are of one part, and known as well as the larger of
-/// both loads; what is of others stays as it is.
+/// Of three blocks that do not touch each other the normal and the tangent of one are of one part,
+/// and known as well as the larger of both loads; what is of others stays as it is.
 #[test]
 fn friction_joins_the_parts_of_a_contact() {
     let n = 6;
@@ -45,8 +45,8 @@ fn friction_joins_the_parts_of_a_contact() {
     }
 }
 
-/// A block of unit mass that is given an impulse, with friction up to ½ λ + 0.3, and only that of 0.3 where it is given no more: the modes
-/// that it is in, and what they meet with zero.
+/// A block of unit mass that is given an impulse, with friction up to ½ λ + 0.3, and only that of
+/// 0.3 where it is given no more: the modes that it is in, and what they meet with zero.
 #[test]
 fn contacts_that_are_given_an_impulse_have_their_modes() {
     use ModeCondition::{Above, Below, Opens, Presses, Slips};
@@ -88,7 +88,8 @@ fn contacts_that_are_given_an_impulse_have_their_modes() {
     }
 }
 
-/// What moves changes its velocities by more than 1e-8 of the terms that its forces are summed from.
+/// What moves changes its velocities by more than 1e-8 of the terms that its forces are summed
+/// from.
 #[test]
 fn what_is_moved_is_moved_beyond_rounding() {
     let jacobian = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, 1.0, 0.0]);

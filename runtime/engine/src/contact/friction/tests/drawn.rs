@@ -1,5 +1,6 @@
-//! Motions at the borders of their modes: a motion is drawn first, with reserves, slips and openings that vanish here and there,
-//! and the loads follow from it. What vanishes is left to the next order, and nothing else.
+//! Motions at the borders of their modes: a motion is drawn first, with reserves, slips and
+//! openings that vanish here and there, and the loads follow from it. What vanishes is left to the
+//! next order, and nothing else.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -10,7 +11,8 @@ use super::random::{Random, Sorted, linkage};
 use crate::contact::complementarity::Solution;
 use crate::model::Side;
 
-/// What is clearly not zero beside terms of one: the rounding of the balanced problem and four digits more.
+/// What is clearly not zero beside terms of one: the rounding of the balanced problem and four
+/// digits more.
 pub(super) const LITTLE: f64 = 1e-8;
 
 /// Zero, little or much.
@@ -165,7 +167,8 @@ pub(super) fn is_the_drawn_one(found: &FrictionSolution, motion: &Motion) -> boo
     found.solution.unique && apart <= 1e-2 * LITTLE
 }
 
-/// Whether joints and contacts are so far from depending on each other that rounding stays rounding.
+/// Whether joints and contacts are so far from depending on each other that rounding stays
+/// rounding.
 pub(super) fn is_well_conditioned(linkage: &Linkage) -> bool {
     let closed = |it: &Contact| [Some(it.normal), it.tangent];
     let rows = linkage.contacts.iter().flat_map(closed).flatten().chain(linkage.joints.iter().copied());

@@ -51,7 +51,8 @@ fn positive(random: &mut Random, m: usize) -> DMatrix<f64> {
     &root * root.transpose() + (&skew - skew.transpose()) + DMatrix::identity(m, m) * 0.1
 }
 
-/// The solution is the only one, in the basis that is its own, whatever the units of the right-hand side and of the rows.
+/// The solution is the only one, in the basis that is its own, whatever the units of the right-hand
+/// side and of the rows.
 #[test]
 fn positive_matrices_have_one_solution() {
     let mut random = Random(0x1D87_2B41_99C0_37E5);
@@ -89,8 +90,8 @@ fn many_rows_are_solved() {
     }
 }
 
-/// Linear programs of small whole numbers, `C x ≤ b`, `Cᵀ y ≥ c`: many ties. The matrix is skew, for which the path ends in a ray
-/// only where there is no solution.
+/// Linear programs of small whole numbers, `C x ≤ b`, `Cᵀ y ≥ c`: many ties. The matrix is skew,
+/// for which the path ends in a ray only where there is no solution.
 #[test]
 fn ties_are_broken_without_cycles() {
     let mut random = Random(0x2C91_E0F7_5A3B_8D46);

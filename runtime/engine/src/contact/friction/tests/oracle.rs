@@ -1,5 +1,5 @@
-//! All modes by plain elimination: the unknowns a, λ of joints, and λ_N and R of every contact, with two equations for
-//! each contact whatever its mode.
+//! All modes by plain elimination: the unknowns a, λ of joints, and λ_N and R of every contact,
+//! with two equations for each contact whatever its mode.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -162,14 +162,15 @@ impl Linkage {
             }
         }
         let x = matrix.clone().lu().solve(&right)?;
-        // Contradictory contacts have a singular matrix, which elimination with rounding does not tell.
+        // Contradictory contacts have a singular matrix, which elimination with rounding does not
+        // tell.
         let small = (&matrix * &x - &right).amax() <= 1e-10 * (1.0 + x.amax()) && x.amax() < 1e9;
         let motion = Motion { a: x.rows(0, n).into_owned(), multipliers: x.rows(n, r).into_owned() };
         small.then_some(motion)
     }
 
-    /// By how much a sliding contact's normal reaction of one opens it, with others in some modes: the contact is open for that,
-    /// and its reaction a load.
+    /// By how much a sliding contact's normal reaction of one opens it, with others in some modes:
+    /// the contact is open for that, and its reaction a load.
     pub(super) fn response(
         &self,
         contact: usize,

@@ -155,8 +155,8 @@ pub(super) fn in_order(linkage: &Linkage, modes: &[ContactMode]) -> Vec<ContactM
     linkage.contacts.iter().map(mode).map(|mode| *mode.unwrap()).collect()
 }
 
-/// Some contacts are given an impulse, and with it bounds of friction beside those of what they bear; some of these give back slip:
-/// their friction is no less than that.
+/// Some contacts are given an impulse, and with it bounds of friction beside those of what they
+/// bear; some of these give back slip: their friction is no less than that.
 pub(super) fn give(random: &mut Random, linkage: &mut Linkage) {
     for contact in linkage.contacts.iter_mut().filter(|it| it.has_friction()) {
         if random.below(3) == 0 {

@@ -7,7 +7,8 @@ use crate::contact::Trials;
 use crate::contact::complementarity::{LcpRows, Solution};
 use crate::contact::trials::LcpError;
 
-/// What is found is one of the motions that there are, the same in any units; nothing is found only where there is none.
+/// What is found is one of the motions that there are, the same in any units; nothing is found only
+/// where there is none.
 #[test]
 fn rough_contacts_have_one_of_their_motions() {
     let mut random = Random(0x8F1B_BCDC_CA62_C1D6);
@@ -45,8 +46,9 @@ fn rough_contacts_have_one_of_their_motions() {
     assert!(counts[..3].iter().all(|count| *count > 10), "{counts:?}");
 }
 
-/// What sticks bears however ill-conditioned its equations are: of two motions the one with it closed is found in all units. The tangents
-/// and the normal of the second contact depend on each other but for 2e-4, and its opening is not zero but for 1e-9.
+/// What sticks bears however ill-conditioned its equations are: of two motions the one with it
+/// closed is found in all units. The tangents and the normal of the second contact depend on each
+/// other but for 2e-4, and its opening is not zero but for 1e-9.
 #[test]
 fn a_contact_that_bears_is_not_released() {
     let mut random = Random(0x996E_2118_2D91_6AB8);

@@ -13,8 +13,9 @@ use super::random::Random;
 const FORWARD: ContactMode = ContactMode::Slide(SlipDirection::Forward);
 const BACKWARD: ContactMode = ContactMode::Slide(SlipDirection::Backward);
 
-/// A contact of which the tangent moves by a part ε of the block, on a support that is accelerated by c: v = ε (ẋ − c t), and the push
-/// across is ε R. It is carried along up to ε μ N, however small ε is.
+/// A contact of which the tangent moves by a part ε of the block, on a support that is accelerated
+/// by c: v = ε (ẋ − c t), and the push across is ε R. It is carried along up to ε μ N, however
+/// small ε is.
 #[test]
 fn a_weak_tangent_rubs_as_much_as_it_moves() {
     let (mu, normal) = (0.5, 2.0);
@@ -38,7 +39,8 @@ fn a_weak_tangent_rubs_as_much_as_it_moves() {
     }
 }
 
-/// What no mass resists and no contact holds has no accelerations, unless a slip may be what leaves them open.
+/// What no mass resists and no contact holds has no accelerations, unless a slip may be what leaves
+/// them open.
 #[test]
 fn accelerations_without_mass_are_not_determined() {
     let jacobian = DMatrix::from_row_slice(2, 3, &[0.0, 1.0, 0.0, 1.0, 0.0, 0.0]);
@@ -50,8 +52,8 @@ fn accelerations_without_mass_are_not_determined() {
     assert!(!found(0.7).unwrap().determined);
 }
 
-/// N of a block is known no better than its weight, which acts beside an inertia force nearly as large; so is the friction that it
-/// bears, however small the push across is.
+/// N of a block is known no better than its weight, which acts beside an inertia force nearly as
+/// large; so is the friction that it bears, however small the push across is.
 #[test]
 fn friction_is_known_as_well_as_the_load_that_presses() {
     let jacobian = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, 1.0, 0.0]);
@@ -68,7 +70,8 @@ fn friction_is_known_as_well_as_the_load_that_presses() {
     }
 }
 
-/// Many equations of which a third depend on the others: x₀ + z with A z = 0 has the same right-hand side as x₀ = Aᵀ y, the shortest.
+/// Many equations of which a third depend on the others: x₀ + z with A z = 0 has the same
+/// right-hand side as x₀ = Aᵀ y, the shortest.
 #[test]
 fn the_shortest_solution_of_many_singular_equations() {
     let mut random = Random(0xCBBB_9D5D_C105_9ED8);
@@ -86,8 +89,8 @@ fn the_shortest_solution_of_many_singular_equations() {
     }
 }
 
-/// Two guides in one place hold a push that is more than μ times their load by pressing against each other, either of them up: that is
-/// one motion, and to slide another.
+/// Two guides in one place hold a push that is more than μ times their load by pressing against
+/// each other, either of them up: that is one motion, and to slide another.
 #[test]
 fn guides_that_share_a_load_have_one_motion() {
     let rows = [[0.0, 1.0, 0.0], [1.0, 0.0, 0.0]];
@@ -100,8 +103,9 @@ fn guides_that_share_a_load_have_one_motion() {
     assert!(a[0].abs() < 1e-14 && a[1].abs() < 1e-14 && (a[2] - 1.0).abs() < 1e-14);
 }
 
-/// A rod slides in Painlevé's region, where it may open or be pressed on by a reaction that no stiff contact holds; a block beside it, much
-/// heavier or lighter, slides on. The rod opens as it does alone.
+/// A rod slides in Painlevé's region, where it may open or be pressed on by a reaction that no
+/// stiff contact holds; a block beside it, much heavier or lighter, slides on. The rod opens as it
+/// does alone.
 #[test]
 fn a_heavy_block_beside_a_rod_does_not_hold_it() {
     let (sine, cosine) = (PI / 3.0).sin_cos();

@@ -7,7 +7,8 @@ use super::super::stability::{Sliding, painleve};
 use super::oracle::{Linkage, Motion};
 use super::random::{Random, Sorted, cases, give, in_order, in_units, kkt, linkage, solve};
 
-/// Every solution is found and named, and the one that is taken satisfies the law to 1e-10 of its largest value.
+/// Every solution is found and named, and the one that is taken satisfies the law to 1e-10 of its
+/// largest value.
 #[test]
 fn all_solutions_of_random_linkages_are_found() {
     let (counts, worst) = compared(Random(0x9E37_79B9_7F4A_7C15), [2_500, 98_023], |_, _| ());
@@ -42,7 +43,8 @@ fn all_solutions_of_random_linkages_with_given_impulses_are_found() {
     assert!(100 * counts[0] > total && 100 * counts[2] > total);
 }
 
-/// How many of so many changed linkages, and of a later one besides, have so many solutions, and the worst residual of those taken.
+/// How many of so many changed linkages, and of a later one besides, have so many solutions, and
+/// the worst residual of those taken.
 fn compared(
     mut random: Random,
     [usual, later]: [usize; 2],

@@ -19,7 +19,8 @@ fn with_twin(it: &Linkage, at: usize) -> Linkage {
     }
 }
 
-/// The motions with a contact twice are those with it once, and its load is shared as its law allows.
+/// The motions with a contact twice are those with it once, and its load is shared as its law
+/// allows.
 #[test]
 fn twins_share_the_load_of_one() {
     let mut random = Random(0x6A09_E667_F3BC_C908);

@@ -68,8 +68,9 @@ fn collision(model: &Model, state: &[f64], mu: f64, support: Row) -> Collision {
     }
 }
 
-/// `J Δω = l cos φ P_B ± r Q` with ω⁺ = −e ω⁻, the pin's impulse `P = m (l/2) Δω (cos φ, sin φ) − P_B (1, 0)`, and Q = −μ |P| against
-/// ω⁺; one that comes to rest is held by less.
+/// `J Δω = l cos φ P_B ± r Q` with ω⁺ = −e ω⁻, the pin's impulse
+/// `P = m (l/2) Δω (cos φ, sin φ) − P_B (1, 0)`, and Q = −μ |P| against ω⁺; one that comes to rest
+/// is held by less.
 #[test]
 fn a_journal_rubs_by_the_impulse_of_its_pin() {
     for (m, l, r) in [(1.5, 0.7, 0.06), (2e5, 3e-4, 2e-5)] {

@@ -15,7 +15,8 @@ fn context((m, l, g): (f64, f64, f64)) -> RunContext {
     RunContext { model, scales }
 }
 
-/// A law holds down to −1e-9 of its unit, and is open within ±1e-9 of it; one whose reaction was located holds and is open anyhow.
+/// A law holds down to −1e-9 of its unit, and is open within ±1e-9 of it; one whose reaction was
+/// located holds and is open anyhow.
 #[test]
 fn laws_hold_up_to_rounding() {
     let law = |margin: f64, is_located: bool| SignCondition { margin, zero: 2.0, is_located };
@@ -29,8 +30,9 @@ fn laws_hold_up_to_rounding() {
     }
 }
 
-/// N = m g/2 of the end that lies and of the pin, whose friction has μ N r to spare where nothing turns it; or ¾ · 2 g of the end that
-/// falls: 1e-9 of the natural force, of the acceleration at the natural length, whatever the units are.
+/// N = m g/2 of the end that lies and of the pin, whose friction has μ N r to spare where nothing
+/// turns it; or ¾ · 2 g of the end that falls: 1e-9 of the natural force, of the acceleration at
+/// the natural length, whatever the units are.
 #[test]
 fn zero_does_not_depend_on_units() {
     for units in [(2.0, 0.5, 9.81), (3e-7, 4e5, 2e-9), (5e8, 1e-6, 7e6)] {

@@ -33,8 +33,8 @@ struct Pulled {
     mu_s: f64,
 }
 
-/// Where the closed form decides at all it decides alike, and nothing else may follow; at rest it does so of nearly all states from
-/// which one motion follows, those with w < 0 among them.
+/// Where the closed form decides at all it decides alike, and nothing else may follow; at rest it
+/// does so of nearly all states from which one motion follows, those with w < 0 among them.
 #[test]
 fn a_single_contact_is_decided_alike() {
     let mut random = Random(0x51_1e);
@@ -127,8 +127,8 @@ fn other_questions_are_not_answered_in_closed_form() {
     assert!(decide_slider(&context, &state, &alone).is_some());
 }
 
-/// 1 + 3 cos²θ ± 3 μ sin θ cos θ of a rod that slides forward or backward, relative to what it is without friction, whatever its mass
-/// and length; nothing of one that sticks.
+/// 1 + 3 cos²θ ± 3 μ sin θ cos θ of a rod that slides forward or backward, relative to what it is
+/// without friction, whatever its mass and length; nothing of one that sticks.
 #[test]
 fn how_a_sliding_rod_is_held_is_a_number() {
     for (m, l) in [(2.0, 3.0), (1e-7, 1e4)] {
@@ -153,7 +153,8 @@ fn how_a_sliding_rod_is_held_is_a_number() {
     }
 }
 
-/// Of all rows those of joints and closed contacts, with the tangents of those that have friction, sticking or sliding.
+/// Of all rows those of joints and closed contacts, with the tangents of those that have friction,
+/// sticking or sliding.
 #[test]
 fn closed_rows_are_those_of_closed_contacts() {
     let context = on_the_floor(&LYING);

@@ -48,8 +48,8 @@ fn planes_bound_the_cones() {
     }
 }
 
-/// Rows of any lengths at an angle with the cosine c have the condition number √((1 + c)/(1 − c)); one that repeats another or is zero
-/// changes it little.
+/// Rows of any lengths at an angle with the cosine c have the condition number √((1 + c)/(1 − c));
+/// one that repeats another or is zero changes it little.
 #[test]
 fn reactions_are_known_by_the_angles_of_their_rows() {
     let rounding = 16.0 * f64::EPSILON;
@@ -72,7 +72,8 @@ fn reactions_are_known_by_the_angles_of_their_rows() {
     // What rounding leaves of a row that repeats another does not count.
     let twice = DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 2.0, 1e-17]);
     assert!((known(&twice) / rounding - 1.0).abs() < 1e-12);
-    // At the angle θ the singular values are √2 and θ/√2, of which the ratio counts down to 64 times the unit roundoff.
+    // At the angle θ the singular values are √2 and θ/√2, of which the ratio counts down to 64
+    // times the unit roundoff.
     for (angle, condition) in [(2.2e-14, 1.0), (3.6e-14, 2.0 / 3.6e-14)] {
         let close = DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 1.0, angle]);
         assert!((known(&close) / rounding / condition - 1.0).abs() < 0.1, "{angle}");
@@ -96,7 +97,8 @@ fn conditions_are_met_up_to_rounding() {
         assert!(met([1.0, 0.0, 0.0, 0.0]) && met([0.5, 0.0, 0.5, 0.25]), "{unit}");
         let sides = [(0.8e-12, true), (1.2e-12, false)];
         for (part, expected) in sides {
-            // The load is missed, to either side, by a part of the row's length; a contact draws; what slides is off its edge.
+            // The load is missed, to either side, by a part of the row's length; a contact draws;
+            // what slides is off its edge.
             let missed = part * f64::sqrt(2.0);
             assert_eq!(met([1.0 + missed, 0.0, 0.0, 0.0]), expected, "{unit} {part}");
             assert_eq!(met([1.0 - missed, 0.0, 0.0, 0.0]), expected, "{unit} {part}");

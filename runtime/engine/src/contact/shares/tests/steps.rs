@@ -55,8 +55,8 @@ fn projections_are_the_nearest_points() {
     }
 }
 
-/// Without conditions the dual is quadratic: c times Newton's step Δ from y lowers it by (c p − ½ (c p)²) of Δ·r at the part p, which is
-/// enough while c p < 2 − 2e-4.
+/// Without conditions the dual is quadratic: c times Newton's step Δ from y lowers it by (c p − ½
+/// (c p)²) of Δ·r at the part p, which is enough while c p < 2 − 2e-4.
 #[test]
 fn steps_are_halved_until_the_dual_falls() {
     let mut random = Random(0xCBBB_9D5D_C105_9ED8);
@@ -90,7 +90,8 @@ fn steps_are_halved_until_the_dual_falls() {
     }
 }
 
-/// Newton's step is the shortest one that meets what is left, in any units, where rows leave some of the motion out too.
+/// Newton's step is the shortest one that meets what is left, in any units, where rows leave some
+/// of the motion out too.
 #[test]
 fn steps_are_the_shortest_that_meet_what_is_left() {
     let mut random = Random(0x7137_4491_23EF_65CD);

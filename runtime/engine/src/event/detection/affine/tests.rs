@@ -119,7 +119,8 @@ fn the_work_of_friction_follows_from_its_series() {
     }
 }
 
-/// A polynomial as long as there is room for with the zeros behind it, and no longer; none of guards that overflow.
+/// A polynomial as long as there is room for with the zeros behind it, and no longer; none of
+/// guards that overflow.
 #[test]
 fn guards_have_series_where_there_is_room() {
     let simulation = Simulation::new(&BLOCK).expect("a block");

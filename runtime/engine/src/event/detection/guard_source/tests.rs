@@ -86,7 +86,8 @@ fn roundoff_and_exact_zero_are_distinguished() {
     let rounded = [1.0, 0.0, 0.0, 0.0, 0.0, last];
     assert!(is_exact(&rounded, 20.0 * last) && !is_exact(&rounded, (20.0 * last).next_down()));
     assert!(is_exact(&series, 1.001 * tail / EXACT) && !is_exact(&series, 0.999 * tail / EXACT));
-    // What is ten times as far from the bound as the series may be wrong is clear, though it does not count as the guard.
+    // What is ten times as far from the bound as the series may be wrong is clear, though it does
+    // not count as the guard.
     let falling = |first: f64| [first, -0.1, -0.1, -0.01, -0.01];
     let least = 0.22 + tail / EXACT;
     for (first, bound, clear) in
@@ -94,7 +95,8 @@ fn roundoff_and_exact_zero_are_distinguished() {
     {
         assert_eq!(is_clear(&falling(first), bound), clear, "{first} {bound}");
     }
-    // 1 + (1 − 2θ)² less 0.044 at most: proven by its Bernstein coefficients, not by its falling terms alone.
+    // 1 + (1 − 2θ)² less 0.044 at most: proven by its Bernstein coefficients, not by its falling
+    // terms alone.
     let bent = [2.0, -4.0, 4.0, -0.02, -0.02, -0.002, -0.002];
     assert!(is_clear(&bent, 1e-9) && !is_clear(&bent, 1.0));
     assert!(!is_clear(&[1e9, 1.0, 1.0, 1.0, 1.0], 0.0), "the terms do not shrink");

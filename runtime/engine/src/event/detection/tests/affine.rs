@@ -4,8 +4,8 @@ use super::super::affine::KnownAffineGuards;
 use super::given::*;
 use crate::model::{ContactSet, Form, Side, Slip};
 
-/// a + b t of each guard, another one for each: series of the dense output, zero for gaps of closed contacts and for the slip of
-/// those that do not slide.
+/// a + b t of each guard, another one for each: series of the dense output, zero for gaps of closed
+/// contacts and for the slip of those that do not slide.
 #[test]
 fn affine_guards_of_every_kind_have_their_series() {
     let number = |k: usize, t: f64| (k as f64 - 7.5) + (3.0 + 2.0 * k as f64) * t;

@@ -16,7 +16,8 @@ fn of_reaction(g: impl Fn(f64) -> f64 + Copy + Send + Sync + 'static) -> Scene {
     })
 }
 
-/// A reaction that has fallen into its bound at the end of the last step counts there, unless it turns there.
+/// A reaction that has fallen into its bound at the end of the last step counts there, unless it
+/// turns there.
 #[test]
 fn a_run_ends_with_what_falls_to_zero_there() {
     let ends = |g: fn(f64) -> f64, steps: &[f64]| of_reaction(g).first(roles(set(&[PLAIN])), steps);
@@ -35,7 +36,8 @@ fn a_run_ends_with_what_falls_to_zero_there() {
     assert!(detector.examine(&scene.view(&dense), false).unwrap().first.is_none());
 }
 
-/// It falls by more than its bound over the last 64th, and by three quarters of what it fell by over the one before.
+/// It falls by more than its bound over the last 64th, and by three quarters of what it fell by
+/// over the one before.
 #[test]
 fn what_falls_to_zero_at_the_end_keeps_falling() {
     // α x + β x² with x = 1 − t falls by (α + β/64)/64 at last, and by (α + 3β/64)/64 before.
@@ -125,7 +127,8 @@ fn a_touch_at_the_first_event_is_part_of_it() {
     assert!(touches.is_empty(), "{touches:?}");
 }
 
-/// By more than a 64th of the bound a touch may be a crossing; guards that are neither a reaction nor a gap are decided.
+/// By more than a 64th of the bound a touch may be a crossing; guards that are neither a reaction
+/// nor a gap are decided.
 #[test]
 fn a_touch_is_undecided_where_it_is_not_at_zero() {
     let closed = set(&[THREAD, CORNER]).slipping(GUIDE, Slip::Forward).pressing(GUIDE, Side::Negative);
@@ -159,8 +162,8 @@ fn a_touch_is_undecided_where_it_is_not_at_zero() {
     }
 }
 
-/// What turns too often is said not to be resolved, and by which guard; it is followed once it is taken for noise, and where a step
-/// cannot be made shorter.
+/// What turns too often is said not to be resolved, and by which guard; it is followed once it is
+/// taken for noise, and where a step cannot be made shorter.
 #[test]
 fn a_guard_that_is_not_resolved_is_reported() {
     let closed = set(&[PLAIN]).slipping(RUBBING, Slip::Forward);

@@ -64,7 +64,8 @@ fn a_corner_that_has_passed_its_bar_comes_back_first() {
     assert_eq!(corner(below, |_| 1.0, 0).first(alone(CORNER), &[1.0]), Some(0.0));
 }
 
-/// A corner that is off and begins a step within its bound has not come there from below: it closes as it falls.
+/// A corner that is off and begins a step within its bound has not come there from below: it closes
+/// as it falls.
 #[test]
 fn a_corner_within_its_bound_is_not_below_its_bar() {
     let bound = BOUNDS.relative * BOUNDS.length;
@@ -129,7 +130,8 @@ fn a_drive_takes_hold_from_either_side() {
     assert_eq!(Guard::Gap(DRIVE).gap(), Some(DRIVE));
 }
 
-/// A corner that has gone below beyond the end of its bar and has come back closes as any other; so does one that begins below.
+/// A corner that has gone below beyond the end of its bar and has come back closes as any other; so
+/// does one that begins below.
 #[test]
 fn returning_corners_have_not_passed() {
     for k in 0..40 {

@@ -1,4 +1,5 @@
-//! A system and its phase in which everything is a given function of time, with a contact of every kind.
+//! A system and its phase in which everything is a given function of time, with a contact of every
+//! kind.
 
 use core::cell::RefCell;
 use core::sync::atomic::{AtomicUsize, Ordering};

@@ -1,4 +1,5 @@
-//! Reactions, friction forces and slips that begin at zero, and have been decided to go on as they are.
+//! Reactions, friction forces and slips that begin at zero, and have been decided to go on as they
+//! are.
 
 use super::super::guard_source::Suppression;
 use super::super::{ContactStatus, Guard};

@@ -11,7 +11,8 @@ fn rub(contact: usize, friction: usize, slip: Slip, side: Side) -> FrictionGuard
     FrictionGuard { contact, friction, slip, side }
 }
 
-/// Closed contacts of all kinds: the rubbing one as said, the guide slides forward on its negative side.
+/// Closed contacts of all kinds: the rubbing one as said, the guide slides forward on its negative
+/// side.
 fn all(slip: Slip) -> ContactSet {
     let set = set(&[PLAIN, CORNER, THREAD, DRIVE, TURN]).slipping(RUBBING, slip);
     set.slipping(GUIDE, Slip::Forward).pressing(GUIDE, Side::Negative).slipping(HINGE, Slip::Backward)
@@ -85,7 +86,8 @@ fn contacts_that_depend_on_others_part() {
     }
 }
 
-/// Contacts that share a load have no limits of their own, nor those reactions that are not determined.
+/// Contacts that share a load have no limits of their own, nor those reactions that are not
+/// determined.
 #[test]
 fn contacts_that_share_a_load_have_one_margin() {
     let stick = all(Slip::Stick);
@@ -157,7 +159,8 @@ fn zero_bounds_of_guards() {
     }
 }
 
-/// The bound itself is zero yet, on either side, at the start and later; and a guard at zero is known to be so until it has left.
+/// The bound itself is zero yet, on either side, at the start and later; and a guard at zero is
+/// known to be so until it has left.
 #[test]
 fn values_at_their_bound_are_zero() {
     let bound = BOUNDS.relative * FORCES[THREAD];

@@ -83,8 +83,8 @@ fn conditions_on_polynomials_are_met_where_they_become_true() {
     }
 }
 
-/// Whether an equality is met is undecided where its sides come within a millionth of the larger one, at the ends of the step: of
-/// 50/4. Equal but for rounding they are equal.
+/// Whether an equality is met is undecided where its sides come within a millionth of the larger
+/// one, at the ends of the step: of 50/4. Equal but for rounding they are equal.
 #[test]
 fn a_near_miss_of_a_polynomial_is_undecided() {
     for (text, is_undecided) in [
@@ -108,7 +108,8 @@ fn a_near_miss_of_a_polynomial_is_undecided() {
     assert!(met("50*(s - 0.5)^2 = 0", false, &[1.0]).is_some_and(|at| (at - 0.5).abs() < 1e-7));
 }
 
-/// In other units the time of a step, and a coordinate, have the same polynomial, and the same error of it.
+/// In other units the time of a step, and a coordinate, have the same polynomial, and the same
+/// error of it.
 #[test]
 fn polynomials_of_a_step_have_their_unit() {
     let scene = Scene::closed(ContactSet::EMPTY, |_| Shown::default());

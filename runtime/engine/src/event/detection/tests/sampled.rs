@@ -66,8 +66,8 @@ fn guards_have_their_values_in_every_step() {
     }
 }
 
-/// Once at each node for all guards, and not at all where the last step ended; between the nodes once for all in a phase with
-/// multipliers, for each guard in another.
+/// Once at each node for all guards, and not at all where the last step ended; between the nodes
+/// once for all in a phase with multipliers, for each guard in another.
 #[test]
 fn each_place_is_evaluated_once() {
     let closed = set(&[PLAIN, CORNER, THREAD]);
@@ -94,7 +94,8 @@ fn each_place_is_evaluated_once() {
     }
 }
 
-/// As many places as there is room for: with the next one they are begun anew. Gaps have nothing to do with it.
+/// As many places as there is room for: with the next one they are begun anew. Gaps have nothing to
+/// do with it.
 #[test]
 fn places_are_kept_as_long_as_there_is_room() {
     const ROOM: usize = 4096;
@@ -139,7 +140,8 @@ fn what_only_one_guard_follows_from_is_not_kept() {
     assert_eq!(scene.asked(), 2);
 }
 
-/// R (v − v°) at the nodes, where friction is all that works and all that it takes is evaluated; v° is the slip at the start.
+/// R (v − v°) at the nodes, where friction is all that works and all that it takes is evaluated; v°
+/// is the slip at the start.
 #[test]
 fn the_power_of_friction_is_reported_where_nothing_else_works() {
     let slides = ContactSet::EMPTY.slipping(RUBBING, Slip::Forward);

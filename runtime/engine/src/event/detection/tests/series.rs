@@ -68,8 +68,8 @@ fn guards_by_series_fall_where_their_polynomials_do() {
     }
 }
 
-/// tᵐ (b − t) whose terms below the order are noise within the bound: the order says that they are nothing, but not of series that
-/// are fitted.
+/// tᵐ (b − t) whose terms below the order are noise within the bound: the order says that they are
+/// nothing, but not of series that are fitted.
 #[test]
 fn a_known_order_leaves_out_what_is_below_it() {
     for order in [1, 2, 3] {

@@ -1,9 +1,10 @@
-//! Conditions that hold from the start but for rounding, that have poles, or that take more evaluations than there is patience for.
+//! Conditions that hold from the start but for rounding, that have poles, or that take more
+//! evaluations than there is patience for.
 
 use super::given::*;
 
-/// What arms or disarms holds from the start where its sides differ by a millionth of what they differ by at the end, and have
-/// their order soon after, too.
+/// What arms or disarms holds from the start where its sides differ by a millionth of what they
+/// differ by at the end, and have their order soon after, too.
 #[test]
 fn conditions_true_up_to_roundoff_arm_at_the_start() {
     let line = |first: f64| move |t: f64| if t == 1.0 { 1.0 } else { first + t * (1.0 - first) };
@@ -26,7 +27,8 @@ fn conditions_true_up_to_roundoff_arm_at_the_start() {
     }
 }
 
-/// What arms by a passage through a pole does so well behind it: by the length of the shortest piece at least.
+/// What arms by a passage through a pole does so well behind it: by the length of the shortest
+/// piece at least.
 #[test]
 fn a_pole_is_well_passed() {
     for p in [0.1, 1.0 / 3.0, 0.6, 0.987] {
@@ -58,7 +60,8 @@ fn identically_zero_conditions_are_undecided() {
     }
 }
 
-/// The difference of one and one is zero to the rounding of both: 32 ε as one is read, and that of the operations.
+/// The difference of one and one is zero to the rounding of both: 32 ε as one is read, and that of
+/// the operations.
 #[test]
 fn roundoff_of_a_difference_is_zero() {
     for (apart, is_zero) in [(0.0, true), (4e-15, true), (-4e-15, true), (1.5e-14, false), (-1.5e-14, false)]

@@ -53,7 +53,8 @@ fn a_condition_that_starts_at_zero_is_met_at_the_next_zero() {
     is_met(away, "z < -0.5", Some(7.0 * core::f64::consts::PI / 36.0));
 }
 
-/// A sign that changes through a pole is no equality; what arms or disarms holds or not on either side of it.
+/// A sign that changes through a pole is no equality; what arms or disarms holds or not on either
+/// side of it.
 #[test]
 fn a_pole_is_passed() {
     let z = |t: f64| t - 0.6;
@@ -67,7 +68,8 @@ fn a_pole_is_passed() {
     }
 }
 
-/// It touches zero before it falls below, and from below before it rises and falls again, in one step or in several.
+/// It touches zero before it falls below, and from below before it rises and falls again, in one
+/// step or in several.
 #[test]
 fn a_comparison_is_met_behind_a_touch() {
     let near = |found: Option<f64>, at: f64| found.is_some_and(|found| (found - at).abs() < 1e-10);
@@ -95,7 +97,8 @@ fn a_condition_that_touches() {
     }
 }
 
-/// Between two steps it has come to zero from the side where it is false, and is beyond by less than its bound.
+/// Between two steps it has come to zero from the side where it is false, and is beyond by less
+/// than its bound.
 #[test]
 fn a_comparison_is_met_at_the_seam_of_two_steps() {
     for beyond in [1e-13, 0.0, -1e-13] {

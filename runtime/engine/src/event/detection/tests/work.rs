@@ -45,7 +45,8 @@ fn work((closed, scene): &(ContactSet, Scene), [force, slip]: [[f64; ORDERS]; 2]
     detector.friction_work(&scene.view(&scene.dense([1.0, 1.5])).with_series(Some(guards)), end)
 }
 
-/// ∫ R (v − v°) dt where both are known to a tenth of what counts as zero of them, nothing where one is not.
+/// ∫ R (v − v°) dt where both are known to a tenth of what counts as zero of them, nothing where
+/// one is not.
 #[test]
 fn the_work_is_reported_where_series_are_exact() {
     let scene = rubbing(Slip::Forward);
@@ -66,7 +67,8 @@ fn the_work_is_reported_where_series_are_exact() {
     }
 }
 
-/// A contact that does not slip, but for what counts as zero, does no work, however roughly its force is known.
+/// A contact that does not slip, but for what counts as zero, does no work, however roughly its
+/// force is known.
 #[test]
 fn without_slip_the_force_need_not_be_exact() {
     let scene = rubbing(Slip::Stick);

@@ -1,7 +1,7 @@
 //! The first kink within a step, on its dense output.
 //!
-//! Kinks are functions of the state that the right-hand side is made of, and steps are short enough to follow that; some
-//! values in each tell where they turn.
+//! Kinks are functions of the state that the right-hand side is made of, and steps are short enough
+//! to follow that; some values in each tell where they turn.
 
 use super::CutAtKinks;
 use crate::model::Kink;
@@ -13,8 +13,9 @@ use crate::numerics::zero::{SOLVED, roundoff};
 /// Where a step is looked at. Near its ends too, so that what turns there is seen to.
 const NODES: [f64; 11] =
     [0.0, 1.0 / 64.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0 - 1.0 / 64.0, 1.0];
-/// Some of them, which are looked at first: where all values there are of one sign and so near each other, no zero lies between.
-/// The square of a distance that vanishes between two of them is less than a sixteenth of its largest value at one.
+/// Some of them, which are looked at first: where all values there are of one sign and so near each
+/// other, no zero lies between. The square of a distance that vanishes between two of them is less
+/// than a sixteenth of its largest value at one.
 const FEW: [usize; 5] = [0, 3, 5, 7, 10];
 const ALIKE: f64 = 0.75;
 const APART: f64 = 0.25;
@@ -110,8 +111,8 @@ impl CutAtKinks<'_> {
         None
     }
 
-    /// Where a root is all but zero first, at a minimum. What turns beside an end of the step is least at that end, of all
-    /// nodes.
+    /// Where a root is all but zero first, at a minimum. What turns beside an end of the step is
+    /// least at that end, of all nodes.
     fn first_touch(&self, j: usize, roots: &[f64; NODES.len()], least: f64) -> Option<f64> {
         const LAST: usize = NODES.len() - 1;
         let value = |theta: f64| self.evaluate(theta)[j].max(0.0).sqrt();
@@ -137,8 +138,8 @@ fn is_within(theta: f64, least: f64) -> bool {
     theta > least && 1.0 - theta > least
 }
 
-/// A zero between two places, at the first of which the function has the sign of `first`: halved, as many times as numbers
-/// have digits.
+/// A zero between two places, at the first of which the function has the sign of `first`: halved,
+/// as many times as numbers have digits.
 fn root(value: &impl Fn(f64) -> f64, [mut a, mut b]: [f64; 2], first: f64) -> f64 {
     let (mut at_a, mut at_b) = (first, value(b));
     for k in 0..MOST {
@@ -155,7 +156,8 @@ fn root(value: &impl Fn(f64) -> f64, [mut a, mut b]: [f64; 2], first: f64) -> f6
     0.5 * (a + b)
 }
 
-/// The place of the least value between two places, by the golden section; any where it is below `enough`.
+/// The place of the least value between two places, by the golden section; any where it is below
+/// `enough`.
 fn minimum(value: &impl Fn(f64) -> f64, [mut a, mut b]: [f64; 2], enough: f64) -> f64 {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
     let (mut c, mut d) = (b - GOLDEN * (b - a), a + GOLDEN * (b - a));

@@ -1,12 +1,14 @@
 //! Steps that end where the equations are not analytic.
 //!
-//! Every method takes the right-hand side for smooth within a step. A step in which a [`Kink`](crate::model::Kink) of the
-//! model vanishes is made again, up to there; the next begins behind it. Where a step ends before a kink that is near, the
-//! next is planned to end at it, so that few are made again.
+//! Every method takes the right-hand side for smooth within a step. A step in which a
+//! [`Kink`](crate::model::Kink) of the model vanishes is made again, up to there; the next begins
+//! behind it. Where a step ends before a kink that is near, the next is planned to end at it, so
+//! that few are made again.
 //!
-//! A Taylor series at the zero of a radicand cannot be had order by order: √(ẋ² + ẏ²) of a point at rest has at order n the
-//! coefficient n + 1 of ẋ and ẏ. On one side of its zero the root is smooth, however, and so the first step from there, and
-//! from where an integration begins, is one of DOP853.
+//! A Taylor series at the zero of a radicand cannot be had order by order: √(ẋ² + ẏ²) of a point at
+//! rest has at order n the coefficient n + 1 of ẋ and ẏ. On one side of its zero the root is
+//! smooth, however, and so the first step from there, and from where an integration begins, is one
+//! of DOP853.
 
 mod locate;
 mod near;
@@ -99,7 +101,8 @@ impl<'a> CutAtKinks<'a> {
         self.steppers.active_mut().step().or(made)
     }
 
-    /// Chooses what makes the next step, from beyond the kink that the last has ended at, and where it ends at most.
+    /// Chooses what makes the next step, from beyond the kink that the last has ended at, and where
+    /// it ends at most.
     fn prepare(&mut self) -> f64 {
         let (t, mut y) = (self.steppers.active().time(), Numbers::from_slice(self.steppers.active().state()));
         let near = if self.is_far() { Near::default() } else { self.near(t, &y) };
@@ -124,7 +127,8 @@ impl<'a> CutAtKinks<'a> {
         }
     }
 
-    /// Whether no kink can be expected within the next step, as little as they varied over the last.
+    /// Whether no kink can be expected within the next step, as little as they varied over the
+    /// last.
     fn is_far(&self) -> bool {
         !self.starts && self.alike && self.reach() <= FAR * self.dense.h
     }

@@ -8,8 +8,8 @@ use smallvec::smallvec;
 
 /// What differs along the motion by this part of a step tells its rate.
 const PROBE: f64 = 1e-6;
-/// The part of the tolerance within which a kink is met: the right-hand side errs by as much as its slopes on both sides
-/// differ, over so much of a step.
+/// The part of the tolerance within which a kink is met: the right-hand side errs by as much as its
+/// slopes on both sides differ, over so much of a step.
 const CLOSE: f64 = 1e-3;
 /// The part of a step within which a kink is close.
 const REACH: f64 = 1e-3;

@@ -2,8 +2,8 @@
 
 use super::*;
 
-/// Across 10⁻⁹ a slope of m and a jump J: farther away the values differ by J + 2 · 10⁻³ m, of which the jump is at most half where
-/// the function passes through zero.
+/// Across 10⁻⁹ a slope of m and a jump J: farther away the values differ by J + 2 · 10⁻³ m, of
+/// which the jump is at most half where the function passes through zero.
 #[test]
 fn a_jump_is_reported_from_a_steep_passage() {
     let width = 1e-9;
@@ -46,7 +46,8 @@ fn values_are_compared_within_the_step() {
     }
 }
 
-/// At the end an extremum counts where no more than the noise, or than what is to stand out, is left to it.
+/// At the end an extremum counts where no more than the noise, or than what is to stand out, is
+/// left to it.
 #[test]
 fn an_extremum_at_the_end_is_reported_to_the_noise() {
     for (noise, delta, left, is_told) in [

@@ -1,5 +1,6 @@
-//! Random guards that turn from a thousandth of a time to a million times over the first step tried: none missed, none
-//! invented. As a run does it: over a step that does not resolve the guard nothing is concluded, and a shorter one is tried.
+//! Random guards that turn from a thousandth of a time to a million times over the first step
+//! tried: none missed, none invented. As a run does it: over a step that does not resolve the guard
+//! nothing is concluded, and a shorter one is tried.
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
@@ -10,7 +11,8 @@ use super::known::{Random, sine_series};
 const USUAL: usize = 5_000;
 /// A series counts as exact whose tail is at most this part of the error bound.
 const EXACT: f64 = 0.1;
-/// Steps that are not resolved are repeated with this part of their length; the next may be longer again.
+/// Steps that are not resolved are repeated with this part of their length; the next may be longer
+/// again.
 const SHORTER: f64 = 0.125;
 const LONGER: f64 = 2.0;
 /// Radians over which a guard is followed.
@@ -101,7 +103,8 @@ impl Guard {
         }
     }
 
-    /// Whether it starts above zero, and its root is neither at an end nor one that rounding moves far.
+    /// Whether it starts above zero, and its root is neither at an end nor one that rounding moves
+    /// far.
     fn is_distinguishable(&self) -> bool {
         let far = self.root().is_none_or(|[at, rate]| {
             let near = self.slack(rate);
@@ -110,7 +113,8 @@ impl Guard {
         far && self.value(0.0) > 1e2 * self.delta
     }
 
-    /// How far from its root rounding of the argument and of the series, and what the series leaves out, may let it be found.
+    /// How far from its root rounding of the argument and of the series, and what the series leaves
+    /// out, may let it be found.
     fn slack(&self, rate: f64) -> f64 {
         let argument = 4.0 * f64::EPSILON * (self.omega * self.end + self.phase.abs() + 1.0);
         let wave = if matches!(self.shape, Shape::Ripple(_)) { 0.0 } else { argument };

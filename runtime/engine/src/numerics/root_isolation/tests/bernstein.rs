@@ -95,7 +95,8 @@ fn turns(slope: &[f64], rounding: f64) -> Vec<f64> {
     found
 }
 
-/// What is as small as n ε times the largest coefficient, or as the rounding, has no sign, whatever the unit.
+/// What is as small as n ε times the largest coefficient, or as the rounding, has no sign, whatever
+/// the unit.
 #[test]
 fn a_sign_within_the_rounding_does_not_count() {
     let least = 4.0 * f64::EPSILON;
@@ -126,7 +127,8 @@ fn a_root_beside_a_negligible_end_is_found() {
     }
 }
 
-/// (x − p)² + w² keeps its sign, which is told down to pieces of 2⁻²¹ at least: of narrower ones their middles.
+/// (x − p)² + w² keeps its sign, which is told down to pieces of 2⁻²¹ at least: of narrower ones
+/// their middles.
 #[test]
 fn near_double_roots_are_one_point() {
     let narrowest = f64::powi(2.0, -20);

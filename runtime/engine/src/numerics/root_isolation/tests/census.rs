@@ -18,8 +18,8 @@ enum Kind {
     Function,
 }
 
-/// Of the guard with the sign that it has behind the root before: down through an odd root, touching an even one; where an
-/// odd one at the end leads is the next step's.
+/// Of the guard with the sign that it has behind the root before: down through an odd root,
+/// touching an even one; where an odd one at the end leads is the next step's.
 fn expected(known: &Known) -> Vec<Event> {
     let event = |root: &Root| match root.multiplicity % 2 {
         1 if root.at == 1.0 => None,

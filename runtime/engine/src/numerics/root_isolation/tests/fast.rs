@@ -43,7 +43,8 @@ fn roots_beside_poles() {
     }
 }
 
-/// Less than 20 turns are followed to the first time above 0.99999; of more it is said that they are not.
+/// Less than 20 turns are followed to the first time above 0.99999; of more it is said that they
+/// are not.
 #[test]
 fn sines_of_many_turns() {
     let first = |omega: f64| watch(|theta| 0.99999 - (omega * theta).sin(), RootStart::Free, 1e-12);

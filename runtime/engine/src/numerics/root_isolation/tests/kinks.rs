@@ -5,7 +5,8 @@ use super::super::{Accuracy, GuardError, RootStart, watch};
 use super::first_root;
 use super::{ULPS, crossing};
 
-/// Eight kinks are followed, each in a 32nd of the step, and what comes behind them is seen; nine are too many.
+/// Eight kinks are followed, each in a 32nd of the step, and what comes behind them is seen; nine
+/// are too many.
 #[test]
 fn some_kinks_are_followed() {
     for (count, first) in [(8_u32, 0), (8, 4), (9, 0), (9, 5)] {
@@ -24,7 +25,8 @@ fn some_kinks_are_followed() {
     }
 }
 
-/// Rounded to 2⁻²⁰, a kink between two of the last places of a piece is as far from both, and is seen.
+/// Rounded to 2⁻²⁰, a kink between two of the last places of a piece is as far from both, and is
+/// seen.
 #[test]
 fn a_kink_between_places_of_the_same_value_is_seen() {
     let unit = f64::powi(2.0, 20);

@@ -26,7 +26,8 @@ impl Random {
 pub(super) struct Root {
     pub(super) at: f64,
     pub(super) multiplicity: usize,
-    /// How far from it a change of sign, or a turning point, may be found: in the series, in the function.
+    /// How far from it a change of sign, or a turning point, may be found: in the series, in the
+    /// function.
     pub(super) slack: [f64; 2],
     /// How far from an even root rounding may make the series change its sign twice.
     pub(super) dip: f64,
@@ -60,7 +61,8 @@ impl Known {
         self.roots.first().filter(|root| root.at == 0.0).map_or(0, |root| root.multiplicity)
     }
 
-    /// Between two roots, and at ends that are none, the guard is more than 10 δ from zero; the slack is small.
+    /// Between two roots, and at ends that are none, the guard is more than 10 δ from zero; the
+    /// slack is small.
     fn is_distinguishable(&self) -> bool {
         let mut marks: Vec<f64> =
             [0.0].into_iter().chain(self.roots.iter().map(|r| r.at)).chain([1.0]).collect();
@@ -105,7 +107,8 @@ impl Known {
         let root = |&(at, multiplicity): &(f64, usize)| {
             let others = all.iter().filter(|(r, _)| *r != at);
             let lead = scale.abs() * others.map(|(r, m)| (at - r).abs().powi(*m as i32)).product::<f64>();
-            // Values to ε² of the terms' size by the compensated scheme; the rate to ε, or to what the fit has left.
+            // Values to ε² of the terms' size by the compensated scheme; the rate to ε, or to what
+            // the fit has left.
             let value = (error + (2.0 * degree * f64::EPSILON).powi(2) * size) / lead;
             let rate = degree * degree * (error + 8.0 * f64::EPSILON * size) / lead;
             let fitted = 1e3 * (0.02 * delta + 16.0 * f64::EPSILON * size) / lead;
@@ -165,8 +168,8 @@ fn worst(root: &Root) -> f64 {
     root.slack[0].max(root.slack[1]).max(root.dip)
 }
 
-/// A root: anywhere, near an end, at an end, or near the middle so that pairs are close. One at 1 is so only where the series
-/// is exact.
+/// A root: anywhere, near an end, at an end, or near the middle so that pairs are close. One at 1
+/// is so only where the series is exact.
 fn draw_root(random: &mut Random, exact: bool) -> f64 {
     let small = 10f64.powf(random.within(-9.0, -1.0));
     match (random.below(8), exact) {
@@ -180,7 +183,8 @@ fn draw_root(random: &mut Random, exact: bool) -> f64 {
     }
 }
 
-/// Frequency, phase, amplitude. Thirty-three terms of a frequency up to 4 leave out 4³³/33! = 8e-18.
+/// Frequency, phase, amplitude. Thirty-three terms of a frequency up to 4 leave out 4³³/33! =
+/// 8e-18.
 fn wave(random: &mut Random) -> [f64; 3] {
     [
         random.within(0.5, 4.0),

@@ -43,7 +43,8 @@ fn the_first_change_of_sign_is_found() {
     }
 }
 
-/// Up to its bound the function is at the known root, whose sign is not known; with the root divided out it has one.
+/// Up to its bound the function is at the known root, whose sign is not known; with the root
+/// divided out it has one.
 #[test]
 fn signs_behind_a_known_root_count_beyond_the_bound() {
     for sign in [1.0, -1.0] {
@@ -76,7 +77,8 @@ fn an_extremum_within_the_bound_is_a_root() {
     }
 }
 
-/// At the end a value within the noise is zero, and so is an extremum beyond which there is less than the noise, or half of δ.
+/// At the end a value within the noise is zero, and so is an extremum beyond which there is less
+/// than the noise, or half of δ.
 #[test]
 fn a_root_at_the_end_is_seen_to_the_noise() {
     for sign in [1.0, -1.0] {

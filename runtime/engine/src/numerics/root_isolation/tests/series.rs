@@ -39,7 +39,8 @@ fn grazing() {
             let depth = (10.0 * delta / 2.0).sqrt();
             if a > 2.0 * depth {
                 let theta = crossing(verdict(-10.0)).expect("a crossing");
-                // cos 2x = 1 − 10 δ at x = depth (1 + 10 δ/12 + …); rounding of g over its slope 4 depth.
+                // cos 2x = 1 − 10 δ at x = depth (1 + 10 δ/12 + …); rounding of g over its slope 4
+                // depth.
                 assert!((theta - (a - depth)).abs() < delta * depth + 1e-15 / depth, "{a} {delta} {theta}");
             }
         }
@@ -77,7 +78,8 @@ fn the_step_is_half_open() {
     assert_eq!(watch_series(&[], RootStart::Free, 0.0), Ok(Crossing::Clear));
 }
 
-/// θᵐ (b − θ) rises by less than 1e-3, and falls to b − 1: with the order known its root is b, whatever δ says of the rise.
+/// θᵐ (b − θ) rises by less than 1e-3, and falls to b − 1: with the order known its root is b,
+/// whatever δ says of the rise.
 #[test]
 fn a_known_order_decides_within_the_bound() {
     for m in 1..=4 {
@@ -181,8 +183,8 @@ fn the_tail_of_a_series() {
     assert!(tail(&[1.0, 2.0, 3.0, 1e-17, -1e-17, 1e-17]) <= 2e-17);
 }
 
-/// Coefficients that are zero at the end of a series change nothing, whatever is before them: a root on the way, at a start of known
-/// order, none, or nothing at all.
+/// Coefficients that are zero at the end of a series change nothing, whatever is before them: a
+/// root on the way, at a start of known order, none, or nothing at all.
 #[test]
 fn zeros_at_the_end_of_a_series_say_nothing() {
     let series: [&[f64]; 5] = [&[0.3, 0.2, -1.0], &[0.0, 0.0, 0.4, -1.0], &[1.0, -0.25], &[-0.3], &[0.0]];
@@ -243,7 +245,8 @@ fn roots_are_found_both_ways() {
     }
 }
 
-/// Last terms within the rounding of the first do not shrink, and need not: whatever the unit of the series.
+/// Last terms within the rounding of the first do not shrink, and need not: whatever the unit of
+/// the series.
 #[test]
 fn the_tail_of_rounding_is_twice_its_size() {
     for unit in [1e-6, 1.0, 1e6] {

@@ -8,7 +8,8 @@ fn fitted(g: impl Fn(f64) -> f64, error: f64) -> Smooth {
     Smooth::polynomial(&mut |theta| g(theta), DEGREE, error).expect("finite")
 }
 
-/// The error may be ε Tₙ(2θ − 1), whose slope at the end is 2 n² ε (Markov's inequality is sharp there).
+/// The error may be ε Tₙ(2θ − 1), whose slope at the end is 2 n² ε (Markov's inequality is sharp
+/// there).
 #[test]
 fn an_error_has_the_slope_of_a_chebyshev_polynomial() {
     for error in [1e-9, 1e-3] {
@@ -38,7 +39,8 @@ fn no_value_and_no_slope_is_beyond_its_bounds() {
     }
 }
 
-/// 3θ + 1 changes by its error to both sides over 2 ε/3; what is zero does so over no part of the step.
+/// 3θ + 1 changes by its error to both sides over 2 ε/3; what is zero does so over no part of the
+/// step.
 #[test]
 fn the_resolution_is_where_the_error_is_reached() {
     let line = fitted(|theta| 3.0 * theta + 1.0, 1e-6);

@@ -111,7 +111,8 @@ fn series_are_followed_alike_in_every_unit() {
     }
 }
 
-/// Half of δ, or the noise, is what a minimum beyond the end may be lower by: k (θ − 1 − d)² falls on by k d².
+/// Half of δ, or the noise, is what a minimum beyond the end may be lower by: k (θ − 1 − d)² falls
+/// on by k d².
 #[test]
 fn a_minimum_beyond_the_end_is_seen_to_half_of_its_bound() {
     let delta = 1e-6_f64;

@@ -1,4 +1,5 @@
-//! Kinetic angles by the Delassus matrix of the rows that hold both ways, taken in one after the other.
+//! Kinetic angles by the Delassus matrix of the rows that hold both ways, taken in one after the
+//! other.
 
 use nalgebra::{DMatrix, DVector};
 

@@ -7,8 +7,8 @@ use crate::contact::friction::tests::random::Random;
 use crate::contact::impulse::{Collision, CollisionError, ImpulseMethod, Row};
 use crate::model::Law;
 
-/// A contact slips one way all along its path, and another one touches that moves with it: pressed where its velocity at the end falls
-/// below zero by more than the rounding of its terms.
+/// A contact slips one way all along its path, and another one touches that moves with it: pressed
+/// where its velocity at the end falls below zero by more than the rounding of its terms.
 #[test]
 fn another_contact_is_pressed_beyond_rounding() {
     let mut random = Random(0x1F83_D9AB_FB41_BD6B);
@@ -43,7 +43,8 @@ fn another_contact_is_pressed_beyond_rounding() {
     assert!(examined.iter().all(|count| *count > 50), "{examined:?}");
 }
 
-/// Without slip a contact that strikes gains by Newton's law where e is large: e P (ġ⁺ + ġ⁻) + P_t v⁻ = 0 at the largest factor.
+/// Without slip a contact that strikes gains by Newton's law where e is large: e P (ġ⁺ + ġ⁻) + P_t
+/// v⁻ = 0 at the largest factor.
 #[test]
 fn restitution_is_reduced_to_what_gains_nothing() {
     let mut random = Random(0x5BE0_CD19_137E_2179);
@@ -87,7 +88,8 @@ fn restitution_is_reduced_to_what_gains_nothing() {
     assert!(reduced > 50 && whole > 50, "{reduced} {whole}");
 }
 
-/// A plank that falls flat on three smooth feet shares its load in many ways, and leaves them; a particle beside it slides.
+/// A plank that falls flat on three smooth feet shares its load in many ways, and leaves them; a
+/// particle beside it slides.
 #[test]
 fn impulses_are_not_unique_where_those_of_a_stage_are_not() {
     let jacobian = DMatrix::from_row_slice(
@@ -134,7 +136,8 @@ fn bodies_at_rest_have_no_impact() {
     }
 }
 
-/// What is applied acts first, on the joint alone, and the contact strikes after it: all impulses together balance what is applied.
+/// What is applied acts first, on the joint alone, and the contact strikes after it: all impulses
+/// together balance what is applied.
 #[test]
 fn applied_impulses_act_before_contacts() {
     let mut random = Random(0x3C6E_F372_FE94_F82B);

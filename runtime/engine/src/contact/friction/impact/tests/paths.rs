@@ -79,7 +79,8 @@ fn paths_are_those_of_small_steps() {
         let it = RouthContact { w_nn, w_nt, w_tt, mu, e, law };
         let (path, steps) = match (it.path(-1.0, slip), integrated(&it, slip)) {
             (Some(path), Some(steps)) => (path, steps),
-            // Newton's law may ask for more than a path gives that falls again; steps may not come so far.
+            // Newton's law may ask for more than a path gives that falls again; steps may not come
+            // so far.
             (path, _) => {
                 assert!(path.is_none_or(|it| it.vertices.iter().any(|at| at.impulse > 30.0 / w_nn)), "{k}");
                 continue;
@@ -99,7 +100,8 @@ fn paths_are_those_of_small_steps() {
     assert!(reversed > 10 && stuck > 40 && down > 3, "{reversed} {stuck} {down}");
 }
 
-/// A slip that ends just as the compression or the restitution does, with W_Nt = 0: what follows sticks, and what ends is at rest.
+/// A slip that ends just as the compression or the restitution does, with W_Nt = 0: what follows
+/// sticks, and what ends is at rest.
 #[test]
 fn a_slip_may_end_with_a_stage() {
     let (mu, e) = (0.5, 0.5);
@@ -119,8 +121,9 @@ fn a_slip_may_end_with_a_stage() {
     }
 }
 
-/// The tip of a bar on a pin: v = q ġ throughout, W = w (1, q; q, q²). The compression, with dġ/dP = w (1 + μ |q|), is
-/// followed by a rise with w (1 − μ |q|), slipping back, or, where that is negative, by none, as it sticks.
+/// The tip of a bar on a pin: v = q ġ throughout, W = w (1, q; q, q²). The compression, with dġ/dP =
+/// w (1 + μ |q|), is followed by a rise with w (1 − μ |q|), slipping back, or, where that is
+/// negative, by none, as it sticks.
 #[test]
 fn a_contact_that_moves_along_one_line_stops_at_once() {
     let mut random = Random(0x9B05_688C_2B3E_6C1F);

@@ -98,7 +98,8 @@ fn apart_from_each_other(it: &Collision, outcome: &Outcome) -> f64 {
     (rates - &outcome.rates).amax() / outcome.rates.amax()
 }
 
-/// Several contacts at once: the conditions to 1e-10, Poisson's law never gains, Newton's tells what it gains.
+/// Several contacts at once: the conditions to 1e-10, Poisson's law never gains, Newton's tells
+/// what it gains.
 #[test]
 fn contacts_at_once_satisfy_the_law() {
     let mut random = Random(0x2545_F491_4F6C_DD1D);
@@ -174,7 +175,8 @@ fn units_do_not_matter() {
     assert!(3 * answered > 2 * examined && 10 * rough > examined, "{answered} {rough}");
 }
 
-/// Impulses that are not unique, where the search for the shortest ones was lost in rounding in some units.
+/// Impulses that are not unique, where the search for the shortest ones was lost in rounding in
+/// some units.
 #[test]
 fn shared_impulses_have_no_units() {
     for (k, state) in [(7567, 0x7058_FE49_CEB6_3245), (9742, 0xBBB9_0FAC_0BBE_492C)] {
@@ -182,7 +184,8 @@ fn shared_impulses_have_no_units() {
     }
 }
 
-/// Impulses and rates in other units are those in these, and satisfy the law; whether there are any.
+/// Impulses and rates in other units are those in these, and satisfy the law; whether there are
+/// any.
 fn have_no_units(it: &Collision, k: usize) -> bool {
     let found = it.solve();
     for units in [(1e7, 1e-4, 3e3), (2e-9, 7e3, 1e-5)] {
@@ -219,15 +222,16 @@ fn guided(it: &Collision, rates: &DVector<f64>, impulses: &DVector<f64>) -> f64 
     speed[0].abs().max(friction.abs() - most).max(against)
 }
 
-/// What Poisson's law may gain by the guide, (P_tᵉ − e P_tᶜ) v⁺. With one e, Λ the impulses of all rows, γ their speeds and W their
-/// Delassus matrix
+/// What Poisson's law may gain by the guide, (P_tᵉ − e P_tᶜ) v⁺. With one e, Λ the impulses of all
+/// rows, γ their speeds and W their Delassus matrix
 ///
 /// ```text
 /// T⁺ − Tᶜ = Λᵉ·γ⁺ − ½ Λᵉ·W Λᵉ,    Λᵉ·γ⁺ = e Λᶜ·(γᶜ + W Λᵉ) + Σ (P_tᵉ − e P_tᶜ) v⁺
 /// T⁺ − T⁻ ≤ (1 + e) Λᶜ·γᶜ − ½ (1 − e²) Λᶜ·W Λᶜ + Σ (P_tᵉ − e P_tᶜ) v⁺
 /// ```
 ///
-/// where Λᶜ·γᶜ ≤ 0, and the sum is ≤ 0 of contacts: Pᵉ ≥ e Pᶜ. Of a guide |Pᵉ| may be less, and with it the friction.
+/// where Λᶜ·γᶜ ≤ 0, and the sum is ≤ 0 of contacts: Pᵉ ≥ e Pᶜ. Of a guide |Pᵉ| may be less, and
+/// with it the friction.
 fn gained_by_guide(it: &Collision, e: f64, outcome: &Outcome) -> f64 {
     let Some((_, first)) = &outcome.compression else { return 0.0 };
     let tangent = it.rows.len() / 2;
@@ -235,7 +239,8 @@ fn gained_by_guide(it: &Collision, e: f64, outcome: &Outcome) -> f64 {
     (outcome.impulses[tangent] - (1.0 + e) * first[tangent]) * slip
 }
 
-/// A guide beside contacts that strike: it stays closed, and each stage obeys the law with |P|. Nothing is gained but by its friction.
+/// A guide beside contacts that strike: it stays closed, and each stage obeys the law with |P|.
+/// Nothing is gained but by its friction.
 #[test]
 fn guides_rub_where_contacts_strike() {
     let mut random = Random(0x9E37_79B9_7F4A_7C15);
@@ -312,7 +317,8 @@ fn a_single_contact_never_gains_but_by_newton() {
     assert!(worst <= 1e-12 && most <= 1e-12 && gains > 0);
 }
 
-/// A contact that touches and is not pressed on the way changes nothing; one that is ends the path, and Stronge's law.
+/// A contact that touches and is not pressed on the way changes nothing; one that is ends the path,
+/// and Stronge's law.
 #[test]
 fn another_contact_ends_the_path_only_where_it_is_pressed() {
     let mut random = Random(0xABCD_EF01_2345_6789);
@@ -360,7 +366,8 @@ fn is_inconsistent(it: &Collision, force: &DVector<f64>) -> bool {
     kkt.solve_with_friction(&question).is_err_and(|error| error == FrictionError::Inconsistent)
 }
 
-/// Two contacts slide and no reactions hold them: an impulse changes the motion, nothing is gained, and the law holds.
+/// Two contacts slide and no reactions hold them: an impulse changes the motion, nothing is gained,
+/// and the law holds.
 #[test]
 fn a_paradox_ends_in_an_impact() {
     let mut random = Random(0x0F0F_1234_ABCD_9999);

@@ -46,7 +46,8 @@ fn a_plateau_is_noise() {
     assert_eq!(noise(&[1e-5; COARSE + 1], 1e-3), None);
 }
 
-/// qᵏ up to degree 8: known to a hundredth of δ or to rounding; if not, to ten times the last, where q⁴ and q² are at most a tenth.
+/// qᵏ up to degree 8: known to a hundredth of δ or to rounding; if not, to ten times the last,
+/// where q⁴ and q² are at most a tenth.
 #[test]
 fn how_well_a_fit_is_known_follows_from_its_coefficients() {
     for q in [0.2_f64, 0.3, 0.4, 0.6] {

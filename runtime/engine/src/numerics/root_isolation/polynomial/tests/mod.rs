@@ -113,7 +113,8 @@ fn a_polynomial_is_known_from_as_many_places_as_it_takes() {
     }
 }
 
-/// A line, a wave of some turns, and one that no degree resolves: how many places each takes with those that are compared.
+/// A line, a wave of some turns, and one that no degree resolves: how many places each takes with
+/// those that are compared.
 #[test]
 fn the_degree_rises_until_the_function_is_resolved() {
     for (omega, places, resolved) in [(0.0, 10, true), (5.0, 19, true), (16.0, 35, true), (200.0, 35, false)]
