@@ -1,8 +1,10 @@
-//! Redundant closed contacts: reactions within their cones that hold the motion, where the equations alone leave them open.
+//! Redundant closed contacts: reactions within their cones that hold the motion, where the
+//! equations alone leave them open.
 //!
-//! The cone of a contact that sticks is spanned by its edges, `λ_N (1, ±μ_s)`, that of one that slides is the half-line
-//! `λ_N (1, −σ μ)`. With the columns of the edges in A the multipliers y ≥ 0, and those of two-sided rows and the accelerations
-//! without a sign, are those of `|A y − r| → min`, by the method of Lawson and Hanson (*Solving Least Squares Problems*, 1974,
+//! The cone of a contact that sticks is spanned by its edges, `λ_N (1, ±μ_s)`, that of one that
+//! slides is the half-line `λ_N (1, −σ μ)`. With the columns of the edges in A the multipliers y ≥
+//! 0, and those of two-sided rows and the accelerations without a sign, are those of
+//! `|A y − r| → min`, by the method of Lawson and Hanson (*Solving Least Squares Problems*, 1974,
 //! chapter 23). Admissible ones exist where the least value is zero.
 
 use std::collections::BTreeSet;
@@ -10,7 +12,7 @@ use std::collections::BTreeSet;
 use nalgebra::{DMatrix, DVector};
 
 use super::modes::{ContactMode, ModeChoice, ModeCondition};
-use super::problem::{self, ActiveRows, BalancedProblem, RowEquations, Trial, Unit};
+use super::problem::{self, ActiveRows, BalancedProblem, Edge, RowEquations, Trial, Unit};
 use crate::contact::trials::LcpError;
 use crate::numerics::decomposition::svd;
 use crate::numerics::zero::SOLVED;
@@ -18,25 +20,9 @@ use crate::numerics::zero::SOLVED;
 /// Columns taken in at most, for each there is.
 const CHANGES: usize = 10;
 
-/// A combination of the balanced multipliers of rows, (row, part).
-pub(super) type Edge = Vec<(usize, f64)>;
-
-impl ActiveRows {
-    /// What multipliers of closed rows the loads of edges are, a column for each; `None` where an
-    /// edge has a row that is not closed.
-    pub(super) fn build_edge_matrix(&self, edges: &[Edge]) -> Option<DMatrix<f64>> {
-        let mut of_edges = DMatrix::zeros(self.rows.len(), edges.len());
-        for (k, edge) in edges.iter().enumerate() {
-            for &(row, part) in edge {
-                of_edges[(self.find_place(row)?, k)] = part;
-            }
-        }
-        Some(of_edges)
-    }
-}
-
 impl BalancedProblem<'_> {
-    /// The motion of modes whose equations are singular, if reactions exist that meet the conditions on them.
+    /// The motion of modes whose equations are singular, if reactions exist that meet the
+    /// conditions on them.
     pub(super) fn admissible(
         &self,
         chosen: &[&ModeChoice],
@@ -152,7 +138,8 @@ fn least_squares(a: &DMatrix<f64>, right: &DVector<f64>, one_sided: &[bool]) -> 
     Some(y)
 }
 
-/// The least-squares solution with the passive columns, of which those whose entries would turn negative on the way leave.
+/// The least-squares solution with the passive columns, of which those whose entries would turn
+/// negative on the way leave.
 fn descend(
     a: &DMatrix<f64>,
     right: &DVector<f64>,
@@ -199,7 +186,8 @@ mod tests {
 
     use super::{descend, least_squares};
 
-    /// A y = r is met best where no entry can be changed for the better: Aᵀ(A y − r) = 0, and ≥ 0 where y = 0 has a sign.
+    /// A y = r is met best where no entry can be changed for the better: Aᵀ(A y − r) = 0, and ≥ 0
+    /// where y = 0 has a sign.
     fn is_least(a: &DMatrix<f64>, right: &DVector<f64>, one_sided: &[bool]) -> Result<(), TestCaseError> {
         let y = least_squares(a, right, one_sided).expect("it comes to an end");
         let slope = a.tr_mul(&(a * &y - right));
@@ -231,8 +219,9 @@ mod tests {
         }
     }
 
-    /// Two columns at an obtuse angle of which both entries are to turn negative: the one that vanishes first leaves, and the other one
-    /// then need not. y₁ = 1 falls to −1 and vanishes on half of the way, y₂ falls to −½ from y₂ and vanishes at y₂/(y₂ + ½).
+    /// Two columns at an obtuse angle of which both entries are to turn negative: the one that
+    /// vanishes first leaves, and the other one then need not. y₁ = 1 falls to −1 and vanishes on
+    /// half of the way, y₂ falls to −½ from y₂ and vanishes at y₂/(y₂ + ½).
     #[test]
     fn the_entry_that_vanishes_first_leaves() {
         let (cosine, sine) = (-0.8, 0.6);

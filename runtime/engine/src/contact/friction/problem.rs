@@ -1,5 +1,5 @@
-//! `[M −Cᵀ; J 0] [a; λ] = [f; −b]` with the rows of closed contacts in J and, in C, J_N − σ μ J_t instead of J_N for those that
-//! slide.
+//! `[M −Cᵀ; J 0] [a; λ] = [f; −b]` with the rows of closed contacts in J and, in C, J_N − σ μ J_t
+//! instead of J_N for those that slide.
 
 use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
@@ -73,7 +73,11 @@ pub(super) struct BalancedProblem<'a> {
     pub(super) units: Vec<Unit>,
 }
 
-/// Closed rows, the columns that are not the transposed rows, (normal, tangent, −σ μ), and multipliers that are given.
+/// A combination of the balanced multipliers of rows, (row, part).
+pub(super) type Edge = Vec<(usize, f64)>;
+
+/// Closed rows, the columns that are not the transposed rows, (normal, tangent, −σ μ), and
+/// multipliers that are given.
 #[derive(Default)]
 pub(super) struct ActiveRows {
     pub(super) rows: Vec<usize>,
@@ -260,7 +264,8 @@ impl EquilibratedKkt {
         }
     }
 
-    /// The balanced unit of a row by that of another one: a force of the first in units of the second.
+    /// The balanced unit of a row by that of another one: a force of the first in units of the
+    /// second.
     pub(super) fn ratio(&self, row: usize, other: usize) -> f64 {
         self.scale[self.n + row] / self.scale[self.n + other]
     }
@@ -323,7 +328,8 @@ impl RowEquations {
         Some(&x + factors.solve(&rest)?)
     }
 
-    /// The least-norm solution of a matrix that may be singular, and whether its first `n` entries are determined.
+    /// The least-norm solution of a matrix that may be singular, and whether its first `n` entries
+    /// are determined.
     pub(super) fn least_norm(&self, right: &DVector<f64>, n: usize) -> Option<(DVector<f64>, bool)> {
         let svd = svd(self.matrix.clone());
         let cutoff = cutoff(&svd);
