@@ -54,7 +54,7 @@ impl ExpressionDimension {
     }
 }
 
-/// Expressions while they are read. Of what has every dimension, 0, there is no [`Value`].
+/// Expressions while they are read. Of what has every dimension, 0, there is no [`ExpressionDimension`].
 pub(super) struct DimensionReader<'d> {
     description: &'d Description,
     constants: BTreeMap<String, Option<ExpressionDimension>>,

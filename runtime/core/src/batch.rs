@@ -10,10 +10,10 @@ use crate::scalar::{Inside, Lanes, Vector};
 /// that wait for one another.
 pub type BatchLanes = Lanes<2>;
 
-/// The right-hand side of a phase in closed form, for [`Side::COUNT`] states side by side, by the
-/// widest instructions that the processor has. The bits of each do not depend on the others; where
-/// the program is compiled for the same instructions they are those of one state alone, but for
-/// chains from six bars on, which are computed in another order.
+/// The right-hand side of a phase in closed form, for [`BatchLanes::COUNT`] states side by side, by
+/// the widest instructions that the processor has. The bits of each do not depend on the others;
+/// where the program is compiled for the same instructions they are those of one state alone, but
+/// for chains from six bars on, which are computed in another order.
 pub struct Batch<M: BarSystem>(Box<dyn Evaluate<M>>);
 
 trait Evaluate<M: BarSystem>: Send + Sync {
@@ -41,8 +41,8 @@ impl<M: BarSystem> Batch<M> {
 
     /// Accelerations of the coordinates that the phase keeps, in their order and first; zero after
     /// them. `states` are full, coordinates, then rates, then the time if the equations depend on
-    /// it, [`Side::COUNT`] in each, and satisfy the closed contacts. Of slices that are not equally
-    /// long, the rest is left alone.
+    /// it, [`BatchLanes::COUNT`] in each, and satisfy the closed contacts. Of slices that are not
+    /// equally long, the rest is left alone.
     pub fn reduced_accelerations(
         &self,
         states: &[M::State<BatchLanes>],
@@ -51,7 +51,7 @@ impl<M: BarSystem> Batch<M> {
         self.0.evaluate(states, accelerations);
     }
 
-    /// States side by side; the last is repeated where [`Side::COUNT`] does not divide their
+    /// States side by side; the last is repeated where [`BatchLanes::COUNT`] does not divide their
     /// number.
     pub fn pack(states: &[M::State<f64>]) -> Vec<M::State<BatchLanes>> {
         let packed = |chunk: &[M::State<f64>]| {

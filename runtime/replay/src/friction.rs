@@ -1,5 +1,5 @@
 //! Contacts with friction in a collision: how they slip at its end and on the way, and Routh's path
-//! of one that strikes alone ([`Striker`] has its equations).
+//! of one that strikes alone ([`RouthContact`] has its equations).
 
 use crate::Number;
 use crate::collision::Collision;

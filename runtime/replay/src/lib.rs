@@ -6,8 +6,8 @@
 //! found it; impacts are solved from the contacts that acted. What is taken from the run is then
 //! its contact sets, its equations and the order of its events.
 //!
-//! - [`replay`]: phases and impacts in their order; [`read`]: outputs at times and behind events on
-//!   the way ([`Reading`]).
+//! - [`replay`]: phases and impacts in their order; [`replay_outputs`]: outputs at times and behind
+//!   events on the way ([`Reading`]).
 //! - `model`: the equations of a phase; `extrapolation` integrates them, `root` finds its end,
 //!   `instant` evaluates guards, with the `arithmetic` of conditions; [`difference`]: those on
 //!   positions and rates alone.

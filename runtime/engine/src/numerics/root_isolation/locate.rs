@@ -36,7 +36,7 @@ impl Root {
 
 /// The first root of `g` in (0, 1]: a change of sign either way, or an extremum within its error
 /// bound of zero. A change of sign through a pole or a jump is no root. At θ = 0 there is a root
-/// only where the step [continues](Start::Continues) one that ended with the other sign.
+/// only where the step [continues](RootStart::Continues) one that ended with the other sign.
 ///
 /// # Errors
 /// If `g` is infinite or not a number somewhere, or turns too often to be followed.
