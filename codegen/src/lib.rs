@@ -220,7 +220,8 @@ pub fn equations(input: TokenStream) -> syn::Result<Equations> {
     limits::within_work(limits::WORK_OF_TEXT, analysis.system.ident.span(), || text::equations(&analysis))
 }
 
-/// The equations of the declaration that a model carries; in their place its mistakes, if it has any.
+/// The equations of the declaration that a model carries; in their place its mistakes, if it has
+/// any.
 pub fn equations_from_text(declaration: &str) -> Equations {
     let derived = || -> syn::Result<Equations> { equations(declaration.parse()?) };
     derived().unwrap_or_else(|mistakes| Equations::missing(&mistakes.to_string()))

@@ -128,7 +128,8 @@ fn events_are_serialised_by_their_fields() {
     assert_eq!(json["note"].as_str(), impact.note.as_ref().map(ToString::to_string).as_deref());
 }
 
-/// Samples are the values of outputs at times; states those at the ends of steps, both sides of an impact.
+/// Samples are the values of outputs at times; states those at the ends of steps, both sides of an
+/// impact.
 #[test]
 fn samples_and_states_are_values_of_the_motion() {
     let ball = BouncingBall { m: 1.0, g: 9.81, e: 0.5 };

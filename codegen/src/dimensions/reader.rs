@@ -54,7 +54,8 @@ impl ExpressionDimension {
     }
 }
 
-/// Expressions while they are read. Of what has every dimension, 0, there is no [`ExpressionDimension`].
+/// Expressions while they are read. Of what has every dimension, 0, there is no
+/// [`ExpressionDimension`].
 pub(super) struct DimensionReader<'d> {
     description: &'d Description,
     constants: BTreeMap<String, Option<ExpressionDimension>>,

@@ -38,8 +38,8 @@ pub struct Phase {
     pub eliminated: Vec<Elimination>,
     /// What the elimination divides by, where it is not constant.
     pub pivots: Vec<Series>,
-    /// Every coordinate in terms of those kept; an eliminated angle is given by [`CoordinateValue::Angle`]
-    /// only.
+    /// Every coordinate in terms of those kept; an eliminated angle is given by
+    /// [`CoordinateValue::Angle`] only.
     pub coordinates: Vec<CoordinateValue>,
     /// Every rate.
     pub rates: Vec<Quotient>,

@@ -22,8 +22,8 @@ pub struct Subject {
 }
 
 impl Subject {
-    /// The model of a simulation, at the position that it starts from; `system`: its equations in double-double, from
-    /// [`precise`](liftoff_core::system::precise).
+    /// The model of a simulation, at the position that it starts from; `system`: its equations in
+    /// double-double, from [`precise`](liftoff_core::system::precise).
     ///
     /// # Errors
     /// The start is refused.

@@ -2,10 +2,12 @@
 
 use crate::BarSystem;
 
-/// The equations that were derived of a model, as a book prints them: energies, mass matrix, forces and gaps, and for each
-/// contact set in closed form its equation of motion and its reactions. The text changes only when the physics does.
+/// The equations that were derived of a model, as a book prints them: energies, mass matrix, forces
+/// and gaps, and for each contact set in closed form its equation of motion and its reactions. The
+/// text changes only when the physics does.
 ///
-/// Needs the feature `equations`. In a test, with the crate `insta`, a change of the mechanics shows as a readable difference:
+/// Needs the feature `equations`. In a test, with the crate `insta`, a change of the mechanics
+/// shows as a readable difference:
 ///
 /// ```
 /// # use liftoff::prelude::*;

@@ -43,18 +43,23 @@
 //!
 //! # What a program meets
 //!
-//! - To declare: [`BarSystem`](derive@BarSystem), [`document`](macro@document); the model as a value of any kind, [`Scene`], [`Model`], [`Layout`].
-//! - To run: [`Simulation`] from a [`Pose`], by a [`method`], to the end that is asked for; [`Budget`]. What can go wrong, by stage:
-//!   [`ModelError`], [`StartError`], [`ScheduleError`], [`RunError`] with the motion so far.
-//! - To read: [`Trajectory`] with [`Event`]s, dense output and [`Output`]s; [`Observer`] for a run while it is computed; [`Audit`].
-//! - Without events: [`PhaseHandle`] for the equations of one contact set, [`flow`](fn@flow) for their motion, [`Modes`] for the graph of
-//!   contact sets.
-//! - Over other numbers: [`scalar`]; [`precise`] for double-double, [`varied`] for derivatives, [`lanes`] for several states at once.
+//! - To declare: [`BarSystem`](derive@BarSystem), [`document`](macro@document); the model as a
+//!   value of any kind, [`Scene`], [`Model`], [`Layout`].
+//! - To run: [`Simulation`] from a [`Pose`], by a [`method`], to the end that is asked for;
+//!   [`Budget`]. What can go wrong, by stage: [`ModelError`], [`StartError`], [`ScheduleError`],
+//!   [`RunError`] with the motion so far.
+//! - To read: [`Trajectory`] with [`Event`]s, dense output and [`Output`]s; [`Observer`] for a run
+//!   while it is computed; [`Audit`].
+//! - Without events: [`PhaseHandle`] for the equations of one contact set, [`flow`](fn@flow) for
+//!   their motion, [`Modes`] for the graph of contact sets.
+//! - Over other numbers: [`scalar`]; [`precise`] for double-double, [`varied`] for derivatives,
+//!   [`lanes`] for several states at once.
 //!
-//! Below this crate stands `liftoff-core`: model traits, scalars, Taylor series, steppers. Above it stand
-//! `liftoff-verification` (references, precision, cases judged), `liftoff-analysis` (equilibria, linearisation),
-//! `liftoff-conditions` (lift-off as a formula), `liftoff-studio` (models by name, drawings, charts, pages, sweeps) and
-//! `liftoff-cli` (the command line over all of these).
+//! Below this crate stands `liftoff-core`: model traits, scalars, Taylor series, steppers. Above it
+//! stand `liftoff-verification` (references, precision, cases judged), `liftoff-analysis`
+//! (equilibria, linearisation), `liftoff-conditions` (lift-off as a formula), `liftoff-studio`
+//! (models by name, drawings, charts, pages, sweeps) and `liftoff-cli` (the command line over all
+//! of these).
 
 #![cfg_attr(not(feature = "std"), no_std)]
 
@@ -162,8 +167,8 @@ pub use trajectory::{
     AppliedImpulse, Extremum, Instant, LogEntry, LoggedDecision, Segment, Statistics, Trajectory,
 };
 
-/// What emitted code calls and what the crates above the engine share: no part of the interface, and it may change with
-/// every version.
+/// What emitted code calls and what the crates above the engine share: no part of the interface,
+/// and it may change with every version.
 #[doc(hidden)]
 pub mod __private {
     pub use liftoff_core::__private::*;
@@ -178,8 +183,8 @@ pub mod __private {
         pub use crate::expression::*;
     }
 
-    /// Collisions in plain numbers: rows of a Jacobian, laws of restitution, the impulses that follow,
-    /// and the path of a single contact with friction.
+    /// Collisions in plain numbers: rows of a Jacobian, laws of restitution, the impulses that
+    /// follow, and the path of a single contact with friction.
     #[cfg(feature = "std")]
     pub mod impulse {
         pub use crate::contact::impulse::*;

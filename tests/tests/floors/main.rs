@@ -59,8 +59,8 @@ const FLOORS: [(&str, &[&str]); 15] = [
     ("python", &["liftoff-core", "liftoff", "liftoff-studio"]),
 ];
 
-/// The places above core that name a model's type: the engine asks for its parts and its declaration;
-/// the registry asks for the model, and for what works without it.
+/// The places above core that name a model's type: the engine asks for its parts and its
+/// declaration; the registry asks for the model, and for what works without it.
 const ERASES: [&str; 4] = [
     "engine/src/equations.rs",
     "engine/src/simulation/scene.rs",

@@ -20,10 +20,11 @@ const SAME: f64 = 1e-8;
 /// How deep an open contact may be penetrated, in natural lengths.
 const DEEP: f64 = 1e-9;
 
-/// The equilibria that are found from the position of the subject: of all subsets of up to eight contacts, else of those that touch
-/// there and of their subsets without one. The nearest is the first; angles are between −π and π where whole turns make no
-/// difference. Of a model without contacts and loops, and where nothing is found, they are looked for from that
-/// position with angles turned by quarters too.
+/// The equilibria that are found from the position of the subject: of all subsets of up to eight
+/// contacts, else of those that touch there and of their subsets without one. The nearest is the
+/// first; angles are between −π and π where whole turns make no difference. Of a model without
+/// contacts and loops, and where nothing is found, they are looked for from that position with
+/// angles turned by quarters too.
 ///
 /// # Errors
 /// None is found, or there can be none.
@@ -100,7 +101,8 @@ pub(super) fn is_possible(subject: &Subject, state: &[DoubleDouble]) -> bool {
     })
 }
 
-/// The same position with angles between −π and π, unless it is no equilibrium there, as with a torsion spring.
+/// The same position with angles between −π and π, unless it is no equilibrium there, as with a
+/// torsion spring.
 fn without_turns(subject: &Subject, set: ContactSet, state: Vec<DoubleDouble>) -> Vec<DoubleDouble> {
     let coordinates = subject.layout().coordinates;
     let turned = |(coordinate, q): (&Coordinate, &DoubleDouble)| match coordinate.is_angle {

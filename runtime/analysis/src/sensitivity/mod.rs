@@ -51,8 +51,9 @@ pub struct Derivatives {
 }
 
 impl Sensitivities {
-    /// Of a run; `model` makes the model's equations on dual numbers, for a compiled model by [`varied`](liftoff_core::system::varied);
-    /// `start` gives the full state that a run starts in with another value of a variable.
+    /// Of a run; `model` makes the model's equations on dual numbers, for a compiled model by
+    /// [`varied`](liftoff_core::system::varied); `start` gives the full state that a run starts in
+    /// with another value of a variable.
     ///
     /// # Errors
     /// The run cannot be computed once more; its start cannot be varied; it has events without

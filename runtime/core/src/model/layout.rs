@@ -299,8 +299,8 @@ pub struct Layout {
     pub geometry: &'static Geometry,
 }
 
-/// A model without anything but a name, and for each field a function that gives it: a description names what its scene has
-/// and nothing else, and fields that come later do not break it.
+/// A model without anything but a name, and for each field a function that gives it: a description
+/// names what its scene has and nothing else, and fields that come later do not break it.
 macro_rules! builder {
     ($($field:ident: $type:ty = $none:expr;)*) => {
         impl Layout {

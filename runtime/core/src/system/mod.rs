@@ -1,8 +1,8 @@
 //! A model with its type erased: what the engine integrates, watches and decides with, on slices.
 //!
 //! `M: BarSystem` and constant dimensions end here. [`Model::new`] lifts a compiled model; whatever
-//! else can evaluate its own equations implements [`System`] and [`PhaseEquations`] itself. A call through
-//! them happens once per right-hand side.
+//! else can evaluate its own equations implements [`System`] and [`PhaseEquations`] itself. A call
+//! through them happens once per right-hand side.
 
 mod arrays;
 mod derivative;

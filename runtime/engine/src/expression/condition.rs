@@ -1,4 +1,5 @@
-//! Conditions that end a run: `a = b`, `a < b`, `a > b`, comparisons joined by `and` and `or`, or an expression that becomes zero.
+//! Conditions that end a run: `a = b`, `a < b`, `a > b`, comparisons joined by `and` and `or`, or
+//! an expression that becomes zero.
 
 use core::fmt;
 use std::sync::Arc;

@@ -116,7 +116,8 @@ impl Expression {
         Self::Join(operator, Box::new(left), Box::new(right))
     }
 
-    /// Its derivative by time, of what is linear in coordinates and positions of points; none of anything else.
+    /// Its derivative by time, of what is linear in coordinates and positions of points; none of
+    /// anything else.
     pub(super) fn rate(&self) -> Option<Self> {
         match self {
             fixed if fixed.is_fixed() => Some(Self::Number(0.0)),

@@ -336,8 +336,9 @@ impl Simulation {
         self
     }
 
-    /// Ends the run where a condition becomes true, in an impact too: `phi = pi/2`, `y(D) < -l`, `t = 5`, or an expression becoming zero.
-    /// An equation that an impact passes is not met. `and` joins `<` and `>`, `or` any conditions. Text or a [`Condition`] is taken.
+    /// Ends the run where a condition becomes true, in an impact too: `phi = pi/2`, `y(D) < -l`,
+    /// `t = 5`, or an expression becoming zero. An equation that an impact passes is not met. `and`
+    /// joins `<` and `>`, `or` any conditions. Text or a [`Condition`] is taken.
     pub fn until(mut self, condition: impl IntoConditions) -> Result<Self, OutputError> {
         for condition in condition.into_conditions(self.layout())? {
             if condition.time(&self.context.model.parameters).is_some_and(|at| at.is_nan() || at <= 0.0) {

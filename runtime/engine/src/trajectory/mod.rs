@@ -259,12 +259,14 @@ impl Trajectory {
         instants
     }
 
-    /// The full state, coordinates then rates, at each of the [`instants`](Self::instants) in order.
+    /// The full state, coordinates then rates, at each of the [`instants`](Self::instants) in
+    /// order.
     pub fn states(&self) -> impl Iterator<Item = (Instant, Vec<f64>)> {
         self.instants().into_iter().map(|instant| (instant, self.state_at(instant)))
     }
 
-    /// The values of some outputs, a row for each of the times; at an event they are those after it.
+    /// The values of some outputs, a row for each of the times; at an event they are those after
+    /// it.
     ///
     /// ```
     /// # use liftoff::prelude::*;

@@ -87,7 +87,8 @@ fn attribute(attribute: &syn::Attribute) -> String {
     format!("#[{text}]")
 }
 
-/// What each coordinate of a model measures, in the order of [`Layout::names_of_positions`]: `angle of AB from the right`.
+/// What each coordinate of a model measures, in the order of [`Layout::names_of_positions`]:
+/// `angle of AB from the right`.
 ///
 /// # Errors
 /// The mistakes of a declaration that has any.
@@ -96,9 +97,9 @@ pub fn meanings(layout: &Layout) -> Result<Vec<String>, String> {
     Ok(coordinates.into_iter().map(|coordinate| coordinate.meaning).collect())
 }
 
-/// The equations of motion of a model and of its phases in textbook notation: those of the whole system and those of each
-/// phase in closed form. As text they are stable, fit for snapshots. In place of a declaration's equations stand its mistakes,
-/// if it has any.
+/// The equations of motion of a model and of its phases in textbook notation: those of the whole
+/// system and those of each phase in closed form. As text they are stable, fit for snapshots. In
+/// place of a declaration's equations stand its mistakes, if it has any.
 pub fn equations(layout: &Layout) -> Equations {
     liftoff_codegen::equations_from_text(layout.declaration)
 }

@@ -16,7 +16,8 @@ pub(crate) fn energies(record: &Trajectory) -> &'static [&'static str] {
     if record.dissipates() { &["T", "V", "E", "D"] } else { &["T", "V", "E"] }
 }
 
-/// The output with the reaction of each contact of several supports as their sum, in parentheses where more is beside it.
+/// The output with the reaction of each contact of several supports as their sum, in parentheses
+/// where more is beside it.
 fn with_sums(output: &str) -> String {
     let mut text = String::new();
     let mut rest = output;

@@ -99,11 +99,11 @@ fn samples(run: &Trajectory) -> Vec<f64> {
 }
 
 impl Reference {
-    /// The motion of a run by the independent judge, with the supports held that were; where that cannot do it, the run
-    /// [once more](Self::replayed).
-    /// `system` makes the model's equations from the values of its parameters, for a compiled model
-    /// [`precise`](liftoff_core::system::precise). Takes some thousand times as long as the run; the tighter the run's tolerance,
-    /// the surer that its events are found again.
+    /// The motion of a run by the independent judge, with the supports held that were; where that
+    /// cannot do it, the run [once more](Self::replayed). `system` makes the model's equations from
+    /// the values of its parameters, for a compiled model
+    /// [`precise`](liftoff_core::system::precise). Takes some thousand times as long as the run;
+    /// the tighter the run's tolerance, the surer that its events are found again.
     ///
     /// # Errors
     /// The motion cannot be computed, or not to more digits than doubles have; or the judge finds

@@ -20,7 +20,8 @@ pub fn find_examples(help: &str) -> Vec<&str> {
     lines.filter(|line| !line.starts_with(' ')).collect()
 }
 
-/// Runs every example of a program in a folder that is empty at first, and returns their standard outputs.
+/// Runs every example of a program in a folder that is empty at first, and returns their standard
+/// outputs.
 ///
 /// # Panics
 /// If one fails.

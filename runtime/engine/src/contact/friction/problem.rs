@@ -90,6 +90,18 @@ impl ActiveRows {
     pub(super) fn find_place(&self, row: usize) -> Option<usize> {
         self.rows.iter().position(|&other| other == row)
     }
+
+    /// What multipliers of closed rows the loads of edges are, a column for each; `None` where an
+    /// edge has a row that is not closed.
+    pub(super) fn build_edge_matrix(&self, edges: &[Edge]) -> Option<DMatrix<f64>> {
+        let mut of_edges = DMatrix::zeros(self.rows.len(), edges.len());
+        for (k, edge) in edges.iter().enumerate() {
+            for &(row, part) in edge {
+                of_edges[(self.find_place(row)?, k)] = part;
+            }
+        }
+        Some(of_edges)
+    }
 }
 
 /// Balanced accelerations and multipliers of all rows.
