@@ -14,9 +14,13 @@ macro_rules! texts {
     };
 }
 
-const TEXTS: [(&str, &str); 39] = texts![
+const TEXTS: [(&str, &str); 43] = texts![
+    falling_pair
     falling_pair_full
     narrow_gap
+    zigzag
+    zigzag_full
+    zigzag_published
     zigzag_thread
     ladder
     rod_on_floor
@@ -68,7 +72,7 @@ pub fn models() -> &'static Models {
 /// Every model with its default run: those that are compiled, and the others from their texts.
 pub fn with_default_runs(compiled: &Models) -> Models {
     let model = |(name, run): DefaultRun| match compiled.iter().find(|model| model.name() == name) {
-        Some(model) => model.clone().with_default_run(run()),
+        Some(model) => model.clone().with_default_run(run()).with_source(text(name)),
         None => embedded(name, text(name), run()),
     };
     Models::new(default_runs().map(model).collect())

@@ -1,5 +1,6 @@
 //! Commands on files that no compiler sees.
 
+mod new;
 mod watch;
 
 use std::path::{Path, PathBuf};

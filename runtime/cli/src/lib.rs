@@ -21,7 +21,7 @@ pub use output::{file::check_folder, print};
 use clap::{ColorChoice, CommandFactory, FromArgMatches, Parser, Subcommand};
 use commands::{
     animate, boundary, completions, conditions, equilibrium, explain, export, fit, linearise, list, merge,
-    modes, new, optimise, orbit, plot, precision, report, sensitivity, stability, sweep, watch,
+    modes, new, optimise, orbit, plot, precision, report, sensitivity, stability, sweep, watch, words,
 };
 use errors::parse_error;
 use liftoff_studio::checks::Group;
@@ -95,6 +95,8 @@ enum Command<O: ExtraCommand> {
     Merge(merge::Merge),
     /// Write a page for each model: drawing, equations, run, precision, stability
     Report(report::Report),
+    /// Print the words of the language, or one of them with its equation and an example
+    Words(words::Words),
     /// Write a project with a model of one's own and these commands
     New(new::New),
     /// Print what a shell needs to complete commands, options, models and methods
@@ -213,6 +215,7 @@ impl<O: ExtraCommand> Command<O> {
             | Self::Watch(_)
             | Self::Merge(_)
             | Self::New(_)
+            | Self::Words(_)
             | Self::Completions(_) => Vec::new(),
             Self::List(options) => options.models.iter_mut().collect(),
             Self::Precision(options) => options.models.iter_mut().collect(),
@@ -242,12 +245,13 @@ impl<O: ExtraCommand> Command<O> {
     fn execute(mut self, models: &'static Models, chosen: Option<String>) -> Result<(), CommandError> {
         let models = match self {
             // These choose by themselves: `watch` anew on every save, `explain` of several without a choice takes all.
-            Self::Watch(_) | Self::Explain(_) => models,
+            Self::Watch(_) | Self::Explain(_) | Self::New(_) => models,
             _ => files::resolved(self.names(), chosen.as_deref(), models)?,
         };
         match self {
             Self::Watch(options) => options.execute(chosen),
-            Self::New(options) => options.execute(),
+            Self::New(options) => options.execute(models, chosen.as_deref()),
+            Self::Words(options) => options.execute(),
             Self::Merge(options) => options.execute(),
             Self::Extra(extra) => extra.execute(models),
             Self::List(options) => options.execute(models),

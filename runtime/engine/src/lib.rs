@@ -173,6 +173,10 @@ pub use trajectory::{
 pub mod __private {
     pub use liftoff_core::__private::*;
 
+    /// The reference of the language in Markdown: the documentation of `BarSystem`.
+    #[cfg(feature = "std")]
+    pub const LANGUAGE: &str = include_str!("attributes.md");
+
     #[cfg(feature = "std")]
     pub mod event {
         pub use crate::event::*;

@@ -41,7 +41,7 @@ macro_rules! chapters {
 
 chapters! {
     without_a_compiler "without_a_compiler.md";
-    outputs [language = "liftoff::LANGUAGE"] "outputs.md";
+    outputs [language = "derive@liftoff::BarSystem"] "outputs.md";
     tutorial "tutorial.md";
     events "events.md";
     friction [events = "crate::book::events"] "friction.md";

@@ -23,3 +23,4 @@ pub mod sensitivity;
 pub mod stability;
 pub mod sweep;
 pub mod watch;
+pub mod words;

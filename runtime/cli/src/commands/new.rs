@@ -1,38 +1,59 @@
 //! `liftoff new`.
 
 use crate::CommandError;
+use crate::options::files;
 use crate::output::print::print;
 use clap::Args;
+use liftoff_studio::registry::{Models, kebab};
+use liftoff_studio::source::{declarations, equations};
 use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Files of a project: where, and what is in them.
-const FILES: [(&str, &str); 4] = [
+const FILES: [(&str, &str); 5] = [
     ("Cargo.toml", include_str!("new/manifest.toml")),
     ("src/main.rs", include_str!("new/main.rs.txt")),
+    (
+        "src/snapshots/{crate}__tests__equations.snap",
+        "---\nsource: src/main.rs\nexpression: equations\n---\n{equations}",
+    ),
     (".cargo/config.toml", include_str!("new/config.toml")),
     (".gitignore", "/target\n"),
 ];
+
+/// The model where none is asked for.
+const SWING: &str = include_str!("new/swing.rs.txt");
 
 /// The sources of this crate where this program was built.
 const SOURCE: &str = env!("CARGO_MANIFEST_DIR");
 
 /// Cargo's own folders, and what the project depends on.
-const TAKEN: [&str; 7] =
-    ["build", "deps", "examples", "incremental", "liftoff", "liftoff-cli", "liftoff-dynamics"];
+const TAKEN: [&str; 8] =
+    ["build", "deps", "examples", "incremental", "insta", "liftoff", "liftoff-cli", "liftoff-dynamics"];
 
 #[derive(Args, Debug)]
 pub struct New {
     /// Name of the project and of its folder
     name: PathBuf,
+    /// The model to begin with: one of `list`, or that of a file
+    #[arg(long, value_name = "MODEL|FILE.rs")]
+    from: Option<String>,
     /// Where liftoff's sources are; by default crates.io, or where this program was built from if that was no published version
     #[arg(long, value_name = "DIRECTORY")]
     liftoff: Option<PathBuf>,
 }
 
+/// What a project begins with.
+struct Template {
+    /// Name of the struct.
+    name: String,
+    /// Its declaration, with its run.
+    text: String,
+}
+
 impl New {
-    /// Writes a project with one model and every command over it.
-    pub fn execute(&self) -> Result<(), CommandError> {
+    /// Writes a project with one model, every command over it, and a test of its equations.
+    pub fn execute(&self, models: &Models, chosen: Option<&str>) -> Result<(), CommandError> {
         let name = package(&self.name)?;
         // A link that leads nowhere is there too.
         if self.name.symlink_metadata().is_ok() {
@@ -40,16 +61,49 @@ impl New {
         }
         let [engine, cli] = ["runtime/engine", "runtime/cli"].map(|part| self.source(part));
         let (engine, cli) = (engine?, cli?);
+        let template = self.template(models, chosen)?;
+        let equations = files::parse("the model", &template.text, equations)?;
+        let equations: String = equations.iter().map(ToString::to_string).collect();
+        let fields = [
+            ("{name}", name.as_str()),
+            ("{crate}", &name.replace('-', "_")),
+            ("{engine}", &engine),
+            ("{cli}", &cli),
+            ("{struct}", &template.name),
+            ("{model}", template.text.trim_end()),
+            ("{equations}", &equations),
+        ];
+        let fill = |text: &str| {
+            fields.iter().fold(text.to_owned(), |text, (field, value)| text.replace(field, value))
+        };
         for (file, text) in FILES {
-            let path = self.name.join(file);
-            let text = text.replace("{name}", &name).replace("{engine}", &engine).replace("{cli}", &cli);
-            write(&path, &text)
+            let path = self.name.join(fill(file));
+            write(&path, &fill(text))
                 .map_err(|error| CommandError::Failed(format!("cannot write {}: {error}", path.display())))?;
         }
-        let folder = self.name.display();
+        let (folder, model) = (self.name.display(), kebab(&template.name));
         Ok(print(&format!(
-            "{folder} is written; next: cd {folder} && cargo run --release -- animate swing --open\n"
+            "{folder} is written; next: cd {folder} && cargo run --release -- animate {model} --open\n"
         ))?)
+    }
+
+    fn template(&self, models: &Models, chosen: Option<&str>) -> Result<Template, CommandError> {
+        let Some(from) = &self.from else {
+            return Ok(Template { name: "Swing".to_owned(), text: SWING.to_owned() });
+        };
+        if files::is_file(from, models) {
+            let found = files::one(from, files::read(from, declarations)?, chosen, |found| &found.name)?;
+            return Ok(Template { text: found.text().to_owned(), name: found.name });
+        }
+        let model = models.find(from)?;
+        let unknown = || {
+            CommandError::Usage(format!(
+                "--from {from}: this program has not the text of this model; give its file"
+            ))
+        };
+        let found = files::parse(from, model.source().ok_or_else(unknown)?, declarations)?;
+        let found = found.into_iter().find(|found| kebab(&found.name) == model.name()).ok_or_else(unknown)?;
+        Ok(Template { text: found.with_run(&model.default_run()), name: found.name })
     }
 
     /// What `Cargo.toml` says of a crate: a version, or the path to its sources.

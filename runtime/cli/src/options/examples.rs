@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 /// Command, a line for a shell, what that does. `{model}`, `{parameter}`, `{value}`, `{coordinate}` and `{support}` are those
 /// of the first model; the name of a model in braces is that model, if the program has it; `swing/src/main.rs` is what `new swing` writes.
-const EXAMPLES: [(&str, &str, &str); 52] = [
+const EXAMPLES: [(&str, &str, &str); 55] = [
     ("list", "{program} list {model}", "one of them with the run that it makes if nothing is said"),
     ("list", "{program} list --json", "all models with their parameters, for another program"),
     ("explain", "{program} explain {model}", "its equations, phase by phase"),
@@ -100,7 +100,14 @@ const EXAMPLES: [(&str, &str, &str); 52] = [
         "{program} watch swing/src/main.rs",
         "serves a page that shows the motion of each save, or what is wrong; --open opens it",
     ),
+    ("words", "{program} words", "all words, a line each"),
+    ("words", "{program} words spring", "one of them, with its equation and an example"),
     ("new", "{program} new swing", "a folder with Cargo.toml and a model, to be compiled"),
+    (
+        "new",
+        "{program} new my-wheel --from {rimless-wheel}",
+        "the same with a copy of a model of this program",
+    ),
     ("precision", "{program} precision {model}", "error against run time, every method"),
     ("precision", "{program} precision {model} --methods taylor,dop853 --svg work.svg", "two of them, drawn"),
     ("stability", "{program} stability {model}", "numerical checks of its default run"),
@@ -143,6 +150,15 @@ const EXAMPLES: [(&str, &str, &str); 52] = [
     ("completions", "{program} completions powershell", "for PowerShell"),
 ];
 
+/// What to try first.
+const FIRST: [(&str, &str); 5] = [
+    ("{program} run {model}", "what happens, event by event"),
+    ("{program} animate {model} --open", "the motion, in a browser"),
+    ("{program} explain {model}", "its equations"),
+    ("{program} words", "what can be declared"),
+    ("{program} new swing", "a project with a model of one's own"),
+];
+
 /// Commands that make a model's default run where nothing else is said.
 const RUNNING: [&str; 5] = ["run", "plot", "animate", "precision", "sweep"];
 
@@ -151,6 +167,9 @@ const RUNNING: [&str; 5] = ["run", "plot", "animate", "precision", "sweep"];
 pub fn with_examples(command: Command, models: &Models) -> Command {
     let names = Names::new(command.get_name(), models);
     let asked = asked(models);
+    let first = FIRST.iter().filter_map(|(line, does)| Some((names.filled(line)?, does)));
+    let first: String = first.map(|(line, does)| format!("  {line:<36} {does}\n")).collect();
+    let command = command.before_help(format!("To try first:\n{first}"));
     command.mut_subcommands(|command| {
         let examples = names.examples(command.get_name());
         let runs = RUNNING.contains(&command.get_name());

@@ -51,7 +51,7 @@ pub fn parse_file<T>(
     path: &str,
     make: impl Fn(&str) -> Result<Vec<T>, Vec<Mistake>>,
 ) -> Result<Vec<T>, CommandError> {
-    made(path, &text(Path::new(path))?, make)
+    parse(path, &text(Path::new(path))?, make)
 }
 
 /// The text of a source file.
@@ -62,10 +62,11 @@ pub fn text(path: &Path) -> Result<String, CommandError> {
 
 /// The model of a file with this text, the one that is chosen where it has several.
 pub fn of_text(path: &str, text: &str, chosen: Option<&str>) -> Result<Entry, CommandError> {
-    one(path, made(path, text, source::models)?, chosen, |model| model.layout().name)
+    one(path, parse(path, text, source::models)?, chosen, |model| model.layout().name)
 }
 
-fn made<T>(
+/// What is made of the text of a source file, or its mistakes as the compiler tells them.
+pub fn parse<T>(
     path: &str,
     text: &str,
     make: impl Fn(&str) -> Result<Vec<T>, Vec<Mistake>>,

@@ -29,11 +29,12 @@ pub struct Entry {
     name: String,
     default_run: RunSpec,
     origin: Arc<dyn Origin>,
+    source: Option<&'static str>,
 }
 
 impl Entry {
     pub(super) fn new(origin: Arc<dyn Origin>, default_run: RunSpec) -> Self {
-        Self { name: kebab(origin.layout().name), default_run, origin }
+        Self { name: kebab(origin.layout().name), default_run, origin, source: None }
     }
 
     /// A model that no compiler has seen, with the run that it declares.
@@ -48,13 +49,24 @@ impl Entry {
         default_run: RunSpec,
         derive: impl FnOnce() -> Arc<Interpreted> + Send + 'static,
     ) -> Self {
-        Self { name, default_run, origin: Arc::new(Derived::new(Box::new(derive))) }
+        Self { name, default_run, origin: Arc::new(Derived::new(Box::new(derive))), source: None }
     }
 
     /// The same model with another default run.
     #[must_use]
     pub fn with_default_run(self, default_run: RunSpec) -> Self {
         Self { default_run, ..self }
+    }
+
+    /// The same model with the text that declares it.
+    #[must_use]
+    pub fn with_source(self, source: &'static str) -> Self {
+        Self { source: Some(source), ..self }
+    }
+
+    /// The text that declares it, where the program has it.
+    pub fn source(&self) -> Option<&'static str> {
+        self.source
     }
 
     /// Name on the command line, in kebab case.

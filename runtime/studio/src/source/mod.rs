@@ -1,8 +1,10 @@
 //! What a source file declares, before anything compiles it: its equations, and its models to be
 //! run.
 
+mod declaration;
 mod diagnostics;
 
+pub use declaration::{Declaration, declarations};
 pub use diagnostics::rendered;
 
 use crate::registry::Entry;
@@ -45,11 +47,12 @@ pub fn models(source: &str) -> Result<Vec<Entry>, Vec<Mistake>> {
 /// # Panics
 /// At that time, if the text does not declare exactly one model.
 pub fn embedded(name: &'static str, source: &'static str, default_run: RunSpec) -> Entry {
-    Entry::deferred(name.to_owned(), default_run, move || match derived(source).as_deref() {
+    let entry = Entry::deferred(name.to_owned(), default_run, move || match derived(source).as_deref() {
         Ok([model]) => Arc::clone(model),
         Ok(models) => panic!("the text of `{name}` declares {} models", models.len()),
         Err(mistakes) => panic!("{name}: {mistakes:?}"),
-    })
+    });
+    entry.with_source(source)
 }
 
 /// The models of a text, derived for the interpreter.
