@@ -21,7 +21,7 @@
 //! 19. [`weight`]: what builds and programs weigh.
 //! 20. [`promises`]: what is promised, how it is tested, what is not promised, and what was measured.
 //! 21. [`vocabulary`]: what to do when a system needs more than there is a word for.
-//! 22. [`architecture`]: how the source is laid out, and what holds everywhere in it.
+//! 22. [`glossary`]: the words of this book and of the source.
 
 /// Chapters, each with where its links to others lead: in the files they lead to files.
 macro_rules! chapters {
@@ -61,7 +61,7 @@ chapters! {
     weight "weight.md";
     promises [measured = "crate::book::promises"] "promises.md" "measured.md";
     vocabulary "vocabulary.md";
-    architecture [promises = "crate::book::promises"] "architecture.md";
+    glossary "glossary.md";
 }
 
 #[cfg(test)]
