@@ -100,7 +100,7 @@ fn layout(analysis: &Analysis, drawn: &Geometry) -> TokenStream {
     });
     // What a scene does not have is not named.
     let lists = [
-        ("parameters", parameters.collect()),
+        ("parameters", parameters.map(|name| name.to_token_stream()).collect()),
         ("dimensions", dimensions.collect()),
         ("coordinates", coordinates.collect()),
         ("dependent", dependent.collect()),

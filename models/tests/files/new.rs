@@ -11,7 +11,7 @@ fn vacant(name: &str) -> PathBuf {
     folder
 }
 
-fn told(arguments: &[&str]) -> String {
+fn run_command(arguments: &[&str]) -> String {
     let output = super::liftoff(arguments);
     assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
     String::from_utf8(output.stdout).expect("UTF-8")
@@ -24,7 +24,7 @@ fn every_model_begins_a_project() {
     for model in liftoff_models::models().iter() {
         let name = format!("new-{}", model.name());
         let folder = vacant(&name);
-        told(&["new", &name, "--from", model.name()]);
+        run_command(&["new", &name, "--from", model.name()]);
         let file = folder.join("src/main.rs");
         let source = fs::read_to_string(&file).expect("written");
         assert_eq!(source.matches("derive(BarSystem").count(), 1, "{source}");
@@ -34,8 +34,8 @@ fn every_model_begins_a_project() {
         assert!(equations.contains("\n  T = "), "{equations}");
         if !source.contains("impl liftoff_cli::DefaultRun") {
             assert_eq!(
-                told(&["run", &format!("{name}/src/main.rs")]),
-                told(&["run", model.name()]),
+                run_command(&["run", &format!("{name}/src/main.rs")]),
+                run_command(&["run", model.name()]),
                 "{name}"
             );
             same += 1;
@@ -50,7 +50,7 @@ fn every_model_begins_a_project() {
 #[ignore = "minutes: `.ci/long new`"]
 fn a_new_project_builds_and_passes_its_test() {
     let folder = vacant("thread-project");
-    told(&["new", "thread-project", "--from", "zigzag-thread"]);
+    run_command(&["new", "thread-project", "--from", "zigzag-thread"]);
     let cargo = |arguments: &[&str]| {
         let mut command = Command::new(env!("CARGO"));
         let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join("new");
@@ -61,5 +61,5 @@ fn a_new_project_builds_and_passes_its_test() {
     };
     assert!(cargo(&["test", "--release"]).contains("1 passed"));
     let run = cargo(&["run", "--release", "--", "run", "zigzag-thread"]);
-    assert_eq!(run, told(&["run", "zigzag-thread"]));
+    assert_eq!(run, run_command(&["run", "zigzag-thread"]));
 }

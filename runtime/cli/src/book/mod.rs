@@ -92,13 +92,13 @@ mod tests {
     const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
     const BOOK: &str = "runtime/cli/src/book";
 
-    fn read(path: &str) -> String {
+    fn load(path: &str) -> String {
         std::fs::read_to_string(format!("{ROOT}/{path}")).unwrap_or_else(|error| panic!("{path}: {error}"))
     }
 
     #[test]
     fn the_site_and_the_readme_have_every_chapter() {
-        let (summary, readme) = (read(&format!("{BOOK}/SUMMARY.md")), read("README.md"));
+        let (summary, readme) = (load(&format!("{BOOK}/SUMMARY.md")), load("README.md"));
         let listed = summary
             .lines()
             .filter_map(|line| line.strip_prefix("- [")?.split_once("](")?.1.strip_suffix(".md)"));
@@ -143,13 +143,13 @@ mod tests {
         let pages = ["README.md", "runtime/engine/src/attributes.md", "runtime/python/README.md"];
         let mut count = 0;
         for page in pages.map(str::to_owned).into_iter().chain(chapters) {
-            let text = read(&page);
+            let text = load(&page);
             let folder = page.rsplit_once('/').map_or("", |(folder, _)| folder);
             for target in find_targets(&text) {
                 let (path, anchor) = target.split_once('#').unwrap_or((target, ""));
                 let linked = match path {
                     "" => text.clone(),
-                    path => read(&format!("{folder}/{path}")),
+                    path => load(&format!("{folder}/{path}")),
                 };
                 assert!(
                     anchor.is_empty() || find_anchors(&linked).iter().any(|known| known == anchor),

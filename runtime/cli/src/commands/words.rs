@@ -4,8 +4,8 @@ use crate::CommandError;
 use crate::output::print::print;
 use crate::output::style::{NAME, styled};
 use clap::Args;
-use liftoff::NameError;
 use liftoff::__private::LANGUAGE;
+use liftoff::NameError;
 
 #[derive(Args, Debug)]
 pub struct Words {

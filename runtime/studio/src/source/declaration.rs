@@ -1,6 +1,6 @@
 //! The declarations of a file as they stand in it, to be written into another.
 
-use super::{Mistake, declared, read};
+use super::{Mistake, declared, parse_file};
 use crate::run_spec::{PointImpulse, RunSpec, Values};
 use syn::spanned::Spanned;
 use syn::{Data, DeriveInput, Visibility};
@@ -19,12 +19,12 @@ pub struct Declaration {
 /// # Errors
 /// What is no Rust.
 pub fn declarations(source: &str) -> Result<Vec<Declaration>, Vec<Mistake>> {
-    let items = read(source)?.items.into_iter().flat_map(declared);
-    Ok(items.map(|item| Declaration::of(source, &item)).collect())
+    let items = parse_file(source)?.items.into_iter().flat_map(declared);
+    Ok(items.map(|item| Declaration::from_item(source, &item)).collect())
 }
 
 impl Declaration {
-    fn of(source: &str, item: &DeriveInput) -> Self {
+    fn from_item(source: &str, item: &DeriveInput) -> Self {
         let all = item.span().byte_range();
         let begin = |visibility: &Visibility, own: usize| match visibility {
             Visibility::Inherited => own,

@@ -5,7 +5,7 @@ use nalgebra::DMatrix;
 use super::edges;
 use crate::contact::closed_rows::ClosedRows;
 use crate::contact::friction::SlipDirection;
-use crate::model::{ContactSet, Friction, Layout, Slip as ModelSlip, SlipState};
+use crate::model::{ContactSet, Friction, Slip as ModelSlip, SlipState};
 use crate::system::Model;
 use liftoff_fixtures::RodOnSupports;
 
