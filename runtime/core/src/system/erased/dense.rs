@@ -87,8 +87,8 @@ impl DenseOutput {
         }
     }
 
-    /// The polynomial and its rate dy/dθ at t₀ + θh: at its end too, where
-    /// [`at`](Self::interpolate) is the step's own state.
+    /// The polynomial and its rate dy/dθ at t₀ + θh: at its end too, where [`Self::interpolate`] is
+    /// the step's own state.
     pub fn with_slope(&self, theta: f64, y: &mut [f64], slope: &mut [f64]) {
         let weights = [(theta, 1.0), if self.alternating { (1.0 - theta, -1.0) } else { (theta, 1.0) }];
         let coefficients = self.values[self.entries..].chunks_exact(self.entries.max(1));
