@@ -18,7 +18,9 @@ use clap::Args;
 use liftoff::__private::expression::significant;
 use liftoff::{Observer, Output, Trajectory};
 use liftoff_core::model::Layout;
-use liftoff_studio::registry::{Entry, MethodId, Models, RunOptions, as_far, line_violation};
+use liftoff_studio::registry::{
+    Entry, MethodId, Models, RunOptions, as_far, crossed_outline, line_violation,
+};
 use liftoff_studio::run_spec::RunSpec;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -149,10 +151,15 @@ impl Run {
     /// Of a start that is allowed and hardly meant.
     fn warn(&self, model: &Entry, spec: &RunSpec) {
         let nominal = RunSpec { start: Vec::new(), energy_of: Vec::new(), ..spec.clone() };
-        if let (Ok(start), Ok(nominal)) = (model.configuration(spec), model.configuration(&nominal))
-            && let Some(behind) = line_violation(&start, &nominal)
-        {
-            note(&behind.to_string());
+        let (Ok(start), Ok(nominal)) = (model.configuration(spec), model.configuration(&nominal)) else {
+            return;
+        };
+        line_violation(&start, &nominal).iter().for_each(|behind| note(&behind.to_string()));
+        if let Some(corners) = crossed_outline(&start) {
+            note(&format!(
+                "the outline {} crosses itself: the corners of a body are listed in turn round it",
+                corners.join("–")
+            ));
         }
     }
 

@@ -1,6 +1,7 @@
 //! Models by name: what the command line and reports work with.
 
 mod configuration;
+mod crossed_outline;
 mod dimension;
 mod energy_rate;
 mod entry;
@@ -16,6 +17,7 @@ mod unfolded;
 mod units;
 
 pub use configuration::Configuration;
+pub use crossed_outline::crossed_outline;
 pub use dimension::Dimension;
 pub(crate) use dimension::{of_coordinate, per};
 pub use entry::{Entry, kebab};

@@ -153,3 +153,20 @@ fn the_reaction_of_two_supports_is_told_as_their_sum() {
     assert!(written.contains("\"label\":\"N(A) + N(B)\""));
     [file, page].into_iter().for_each(|path| std::fs::remove_file(path).expect("removed"));
 }
+
+#[test]
+fn an_outline_that_crosses_itself_is_told() {
+    let file = place("plate.rs");
+    let notes = |points: &str| {
+        let text = format!(
+            "#[derive(BarSystem)] #[body(plate, points({points}), mass = 1, inertia = 0.2, centre = (0.5, 0.5))]
+             #[pin(A = (0, 0))] #[run(start = \"theta_plate' = 1\", limit = 0.1)] struct Plate {{}}"
+        );
+        std::fs::write(&file, text).expect("a file");
+        errors(&run(&["run", file.to_str().expect("UTF-8")]))
+    };
+    let crossed = notes("A = (0, 0), B = (1, 1), C = (1, 0), D = (0, 1)");
+    assert!(crossed.contains("the outline A–B–C–D crosses itself"), "{crossed}");
+    assert_eq!(notes("A = (0, 0), C = (1, 0), B = (1, 1), D = (0, 1)"), "");
+    std::fs::remove_file(file).expect("removed");
+}
