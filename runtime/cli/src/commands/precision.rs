@@ -140,12 +140,38 @@ fn distinct<T: Clone + PartialEq>(all: &[T]) -> Vec<T> {
     all.iter().enumerate().filter(is_first).map(|(_, one)| one.clone()).collect()
 }
 
+/// Errors to which the fastest are told.
+const BOUNDS: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
+
 fn json(rows: &[WorkPrecisionRow]) -> Result<String, CommandError> {
     pretty(&Rows { rows })
 }
 
+/// Of each model the least time in which errors stay below bounds: what a screen shows of a long table.
+fn fastest(rows: &[WorkPrecisionRow]) -> String {
+    let mut models: Vec<&str> = rows.iter().map(|row| row.model.as_str()).collect();
+    models.dedup();
+    let error = |row: &WorkPrecisionRow| {
+        let errors = [row.run_error, row.state_error, row.event_error];
+        errors.into_iter().flatten().reduce(f64::max)
+    };
+    let line = |model: &str| {
+        let parts = BOUNDS.iter().filter_map(|&bound| {
+            let within = rows
+                .iter()
+                .filter(|row| row.model == model && error(row).is_some_and(|error| error <= bound));
+            let row = within.min_by(|a, b| a.microseconds.total_cmp(&b.microseconds))?;
+            Some(format!("to {bound:e} {} in {:.1} µs", row.method, row.microseconds))
+        });
+        let parts: Vec<String> = parts.collect();
+        (!parts.is_empty()).then(|| format!("fastest, {model}: {}\n", parts.join(", ")))
+    };
+    models.into_iter().filter_map(line).collect()
+}
+
 fn table(rows: &[WorkPrecisionRow]) -> String {
-    let mut text = format!(
+    let mut text = fastest(rows);
+    text += &format!(
         "{:18} {:22} {:>9} {:>11} {:>11} {:>11} {:>8} {:>9} {:>7} {:>11}  {:10}  {}\n",
         "model",
         "method",
@@ -214,6 +240,15 @@ fn judged(rows: &[WorkPrecisionRow]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_fastest_within_each_bound_is_told_first() {
+        let row =
+            |method, error, time| WorkPrecisionRow::peer(("ladder", method, 1e-6), [Some(error), None], time);
+        let text = table(&[row("a", 1e-4, 1.0), row("b", 1e-10, 3.0), row("c", 1e-7, 2.0)]);
+        let first = text.lines().next().expect("a line");
+        assert_eq!(first, "fastest, ladder: to 1e-3 a in 1.0 µs, to 1e-6 c in 2.0 µs, to 1e-9 b in 3.0 µs");
+    }
 
     #[test]
     fn rows_without_a_reference_are_not_judged() {
