@@ -54,7 +54,11 @@ fn a_new_project_builds_and_passes_its_test() {
     let cargo = |arguments: &[&str]| {
         let mut command = Command::new(env!("CARGO"));
         let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join("new");
-        command.args(arguments).arg("--offline").current_dir(&folder).env("CARGO_TARGET_DIR", target);
+        command
+            .args(arguments)
+            .current_dir(&folder)
+            .env("CARGO_TARGET_DIR", target)
+            .env("CARGO_NET_OFFLINE", "true");
         let output = command.output().expect("cargo runs");
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
         String::from_utf8(output.stdout).expect("UTF-8")
