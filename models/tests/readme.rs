@@ -24,3 +24,16 @@ fn the_ten_lines_print_what_is_shown() {
     assert_eq!(String::from_utf8_lossy(&output.stdout), shown, "{}", String::from_utf8_lossy(&output.stderr));
     assert!(source.lines().count() <= 10 && readme.lines().count() <= 150);
 }
+
+/// The commands of the chapter on outputs.
+#[test]
+fn outputs_and_conditions_are_read_as_the_book_has_them() {
+    let chapter = include_str!("../../runtime/cli/src/book/outputs.md");
+    let commands = between(chapter, "```sh\n", "```");
+    assert!(commands.lines().count() > 3);
+    for line in commands.lines() {
+        let line = line.replacen("liftoff", env!("CARGO_BIN_EXE_liftoff"), 1);
+        let output = Command::new("sh").args(["-c", &line]).output().expect("a shell");
+        assert!(output.status.success(), "{line}: {}", String::from_utf8_lossy(&output.stderr));
+    }
+}
