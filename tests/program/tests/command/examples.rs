@@ -46,8 +46,9 @@ pub fn run_examples(program: &Path, folder: &Path) -> HashMap<String, String> {
         std::env::var("PATH").expect("a search path")
     );
     let told = lines.map(|line| {
-        // A server ends by Ctrl-C.
-        let limited = if line.contains(" watch ") { "timeout --preserve-status -s INT 2 " } else { "" };
+        // A server ends by Ctrl-C, once: in the background its group would have it twice.
+        let is_server = line.contains(" watch ");
+        let limited = if is_server { "timeout --foreground --preserve-status -s INT 2 " } else { "" };
         let mut shell = Command::new("sh");
         shell.args(["-c", &format!("{limited}{line}")]).current_dir(folder);
         let output: Output = shell.env("PATH", &path).env("HOME", folder).output().expect("a shell");
