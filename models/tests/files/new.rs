@@ -45,7 +45,8 @@ fn every_model_begins_a_project() {
     assert!(same > 25, "{same}");
 }
 
-/// It needs no network, and no word of where the sources are. Minutes: everything is compiled for it.
+/// It needs no network, and no word of where the sources are. Minutes: everything is compiled for
+/// it.
 #[test]
 #[ignore = "minutes: `.ci/long new`"]
 fn a_new_project_builds_and_passes_its_test() {

@@ -92,7 +92,8 @@ impl New {
             return Ok(Template { name: "Swing".to_owned(), text: SWING.to_owned() });
         };
         if files::is_file(from, models) {
-            let found = files::one(from, files::parse_file(from, declarations)?, chosen, |found| &found.name)?;
+            let found =
+                files::one(from, files::parse_file(from, declarations)?, chosen, |found| &found.name)?;
             return Ok(Template { text: found.text().to_owned(), name: found.name });
         }
         let model = models.find(from)?;

@@ -10,7 +10,8 @@ pub struct Declaration {
     /// Name of the struct.
     pub name: String,
     text: String,
-    /// Where the struct begins behind its attributes, and each of its fields, with their names: bytes of the text.
+    /// Where the struct begins behind its attributes, and each of its fields, with their names:
+    /// bytes of the text.
     places: Vec<(usize, String)>,
 }
 
@@ -44,8 +45,8 @@ impl Declaration {
         Self { name: item.ident.to_string(), text: source[all].to_owned(), places }
     }
 
-    /// The text with a run, and values of parameters, that it does not declare: attributes, and what they do not express as an
-    /// implementation of `DefaultRun`.
+    /// The text with a run, and values of parameters, that it does not declare: attributes, and
+    /// what they do not express as an implementation of `DefaultRun`.
     pub fn with_run(&self, run: &RunSpec) -> String {
         let mut text = self.text.clone();
         for (at, name) in self.places.iter().rev() {
