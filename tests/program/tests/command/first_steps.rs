@@ -156,7 +156,7 @@ fn the_reaction_of_two_supports_is_told_as_their_sum() {
 
 #[test]
 fn an_outline_that_crosses_itself_is_told() {
-    let file = place("plate.rs");
+    let file = temporary_path("plate.rs");
     let notes = |points: &str| {
         let text = format!(
             "#[derive(BarSystem)] #[body(plate, points({points}), mass = 1, inertia = 0.2, centre = (0.5, 0.5))]
