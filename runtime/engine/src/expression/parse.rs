@@ -126,9 +126,11 @@ impl<'a> Parser<'a> {
         match self.token().clone() {
             Token::Number(x) => {
                 self.at += 1;
-                let value = if self.take_word("deg") { x.to_radians() } else { x };
+                if self.take_word("deg") {
+                    return Ok(Expression::Number(x.to_radians()));
+                }
                 self.take_word("rad");
-                Ok(Expression::Number(value))
+                Ok(Expression::Number(x))
             }
             Token::Name(name, primes) => {
                 self.at += 1;
