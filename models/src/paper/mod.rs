@@ -217,12 +217,15 @@ mod tests {
         }
     }
 
-    /// `models/picture.svg` is a copy of what the main job writes.
+    /// The picture of the engine is a copy of what the main job writes.
     #[test]
-    fn the_picture_of_the_readme_is_the_one_drawn() {
+    fn the_picture_of_the_engine_is_the_one_drawn() {
         let pair = falling_pair::FallingPairRuns::new(1e-12).expect("the pair falls");
         let svg = pair.picture().expect("drawn").expect("the corners let go");
-        assert!(with_theme(&svg) == include_str!("../../picture.svg"), "copy target/liftoff/picture.svg");
+        assert!(
+            with_theme(&svg) == include_str!("../../../runtime/engine/src/picture.svg"),
+            "copy target/liftoff/picture.svg"
+        );
     }
 
     #[test]

@@ -1,6 +1,12 @@
 //! Planar bar systems with one-sided supports: equations derived at compile time, contacts decided
 //! at run time.
 //!
+#![doc = include_str!("picture.svg")]
+//!
+//! Two bars lie across a gap. The reactions of its corners P and Q fall until they vanish: there
+//! the bars leave both and fall freely. The formula for when is derived at compile time; the
+//! instant is located at run time.
+//!
 //! Declare a system with the derive macro [`BarSystem`](derive@BarSystem): bars, bodies and
 //! particles; hinges, pins, welds, sliders and drives; supports and threads, smooth or rough, with
 //! restitution; springs and dampers, forces and couples. Prepare a [`Simulation`], read its
