@@ -186,8 +186,8 @@ fn creeping_towards_a_singularity_ends() {
 fn names_and_conditions() {
     assert_eq!(message(pair().hold("q")), "no support `q`; did you mean `Q`?");
     assert_eq!(message(pair().release("P", -1.0)), "support `P` cannot be released at t = -1");
-    let told = message(pair().until("phi == 1"));
-    assert_eq!(told, "expected a number, a name or `(`, found `=` at column 6");
+    let told = message(pair().until("phi =< 1"));
+    assert_eq!(told, "expected a number, a name or `(`, found `<` at column 6");
     assert_eq!(
         message(Output::parse(FallingPair::LAYOUT, "phi = 1")),
         "expected an operator or the end, found `=` at column 5"

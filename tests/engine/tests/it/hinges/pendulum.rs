@@ -191,7 +191,7 @@ fn a_journal_too_large_is_refused() {
     let bar = Pendulum { r: 2.0, mu: 1.0, mu_s: 1.0, ..BAR };
     let start = Pose::new("phi", 1.0).with("phi'", 1.0);
     let error = Simulation::new(&bar).unwrap().start(start).unwrap().limit(1.0).run().unwrap_err();
-    assert!(error.to_string().contains("hinges A"), "{error}");
+    assert!(error.to_string().contains("friction at A"), "{error}");
     let none = Pendulum { r: 0.0, ..BAR };
     let error = Simulation::new(&none).err().map(|error| error.to_string()).unwrap();
     assert!(error.contains("radius of hinge A"), "{error}");
