@@ -108,7 +108,7 @@ impl Powers {
         Some(sum)
     }
 
-    /// Appends an entry behind all others; zero is dropped.
+    /// Appends an entry with the largest symbol; zero is dropped.
     pub(super) fn push(&mut self, symbol: Symbol, k: i16) {
         if k == 0 {
             return;

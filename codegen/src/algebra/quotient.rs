@@ -53,7 +53,7 @@ impl Quotient {
         expand(&self.factors)
     }
 
-    /// The series itself where the denominator is 1.
+    /// The numerator if the denominator is 1.
     pub fn as_series(&self) -> Option<&Series> {
         self.factors.is_empty().then_some(&self.numerator)
     }
@@ -63,7 +63,7 @@ impl Quotient {
         self.numerator.is_zero()
     }
 
-    /// Whether a number did not fit, or a division by zero went into it.
+    /// Whether a number overflowed or was divided by zero.
     pub fn is_overflow(&self) -> bool {
         self.numerator.is_overflow()
     }
@@ -91,13 +91,14 @@ impl Quotient {
         Self::new(self.denominator(), self.numerator.clone())
     }
 
-    /// The same denominator under another numerator, one that is zero or overflow only if this is.
+    /// Maps the numerator and keeps the denominator; the result must be zero or overflow only if
+    /// `self` is.
     pub(super) fn map_numerator(mut self, map: impl FnOnce(Series) -> Series) -> Self {
         self.numerator = map(self.numerator);
         self
     }
 
-    /// Divides by divisorᵏ: its unit goes into the numerator, what is left joins the factors.
+    /// Divides by divisorᵏ: its unit goes into the numerator, its primitive part into the factors.
     fn divide_by(&mut self, divisor: &Series, k: u32) {
         let (Ok(power), false) = (i32::try_from(k), divisor.is_zero()) else {
             *self = Self::from(Series::overflow());
@@ -148,7 +149,8 @@ impl Quotient {
         self.factors.insert(at, (factor, k));
     }
 
-    /// Divides out the factors that divide the numerator, every one where that is zero or overflow.
+    /// Divides out the factors that divide the numerator; all factors if the numerator is zero or
+    /// overflow.
     fn reduce(&mut self) {
         for (factor, k) in &mut self.factors {
             while *k > 0 {

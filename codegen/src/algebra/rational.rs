@@ -1,7 +1,7 @@
 //! Exact rationals n/d in lowest terms, |n|, d < 2¹²⁷.
 //!
-//! What does not fit, and division by zero, has the value *overflow*: like NaN it absorbs every
-//! operation, so that one test at the end of a derivation finds any loss.
+//! A result that does not fit, or a division by zero, has the value *overflow*. Like NaN it
+//! propagates through every operation, so that one test at the end of a derivation suffices.
 
 mod arithmetic;
 
@@ -23,7 +23,7 @@ impl Rational {
     pub const ONE: Self = Self::integer(1);
     /// 1/2.
     pub const HALF: Self = Self { numerator: 1, denominator: 2 };
-    /// What cannot be represented.
+    /// The value *overflow*.
     pub const OVERFLOW: Self = Self { numerator: 0, denominator: 0 };
 
     /// n/d in lowest terms; overflow for d = 0.
@@ -43,12 +43,12 @@ impl Rational {
         Self { numerator: n, denominator: 1 }
     }
 
-    /// Of the reduced fraction, with its sign; 0 for overflow.
+    /// Numerator of the reduced fraction, with its sign; 0 for overflow.
     pub const fn numerator(self) -> i128 {
         self.numerator
     }
 
-    /// Of the reduced fraction, positive; 0 for overflow.
+    /// Denominator of the reduced fraction, positive; 0 for overflow.
     pub const fn denominator(self) -> i128 {
         self.denominator
     }

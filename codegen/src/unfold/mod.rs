@@ -1,12 +1,12 @@
-//! The model that has both halves of a mirrored one. A direction δ has the mirror image
+//! Derives the model of both halves from a mirrored one. A direction δ has the mirror image
 //!
 //! ```text
 //! x = a:  δ' = π − δ        y = a:  δ' = −δ
 //! ```
 //!
-//! or π more where the image is named from its other end. What it needs beside the declaration,
-//! `additions` writes; `coordinates`: those of both halves; `equal`: which angles are kept equal in
-//! one half alone.
+//! or π more if the image is named from its other end. `additions` writes the attributes that the
+//! full model needs besides the declaration; `coordinates` has the coordinates of both halves;
+//! `equal` finds angles that are kept equal in one half only.
 
 mod additions;
 mod coordinates;
@@ -23,13 +23,14 @@ use crate::algebra::{Series, Symbol};
 use crate::kinematics::{Kinematics, nominal_values};
 use crate::system::{CoordinateKind, Mirror, NEAR, ParameterValues, Reference, System};
 
-/// Attributes that hold of one half alone: its motions have other starts and other equations.
+/// Attributes that are valid for the mirrored model only, because the full model has other starts
+/// and other equations.
 const LEFT_OUT: [&str; 3] = ["mirror", "run", "budget"];
 
 /// Both halves of a mirrored model.
 #[derive(Clone, Debug)]
 pub struct Unfolded {
-    /// What is derived of their declaration, which has no default run. Coordinates of the mirrored
+    /// The derivation of the full model, which has no default run. Coordinates of the mirrored
     /// model keep their names; the image of `phi` is `phi_image`.
     pub analysis: Analysis,
     system: System,
@@ -40,9 +41,8 @@ pub struct Unfolded {
 impl Unfolded {
     /// Unfolds a mirrored model. Where it keeps angles equal, their images are kept equal too.
     ///
-    /// # Errors
-    /// Mistakes of the declaration; it has no mirror; both halves are not a model, or are not drawn
-    /// as the mirror draws them.
+    /// # Errors The declaration has mistakes or no mirror, or both halves together are not a valid
+    /// model with the figure of the mirrored one.
     pub fn from_tokens(input: TokenStream) -> syn::Result<Self> {
         let description = crate::parse(input.clone())?;
         let system = crate::resolve(input.clone())?;
@@ -83,8 +83,8 @@ impl Unfolded {
         self.analysis.kinematics.coordinates.iter().map(|coordinate| read(&coordinate.reading)).collect()
     }
 
-    /// Π, row by row: the mirror image of a displacement δq from a symmetric position, as joints
-    /// allow it, is Π δq.
+    /// Π, row by row: the mirror image of an admissible displacement δq from a symmetric position
+    /// is Π δq.
     pub fn reflection(&self, parameters: &[f64], position: &[f64]) -> Vec<Vec<f64>> {
         let Analysis { system, kinematics, .. } = &self.analysis;
         let value = values(system, parameters, position);
@@ -109,8 +109,8 @@ impl Unfolded {
         kinematics.coordinates.iter().map(|coordinate| row(&coordinate.reading)).collect()
     }
 
-    /// What hangs where nothing is known hangs the same way in both halves, and not as a mirror
-    /// image where nothing pulls it.
+    /// Refuses points that only the mirror places: without the mirror the figure would place both
+    /// halves alike, not as mirror images.
     fn check_figure(&self) -> syn::Result<()> {
         let Some(numbers) = self.system.samples.first() else { return Ok(()) };
         let parameters: Vec<f64> = (0..self.system.parameters.len())

@@ -1,4 +1,4 @@
-//! What the rows show, drawn: `chain.svg`.
+//! Draws the rows as `chain.svg`.
 
 use liftoff_studio::plot::{Axis, Chart, Colour, Curve, Figure};
 use serde_json::{Map, Value};
@@ -7,7 +7,7 @@ use crate::{Result, output};
 
 const PANEL: (u32, u32) = (860, 420);
 
-/// A key of the rows, and what its axis is called.
+/// A key of the rows, with the label of its axis.
 const QUANTITIES: [(&str, &str); 4] = [
     ("ns", "time of a right-hand side, ns"),
     ("code_bytes", "machine code, bytes"),
@@ -18,7 +18,7 @@ const QUANTITIES: [(&str, &str); 4] = [
 const VARIANTS: [(&str, Colour); 3] =
     [("generated", Colour::Blue), ("hand-ldl", Colour::Vermilion), ("hand-recursion", Colour::Green)];
 
-/// Draws what there is.
+/// Draws the available sections.
 pub fn draw(sections: &Map<String, Value>) -> Result<()> {
     let Some(rows) = sections.get("chain").and_then(Value::as_array) else { return Ok(()) };
     let panels: Vec<Chart> = QUANTITIES.iter().filter_map(|quantity| panel(rows, *quantity)).collect();

@@ -38,7 +38,7 @@ impl Assembly {
         forces
     }
 
-    /// Loads and springs, each force at its place.
+    /// Loads and springs, each force with its point of application.
     pub(super) fn applied(&self, state: &State) -> Vec<(Place, Vector2<f64>)> {
         let loads = self.loads.iter().map(|load| (load.at, self.load(state, load)));
         let springs = self.springs.iter().flat_map(|spring| {

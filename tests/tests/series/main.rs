@@ -1,6 +1,6 @@
-//! Emitted Taylor series of random systems: the tokens themselves, evaluated as they stand, against
-//! the program, whose operations know nothing of series. The program is compared with the oracle
-//! elsewhere.
+//! Compares the emitted Taylor series of random systems with the arithmetic program. The emitted
+//! tokens are evaluated directly; the operations of the program do not depend on the emitted
+//! series. Other tests compare the program with the oracle.
 
 mod emitted;
 mod program;
@@ -15,14 +15,14 @@ use liftoff_tests::random::{Source, Vocabulary, sample_of};
 use proc_macro2::TokenStream;
 use syn::{ImplItem, Item, ItemImpl, Type};
 
-/// Both sides lose digits where a divisor is small or a form is near its pivots; a system where
-/// more than half of 16 are lost is passed over, of the others coefficients agree to what is left.
+/// Both sides lose digits where a divisor or a pivot is small. A system that loses more than half
+/// of 16 digits is skipped; for the others coefficients agree to the remaining digits.
 const TOLERANCE: f64 = 1e-8;
 
 /// The bodies of a model's emitted functions.
 struct Emitted {
     constants: syn::Block,
-    /// Of each closed form, in order, where it has a series.
+    /// For each closed form, in order, its series if it has one.
     orders: Vec<Option<syn::Block>>,
 }
 
@@ -52,7 +52,7 @@ fn emitted(tokens: TokenStream) -> Emitted {
 }
 
 /// The worst error of any coefficient relative to the largest of its kind and order or a lower one;
-/// `None` where some are no numbers or grow beyond what can be compared.
+/// `None` if some are NaN or too large to compare.
 fn error(computed: &[Series], expected: &[Series]) -> Option<f64> {
     assert_eq!(computed.len(), expected.len());
     let (mut worst, mut size) = (0.0_f64, 1.0_f64);
@@ -70,7 +70,7 @@ fn error(computed: &[Series], expected: &[Series]) -> Option<f64> {
     (size < 1e6).then_some(worst)
 }
 
-/// The series of a phase, order by order, from random values on; the worst error of what it gives.
+/// Evaluates the series of a phase, order by order, at random values; returns the largest error.
 fn compare(
     (analysis, parameters): (&Analysis, &[f64]),
     place: usize,

@@ -1,4 +1,4 @@
-//! Where numbers, exponents, multipliers and budgets end.
+//! Limits of numbers, exponents, multipliers and budgets.
 
 use super::super::collect::{BATCH, Collector};
 use super::super::divide::divide;
@@ -9,7 +9,7 @@ fn huge() -> Rational {
     Rational::integer(i128::MAX)
 }
 
-/// A series that is overflow.
+/// A series with the value overflow.
 fn lost() -> Series {
     Series::constant(huge()) + Series::constant(huge())
 }
@@ -102,7 +102,7 @@ fn numbers_end_at_minus_the_greatest() {
     assert_eq!([0, 7].map(|n| Rational::integer(n).pow(0)), [Rational::ONE; 2]);
 }
 
-/// What waits to be merged is less than a batch, or than twice what has been.
+/// The terms pending a merge are fewer than a batch, or than twice the merged ones.
 #[test]
 fn sums_keep_few_terms_waiting() {
     let wave = Wave::ONE;

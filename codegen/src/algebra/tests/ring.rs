@@ -40,7 +40,7 @@ proptest! {
 }
 
 impl Series {
-    /// The path that trusts multiplication by a monomial to keep the order.
+    /// Multiplies term by term, relying on monomial products to keep the order.
     fn times_monomial_of(&self, other: &Self) -> Self {
         self.times_monomial(Rational::new(-2, 3), &other.content().1)
     }

@@ -1,4 +1,4 @@
-//! What is computed against references of 25 digits, and error against run time.
+//! Tables of computed values against references of 25 digits, and of error against run time.
 
 use super::{Page, dash, figures, minus};
 use crate::paper::precision::explain_norm;

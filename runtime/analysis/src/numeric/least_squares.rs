@@ -1,4 +1,4 @@
-//! The least sum of squares ‖r(x)‖² near a point, by the method of Levenberg and Marquardt,
+//! Minimises the sum of squares ‖r(x)‖² near a point by the method of Levenberg and Marquardt,
 //!
 //! ```text
 //! ‖J δ + r‖² + λ ‖D δ‖² → min,    x ← x + δ
@@ -13,25 +13,25 @@
 
 use nalgebra::{DMatrix, DVector};
 
-/// The first Δ, in parts of ‖D x‖ or of ‖r‖ where x = 0.
+/// The first Δ, as a multiple of ‖D x‖, or of ‖r‖ if x = 0.
 const FIRST: f64 = 100.0;
-/// ‖s‖ is Δ within this part of it.
+/// Relative tolerance of ‖s‖ = Δ.
 const WITHIN: f64 = 0.1;
-/// Values of λ that are tried for a step at most.
+/// Maximum number of values of λ tried for a step.
 const TRIED: usize = 10;
-/// A step is taken if it lessens the sum of squares by this part of what was foreseen.
+/// A step is accepted if it reduces the sum of squares by this fraction of the predicted reduction.
 const TAKEN: f64 = 1e-4;
 const POOR: f64 = 0.25;
 const GOOD: f64 = 0.75;
-/// Δ shrinks to no less than this part of itself at once.
+/// Least factor by which Δ shrinks at once.
 const SHRINK: f64 = 0.1;
 
 /// Residuals r(x) with J = ∂r/∂x.
 pub(crate) trait Residuals {
-    /// r; none where there are none, and a step so far is too long.
+    /// r(x), or `None` if it does not exist; the step is then too long.
     fn residuals(&mut self, x: &DVector<f64>) -> Option<DVector<f64>>;
 
-    /// J where residuals have been asked for last.
+    /// J at the x of the last call of `residuals`.
     fn jacobian(&mut self) -> Option<DMatrix<f64>>;
 }
 
@@ -39,13 +39,13 @@ pub(crate) trait Residuals {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Limits {
     /// Relative changes of the sum of squares and of x, and cosines between r and columns of J,
-    /// that are none.
+    /// that count as zero.
     pub(crate) tolerance: f64,
-    /// Residuals that are asked for at most.
+    /// Maximum number of evaluations of residuals.
     pub(crate) evaluations: usize,
 }
 
-/// What a search ends with.
+/// Why a search ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Termination {
     /// The residuals are zero or orthogonal to the columns of J, or the sum of squares no longer
@@ -53,14 +53,13 @@ pub(crate) enum Termination {
     Least,
     /// Steps have become too short, with a sum of squares that still changes.
     Short,
-    /// Residuals have been asked for too often.
+    /// The maximum number of evaluations is reached.
     Exhausted,
     /// There are no derivatives, or they are not finite.
     NoDerivatives,
 }
 
-/// Goes from x, with r and J there, to the least sum of squares nearby: returns where that is, and
-/// what has ended the search.
+/// Minimises from x; returns the best x and why the search ended.
 pub(crate) fn minimize(
     mut x: DVector<f64>,
     mut residuals: DVector<f64>,
@@ -85,7 +84,7 @@ pub(crate) fn minimize(
         if projections.iter().zip(&norms).all(|(p, size)| p.abs() <= tolerance * size * norm) {
             return (x, Termination::Least);
         }
-        // What nothing depends on yet keeps its size.
+        // A variable without influence so far keeps its scale.
         scale.zip_apply(&norms, |scale: &mut f64, norm| *scale = scale.max(norm));
         let scale = scale.map(|scale| if scale > 0.0 { scale } else { 1.0 });
         let model = Model::new(&jacobian, &residuals, &scale);
@@ -110,7 +109,7 @@ pub(crate) fn minimize(
             let gain = if SHRINK * farther < 1.0 { 1.0 - farther * farther } else { -1.0 };
             let ratio = if foreseen > 0.0 { gain / foreseen } else { 0.0 };
             if ratio <= POOR {
-                // Where the parabola through both values and the slope is least.
+                // Minimum of the parabola through both values and the slope.
                 let slope = linear + damped;
                 let part = if gain >= 0.0 { 0.5 } else { 0.5 * slope / (slope - 0.5 * gain) };
                 let part = if SHRINK * farther < 1.0 { part.max(SHRINK) } else { SHRINK };
@@ -234,7 +233,7 @@ impl Model {
         (step.unwrap_or_else(|| DVector::from_element(n, f64::NAN)), factor)
     }
 
-    /// As the variables are ordered.
+    /// Undoes the permutation of the variables.
     fn in_order(&self, permuted: &DVector<f64>) -> DVector<f64> {
         let mut step = DVector::zeros(permuted.len());
         self.permutation.iter().zip(permuted).for_each(|(&k, s)| step[k] = *s);
@@ -433,14 +432,14 @@ mod tests {
         assert!((x[0] + x[1] - 3.0).abs() < 1e-13 && x[2] == 7.0 && ending == Termination::Least, "{x:?}");
     }
 
-    /// ln x + 3 has no value below nothing, where the first step leads.
+    /// ln x + 3 is undefined for x < 0, where the first step leads.
     #[test]
     fn steps_that_fail_are_shortened() {
         let logarithm: Function = |x| (x[0] > 0.0).then(|| vec![(x[0].ln() + 3.0, vec![1.0 / x[0]])]);
         let (x, count, ending) = solved(logarithm, &[1.0]);
         assert!((x[0] - (-3f64).exp()).abs() < 1e-14 && count < 20, "{x:?} {count}");
         assert_eq!(ending, Termination::Least);
-        // √x − 2 has none above 1: the best is there.
+        // √x − 2 is made undefined above 1, where the minimum is.
         let bounded: Function =
             |x| ((0.0..=1.0).contains(&x[0])).then(|| vec![(x[0].sqrt() - 2.0, vec![0.5 / x[0].sqrt()])]);
         let (x, _, ending) = solved(bounded, &[0.5]);

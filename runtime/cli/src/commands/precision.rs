@@ -24,10 +24,10 @@ const UNOPTIMISED: &str = "warning: these run times are those of a build without
 
 #[derive(Args, Debug)]
 pub struct Precision {
-    /// Names of the models, as `list` has them
+    /// Names of models, as in `list`
     #[arg(required = true)]
     pub models: Vec<String>,
-    /// Methods; every one if none is given
+    /// Methods [default: all]
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     methods: Vec<MethodId>,
     /// Relative tolerances [default: 1e-3, 1e-4, … 1e-14]
@@ -58,7 +58,7 @@ struct Rows<'a> {
 }
 
 impl Precision {
-    /// Measures the models one after the other; nothing that fails is left out.
+    /// Measures the models in order; failed measurements are kept as rows.
     pub fn execute(self, models: &Models) -> Result<(), CommandError> {
         let shown = |row: &WorkPrecisionRow| self.models.contains(&row.model);
         let others: Result<Vec<_>, _> = self.peers.iter().map(|path| peers(path)).collect();
@@ -86,7 +86,7 @@ impl Precision {
         }
     }
 
-    /// Of all models that are known, until Ctrl-C is pressed.
+    /// Measures the known models until Ctrl-C is pressed.
     fn measured(&self, models: &Models) -> Result<Vec<WorkPrecisionRow>, CommandError> {
         let spec = self.measurements();
         spec.check().map_err(|error| CommandError::Usage(error.to_string()))?;
@@ -134,20 +134,20 @@ impl Precision {
     }
 }
 
-/// Each once, in the order given.
+/// Removes duplicates, in the given order.
 fn distinct<T: Clone + PartialEq>(all: &[T]) -> Vec<T> {
     let is_first = |(i, one): &(usize, &T)| !all[..*i].contains(*one);
     all.iter().enumerate().filter(is_first).map(|(_, one)| one.clone()).collect()
 }
 
-/// Errors to which the fastest are told.
+/// Error bounds for which the fastest method is printed.
 const BOUNDS: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
 
 fn json(rows: &[WorkPrecisionRow]) -> Result<String, CommandError> {
     pretty(&Rows { rows })
 }
 
-/// Of each model the least time in which errors stay below bounds: what a screen shows of a long table.
+/// For each model, the fastest method within each error bound: a summary of a long table.
 fn fastest(rows: &[WorkPrecisionRow]) -> String {
     let mut models: Vec<&str> = rows.iter().map(|row| row.model.as_str()).collect();
     models.dedup();
@@ -204,7 +204,8 @@ fn table(rows: &[WorkPrecisionRow]) -> String {
             row.microseconds,
             row.mark_disturbed(),
             row.reference.as_deref().unwrap_or(if row.is_not_judged() { "not judged" } else { "–" }),
-            // What follows the first colon stands once, in JSON and CSV in every row.
+            // The text after the first colon is printed once here; JSON and CSV have it in every
+            // row.
             row.judge.as_ref().map_or("–", |judge| judge
                 .split([':', '='])
                 .next()
@@ -219,7 +220,7 @@ fn table(rows: &[WorkPrecisionRow]) -> String {
     text + &blank(rows) + &judged(rows)
 }
 
-/// How many rows have nothing to be judged by.
+/// The number of rows without a reference, as text.
 fn blank(rows: &[WorkPrecisionRow]) -> String {
     match rows.iter().filter(|row| row.is_not_judged()).count() {
         0 => String::new(),

@@ -1,4 +1,4 @@
-//! Files with columns and units that other programs read at once.
+//! Columnar files with units, for other programs.
 
 use crate::CommandError;
 use crate::output::file::{Form, probe_as};
@@ -6,7 +6,7 @@ use clap::Args;
 use liftoff_columnar::Format;
 use std::path::{Path, PathBuf};
 
-/// How names of its files end.
+/// The form of a format, by the extension of its files.
 fn form(format: Format) -> Form {
     match format {
         Format::Parquet => Form::PARQUET,
@@ -29,7 +29,7 @@ pub struct ColumnarFiles {
 }
 
 impl ColumnarFiles {
-    /// The files that are asked for, each with its option.
+    /// The requested files, each with its option.
     pub fn each(&self) -> impl Iterator<Item = (&'static str, Format, &Path)> {
         let all = [
             ("--parquet", Format::Parquet, &self.parquet),
@@ -47,7 +47,7 @@ impl ColumnarFiles {
         })
     }
 
-    /// These, and where none is given those of a file.
+    /// These options; those missing come from `file`.
     pub fn over(self, file: Self) -> Self {
         Self {
             parquet: self.parquet.or(file.parquet),
@@ -56,7 +56,7 @@ impl ColumnarFiles {
         }
     }
 
-    /// Their paths, to be seen from another folder.
+    /// The paths, to be made relative to another folder.
     pub fn paths_mut(&mut self) -> impl Iterator<Item = &mut PathBuf> {
         [&mut self.parquet, &mut self.arrow, &mut self.npz].into_iter().flatten()
     }

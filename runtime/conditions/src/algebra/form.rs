@@ -12,7 +12,7 @@ use crate::algebra::ring::{Ring, Variable};
 #[derive(Clone, Debug)]
 pub(crate) struct Form {
     pub number: BigRational,
-    /// Factors of the numerator with their exponents; one of them is 0 where all of it is.
+    /// Factors of the numerator with their exponents; one factor is 0 if the numerator is 0.
     pub above: Vec<(Polynomial, u32)>,
     /// Factors of the denominator with their exponents.
     pub below: Vec<(Polynomial, u32)>,
@@ -34,8 +34,8 @@ impl Form {
         form.signed(ring)
     }
 
-    /// With the sign of a negative number in a sum, if there is one of odd power:
-    /// `3 (sin q₀ − sin q)`.
+    /// Moves a negative sign of the number into a factor that is a sum of odd power, if there is
+    /// one: `3 (sin q₀ − sin q)`.
     fn signed(mut self, ring: &Ring) -> Self {
         let sums = self.above.iter_mut().filter(|(factor, k)| k % 2 == 1 && factor.len() > 1);
         let varying =
@@ -47,7 +47,7 @@ impl Form {
         self
     }
 
-    /// Takes in the factors of a polynomial.
+    /// Multiplies by the factors of a polynomial, or divides by them.
     fn put(&mut self, polynomial: &Polynomial, k: u32, above: bool) {
         let parts = polynomial.factors();
         let number = num_traits::pow(BigRational::from(parts.number), k as usize);
@@ -69,8 +69,8 @@ impl Form {
         self.number.is_zero()
     }
 
-    /// The factors of the numerator that can vanish while the motion goes on: those that depend on
-    /// the coordinate and have not one sign for all positive parameters.
+    /// The factors of the numerator that can vanish during the motion: they depend on the
+    /// coordinate and are not of one sign for all positive parameters.
     pub fn vanishing(&self, ring: &Ring, coordinate: Symbol) -> Vec<(Polynomial, u32)> {
         let vanishing = self
             .above
@@ -79,7 +79,7 @@ impl Form {
         vanishing.cloned().collect()
     }
 
-    /// Those factors multiplied, each once.
+    /// The product of the vanishing factors, each once.
     pub fn condition(&self, ring: &Ring, coordinate: Symbol) -> Polynomial {
         let vanishing = self.vanishing(ring, coordinate);
         vanishing.iter().fold(ring.one(), |product, (factor, _)| &product * factor)
@@ -95,8 +95,8 @@ impl Form {
     }
 }
 
-/// Divides out what a numerator has in common with the factors of a denominator; what stays of
-/// these.
+/// Divides a numerator by the common factors with a denominator; returns the remaining factors of
+/// the denominator.
 fn reduce(numerator: &mut Polynomial, below: Vec<(Polynomial, u32)>) -> Vec<(Polynomial, u32)> {
     let mut kept = Vec::new();
     let mut waiting = below;
@@ -120,8 +120,8 @@ impl Ring {
     }
 
     /// Whether a polynomial provably has one sign, and no zero, as long as the parameters are
-    /// positive: for every monomial of parameters the constant outweighs what sines and cosines
-    /// within [−1, 1] can take from it.
+    /// positive: for every monomial of parameters the constant exceeds the other terms, as sines
+    /// and cosines lie in [−1, 1].
     pub fn is_definite(&self, polynomial: &Polynomial) -> bool {
         let classes = polynomial.collected(|x| self.variables[x].is_parameter());
         [1, -1].into_iter().any(|sign| {

@@ -1,5 +1,5 @@
-//! What the equations need of each bar, one array a quantity so that bars are computed side by
-//! side.
+//! Quantities of each bar for the equations, one array per quantity so that bars are computed side
+//! by side.
 
 use core::array::from_fn;
 
@@ -9,9 +9,9 @@ use super::plane::{Matrix, PlaneVector, Symmetric};
 use super::two_ended::TwoEnded;
 use crate::scalar::Real;
 
-/// Y, −½ l ω² e and −(m l/2J) n of every bar; of an eliminated joint, X⁻¹Y and X⁻¹β in the place of
-/// what its bar has given. Nothing is filled twice: clearing arrays first would take as long as
-/// solving a short chain.
+/// Y, −½ l ω² e and −(m l/2J) n of every bar; X⁻¹Y and X⁻¹β of an eliminated joint overwrite the
+/// entries of its bar. Arrays are not cleared first: that would take as long as solving a short
+/// chain.
 pub(super) struct Bars<S, const N: usize> {
     xx: [S; N],
     xy: [S; N],
@@ -20,7 +20,7 @@ pub(super) struct Bars<S, const N: usize> {
     pull_y: [S; N],
     turn_x: [S; N],
     turn_y: [S; N],
-    /// The fourth entry of X⁻¹Y, anything before.
+    /// The fourth entry of X⁻¹Y; arbitrary before elimination.
     fourth: [S; N],
 }
 
@@ -78,7 +78,7 @@ impl<S: Real, const N: usize> Bars<S, N> {
         }
     }
 
-    /// In the place of what two bars have given.
+    /// Stores two eliminated joints in place of the entries of their bars.
     #[inline(always)]
     pub(super) fn keep(&mut self, joints: [usize; 2], Eliminated { carried, own }: Eliminated<TwoEnded<S>>) {
         let [xx, xy, yy, fourth] = carried.0;
@@ -102,7 +102,7 @@ impl<S: Real, const N: usize> Bars<S, N> {
         PlaneVector { x: self.turn_x[bar], y: self.turn_y[bar] }.dot(sum)
     }
 
-    /// The same of two bars.
+    /// ω̇ of two bars.
     #[inline(always)]
     pub(super) fn turn_two(&self, [near, far]: [usize; 2], sum: PlaneVector<TwoEnded<S>>) -> TwoEnded<S> {
         let two = |of: &[S; N]| TwoEnded([of[near], of[far]]);

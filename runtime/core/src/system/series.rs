@@ -12,18 +12,19 @@ pub const TIME_ORDERS: usize = 4;
 /// A Taylor series in time.
 pub type TimeSeries = Jet<f64, TIME_ORDERS>;
 
-/// Coefficients kept where fewer do not decide: each costs the more the more there are.
+/// Coefficients kept if fewer do not decide; the cost per coefficient grows with their number.
 pub const MOST_TIME_ORDERS: usize = 10;
 
-/// A Taylor series in time of as many orders as are kept.
+/// A Taylor series in time to the higher order.
 pub type LongTimeSeries = Jet<f64, MOST_TIME_ORDERS>;
 
 /// A model's equations on Taylor series in time.
 pub trait SeriesEquations: Send + Sync {
-    /// The full equations along a motion, where there are contacts, whose decisions ask for them;
-    /// else nothing of them is compiled.
+    /// The full equations along a motion, for decisions on contacts; without contacts `None`, and
+    /// nothing is compiled.
     fn equations(&self, state: &[TimeSeries]) -> Option<Equations<TimeSeries>>;
-    /// The same to more orders; of models that depend on time alone, as compiling it takes long.
+    /// The full equations to more orders; only for models that depend on time, because compiling
+    /// them takes long.
     fn long_equations(&self, state: &[LongTimeSeries]) -> Option<Equations<LongTimeSeries>>;
     /// Positions of the points along a motion, x then y of each.
     fn points(&self, state: &[TimeSeries], points: &mut [TimeSeries]);

@@ -1,4 +1,5 @@
-//! What a page draws over time: coordinates, reactions, energies and what else is asked for.
+//! The quantities that a page draws over time: coordinates, reactions, energies and requested
+//! outputs.
 
 use crate::picture::{energies, shown};
 use crate::registry::{MotionError, Units};
@@ -10,9 +11,9 @@ use serde::Serialize;
 #[derive(Serialize, Clone, PartialEq, Debug)]
 pub(super) struct AnimatedQuantity {
     pub name: String,
-    /// The expression in print: `phi'` as φ̇.
+    /// The typeset expression: `phi'` as φ̇.
     label: String,
-    /// In what it is measured, if that is known; nothing for a number.
+    /// The unit, if it is known; empty for a pure number.
     unit: Option<String>,
     pub group: Group,
 }
@@ -39,7 +40,7 @@ pub(super) enum Group {
 /// A quantity as a function of time.
 pub(super) type Function<'a> = Box<dyn Fn(f64) -> f64 + 'a>;
 
-/// Positions of the points, x then y of each; what every model has; what is asked for.
+/// Positions of the points, x then y of each; the standard quantities; the requested outputs.
 pub(super) fn quantities(record: &Trajectory, outputs: &[String]) -> Vec<AnimatedQuantity> {
     let (layout, units) = (record.layout(), Units::from_layout(record.layout()));
     let mut all = Vec::new();

@@ -1,4 +1,4 @@
-//! Circles about points, as the page reads them.
+//! Circles about points, in the form for the page's script.
 
 use super::place::Direction;
 use crate::registry::Configuration;
@@ -11,11 +11,11 @@ pub(super) struct Round {
     centre: usize,
     radius: f64,
     solid: Solid,
-    /// A direction that turns with it.
+    /// A direction fixed in the circle's body.
     along: Option<Direction>,
 }
 
-/// Where a circle bounds something solid.
+/// The solid side of a circle.
 #[derive(Serialize)]
 #[serde(rename_all = "lowercase")]
 pub(super) enum Solid {

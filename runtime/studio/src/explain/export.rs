@@ -1,5 +1,4 @@
-//! The equations of a model as sources of other programs, derived again from the declaration that
-//! it carries.
+//! Exports a model's equations as source text, derived again from its declaration.
 
 use liftoff_codegen::export;
 use liftoff_core::model::Layout;
@@ -11,9 +10,8 @@ use super::derived;
 /// A module of Python with the equations of a model and of its contact sets for SymPy: symbols,
 /// matrices and expressions with exact coefficients.
 ///
-/// # Errors
-/// The mistakes of a declaration that has any; that the equations of a long system take too much
-/// algebra to be written out.
+/// # Errors The mistakes in the declaration, or that writing out the equations of a long system
+/// takes too much algebra.
 pub fn sympy(layout: &Layout) -> Result<String, String> {
     derived(layout, export::sympy)
 }
@@ -21,8 +19,7 @@ pub fn sympy(layout: &Layout) -> Result<String, String> {
 /// A library of C99 with the functions of a model and of its contact sets: a header, a source and a
 /// makefile.
 ///
-/// # Errors
-/// The mistakes of a declaration that has any.
+/// # Errors The mistakes in the declaration.
 pub fn c(layout: &Layout) -> Result<Vec<File>, String> {
     derived(layout, |analysis| Ok(export::c(analysis)))
 }

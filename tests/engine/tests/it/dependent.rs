@@ -1,5 +1,5 @@
-//! Contacts whose rows depend on each other: walls at one place, threads side by side, rough
-//! contacts beside guides, planks on many feet.
+//! Contacts with linearly dependent rows: coincident walls, parallel threads, rough contacts beside
+//! guides, planks on many feet.
 
 use liftoff::prelude::*;
 
@@ -18,7 +18,7 @@ struct Slot {
     f: f64,
 }
 
-/// Where the force turns, at π/2 and 3π/2, the other wall takes over, and nothing moves.
+/// When the force changes sign, at π/2 and 3π/2, the other wall takes over, and nothing moves.
 #[test]
 fn walls_at_one_place_take_over_from_each_other() {
     for tolerance in [1e-5, 1e-7, 1e-9, 1e-12] {
@@ -141,7 +141,7 @@ struct Raised {
     f: f64,
 }
 
-/// The same on the outermost feet.
+/// The same plank on the outermost feet only.
 #[derive(BarSystem)]
 #[liftoff(dimensionless)]
 #[liftoff(sets = 0)]
@@ -193,8 +193,8 @@ struct Rough {
     f: f64,
 }
 
-/// The feet between the outermost change nothing: the plank is lifted, or tips about either end and
-/// slips on it later.
+/// The inner feet have no influence: the plank is lifted, or tips about either end and slips on it
+/// later.
 #[test]
 fn a_plank_is_lifted_from_many_feet_as_from_two() {
     for (s, c, f) in [(5.0, 0.0, 6.0), (10.0, 0.0, 6.0), (3.0, 0.0, 6.0), (7.0, 1.0, 6.0), (0.0, -2.0, 5.0)] {
@@ -220,7 +220,7 @@ fn a_plank_is_lifted_from_many_feet_as_from_two() {
 #[test]
 fn a_plank_is_lifted_from_many_rough_feet() {
     let inertia = |r: f64| 100.0 / 12.0 + r * r;
-    // The lever of the force and of the weight about the foot that stays.
+    // The levers of the force and of the weight about the foot that stays closed.
     for (s, f, foot) in [(10.0, 6.0, Some(1.0)), (3.0, 6.0, Some(9.0)), (5.0, 6.0, None), (5.0, 10.0, None)] {
         let begun = 9.81 / f * foot.map_or(1.0, |foot| (5.0 - foot) / (s - foot));
         let plank = Rough { s, c: 0.0, f };
@@ -238,7 +238,7 @@ fn a_plank_is_lifted_from_many_rough_feet() {
     }
 }
 
-/// A smooth body on four feet of one line, lifted by a growing force at 1.3 of 2.
+/// A smooth body on four feet in a line, lifted by a growing force at 1.3 of 2.
 #[derive(BarSystem)]
 #[liftoff(dimensionless)]
 #[gravity(9.81)]
@@ -256,8 +256,8 @@ struct Lifted {
     f: f64,
 }
 
-/// The shortest reactions of inner feet vanish long before it tips about the outer one: m g = 1.3 f
-/// t. No other foot opens then.
+/// The least-norm reactions of inner feet vanish long before the body tips about the outer foot at
+/// m g = 1.3 f t. No other foot opens then.
 #[test]
 fn a_foot_without_load_opens_no_other() {
     for tolerance in [1e-5, 1e-9, 1e-13] {

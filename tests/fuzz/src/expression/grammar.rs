@@ -1,4 +1,4 @@
-//! Expressions and conditions that a model understands.
+//! Random expressions and conditions that are valid for a model.
 
 use liftoff_core::model::Layout;
 use liftoff_tests::random::Source;
@@ -8,7 +8,7 @@ const NUMBERS: [&str; 16] = [
     "1302.37",
 ];
 
-/// Two sides and what is between them, or one side.
+/// A comparison of two random sides, or one side alone.
 pub(super) fn condition(layout: &Layout, source: &mut Source) -> String {
     let left = sum(layout, source, 3);
     match source.below(5) {

@@ -12,7 +12,7 @@ fn a_motion_becomes_a_page_of_its_own() {
     std::fs::remove_file(&file).expect("removed");
     assert_eq!(said.trim_end(), path);
     assert!(page.contains("<h1>trestle</h1>") && page.contains(r#"{"name":"N(A) / p","label":"#));
-    // It asks for nothing that is not in it.
+    // The page is self-contained.
     assert!(!page.contains("src=") && !page.contains("href=") && !page.contains("@import"));
 }
 

@@ -1,4 +1,4 @@
-//! Ctrl-C keeps what is done.
+//! Ctrl-C keeps the results so far.
 #![cfg(unix)]
 
 use crate::program::{command, errors, temporary_path};
@@ -15,7 +15,7 @@ fn interrupt(child: &Child) {
     assert!(sent.expect("there is `kill`").success());
 }
 
-/// How it ends after Ctrl-C, pressed once it has been at work for a while.
+/// The output of a command that is interrupted after it has run for a while.
 fn interrupted(arguments: &[&str]) -> Output {
     let mut child = begin(arguments);
     sleep(Duration::from_millis(700));
@@ -50,7 +50,7 @@ fn precision_prints_the_rows_that_it_has() {
     assert!(errors(&output).contains("interrupted after"), "{}", errors(&output));
 }
 
-/// How long it takes to end after Ctrl-C.
+/// The time from Ctrl-C to the end of the command.
 fn reaction(arguments: &[&str]) -> (Output, Duration) {
     let mut child = begin(arguments);
     sleep(Duration::from_millis(300));
@@ -81,7 +81,7 @@ struct Endless {
 }
 "#;
 
-/// What takes minutes ends at once, whatever part of it is going on.
+/// Commands that take minutes end at once, in any of their stages.
 #[test]
 fn reports_and_stability_end_within_a_second() {
     let directory = temporary_path("left");

@@ -37,8 +37,8 @@ impl Assembly {
     }
 
     /// g = n·(P − A): the distance of P to the left of the axis of a body with first point A, with
-    /// n·(P − A) = n·(P − C) + c_across, dn/dθ = −e and de/dθ = n. The body bears its force where P
-    /// is.
+    /// n·(P − A) = n·(P − C) + c_across, dn/dθ = −e and de/dθ = n. The force acts on the body at
+    /// the position of P.
     pub(super) fn offset(&self, state: &State, place: Place, body: usize) -> Row {
         let [e, n] = axes(state, body);
         let centre = Place::Body(Mark { body, local: self.bodies[body].centre });

@@ -1,4 +1,4 @@
-//! Taylor coefficients of any field by jets, one order after the other.
+//! Taylor coefficients of any vector field by jets, one order after the other.
 
 use super::fields::Field;
 use crate::integrate::{Expansion, Guards};

@@ -1,4 +1,4 @@
-//! The solution of balanced equations, step by step.
+//! Tests of the steps that solve equilibrated KKT systems.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -18,14 +18,14 @@ fn a_matrix_is_regular_by_its_least_pivot() {
     }
 }
 
-/// What inverts a matrix but for a part of the solution leaves so much less of the right-hand side
-/// each time, four times; what makes it no better is not taken.
+/// An inverse with a relative error `part` reduces the residual by this factor in each of four
+/// refinements; a refinement that does not reduce it is discarded.
 #[test]
 fn solutions_are_refined_while_that_helps() {
     let matrix = DMatrix::from_row_slice(2, 2, &[3.0, 1.0, -1.0, 2.0]);
     let right = DVector::from_row_slice(&[1.0, -4.0]);
     let inverse = matrix.clone().try_inverse().unwrap();
-    // 1 − part is what each step leaves.
+    // Each step leaves 1 − part of the residual.
     for (part, left) in [(0.9, 1e-5), (1.2, -3.2e-4), (1.0, 0.0), (2.0, -1.0), (3.0, -2.0), (0.0, 1.0)] {
         let (x, rest) = refined(&matrix, &right, |b| Some(&inverse * b * part)).unwrap();
         assert!((&rest - &right * left).amax() < 1e-14, "{part}: {rest}");
@@ -34,8 +34,8 @@ fn solutions_are_refined_while_that_helps() {
     assert!(refined(&matrix, &right, |_| None).is_err());
 }
 
-/// Two rows of one coordinate that ask for accelerations 2 ε apart are each missed by ε: rounding
-/// up to 1e-9 of the terms.
+/// Two rows prescribe accelerations of one coordinate that differ by 2 ε; each has a residual ε,
+/// which counts as roundoff up to 1e-9 of the terms.
 #[test]
 fn rows_contradict_each_other_beyond_rounding() {
     for (mass, length) in [(1.0, 1.0), (1e-8, 1e5), (1e10, 1e-3)] {
@@ -53,7 +53,7 @@ fn rows_contradict_each_other_beyond_rounding() {
     }
 }
 
-/// Parts by their entries, numbered as they appear, with the largest value of each.
+/// Connected blocks of the matrix, numbered as they appear, with the largest entry of each.
 #[test]
 fn parts_are_what_entries_connect() {
     let pairs = [(0, 3), (3, 5), (1, 4)];
@@ -65,8 +65,8 @@ fn parts_are_what_entries_connect() {
     assert_eq!(largest_in_part(&found, &values).as_slice(), [3.0, 7.0, 0.5, 3.0, 7.0, 3.0]);
 }
 
-/// Bodies that do not touch each other are solved for each by itself: one on three rows of which
-/// any two would do, one that falls, one on a single row, in units that differ by many orders.
+/// Uncoupled bodies are solved separately: one on three rows of which any two suffice, one that
+/// falls, one on a single row, in units that differ by many orders.
 #[test]
 fn parts_are_solved_for_themselves() {
     for heavy in [1e-12, 1.0, 1e12] {
@@ -82,15 +82,15 @@ fn parts_are_solved_for_themselves() {
         let natural = |k: usize| found.x[k] * problem.scale[k];
         let accelerations: Vec<f64> = (0..4).map(natural).collect();
         assert!(accelerations[..3].iter().all(|a| a.abs() < 1e-14) && (accelerations[3] - 2.0).abs() < 1e-14);
-        // λ₀ + λ₂ + λ₃ = 3 and λ₃ = λ₀: the shortest are all one.
+        // λ₀ + λ₂ + λ₃ = 3 and λ₃ = λ₀: in the least-norm solution all are one.
         for (k, expected) in [(4, 1.0), (5, 5.0 * heavy), (6, 1.0), (7, 1.0)] {
             assert!((natural(k) / expected - 1.0).abs() < 1e-13, "{heavy} {k}: {}", natural(k));
         }
     }
 }
 
-/// Feet at xₖ bear a weight of one at c in many ways, of which the shortest is 1/n + (c − x̄)(xₖ −
-/// x̄)/Σ(x − x̄)², however many there are.
+/// The reactions of feet at xₖ under a unit weight at c are not unique; the least-norm ones are 1/n
+/// + (c − x̄)(xₖ − x̄)/Σ(x − x̄)², however many there are.
 #[test]
 fn many_redundant_rows_share_a_load() {
     for count in [2, 3, 30, 120] {
@@ -114,7 +114,7 @@ fn many_redundant_rows_share_a_load() {
     }
 }
 
-/// Of a selection of rows the parts may have any number.
+/// A selection of rows keeps the block numbers, with gaps.
 #[test]
 fn parts_of_a_selection_keep_their_numbers() {
     let largest = largest_in_part(&[7, 2, 7], &DVector::from_row_slice(&[1.0, 5.0, 3.0]));

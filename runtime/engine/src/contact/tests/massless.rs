@@ -6,8 +6,8 @@ use super::solve;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
 use crate::contact::trials::LcpError;
 
-/// A coordinate without mass is held by a contact that it presses; from one that it is drawn away
-/// from it has no acceleration.
+/// A massless coordinate pressed against a contact stays there; pulled away from it, its
+/// acceleration is undetermined.
 #[test]
 fn pulled_massless_points_have_no_motion() {
     let mass = DMatrix::from_diagonal(&DVector::from_row_slice(&[2.0, 0.0]));
@@ -17,13 +17,13 @@ fn pulled_massless_points_have_no_motion() {
     assert_eq!(pressed.active_basis, [0]);
     assert!((pressed.reactions[0] - 0.5).abs() < 1e-14 && (pressed.accelerations[0] + 0.5).abs() < 1e-14);
     assert_eq!(found(0.5).unwrap_err(), LcpError::Singular);
-    // Tied to a mass it has that one's, and is still drawn away.
+    // Tied to a mass it has the acceleration of the mass, and still leaves the contact.
     let tied = DMatrix::from_row_slice(1, 2, &[1.0, -1.0]);
     assert_eq!(solve(&mass, &tied, &[-1.0, -0.5], &[-0.25]).unwrap_err(), LcpError::Singular);
 }
 
-/// Massless bodies that nothing presses are held by their contacts without a reaction, more of them
-/// than there are sets to be tried; a mass beside them leaves its own.
+/// Massless bodies without load stay on their contacts with zero reaction, even if there are more
+/// contacts than sets to be tried; a mass beside them leaves its contact.
 #[test]
 fn massless_bodies_rest_on_their_contacts_unpressed() {
     for count in [1, 3, 17] {
@@ -40,9 +40,9 @@ fn massless_bodies_rest_on_their_contacts_unpressed() {
     }
 }
 
-/// M a = f of two coordinates with the correlation 1 − δ, beside others that many contacts hold:
-/// undetermined where their least singular value is below half of the digits of the largest one,
-/// which is that of the contacts.
+/// M a = f for two coordinates with correlation 1 − δ, beside others held by many contacts. The
+/// accelerations are undetermined if the least singular value is below √ε times the largest one,
+/// which belongs to the contacts.
 #[test]
 fn half_of_the_digits_are_asked_of_accelerations() {
     for contacts in [0, 1, 100] {
@@ -62,7 +62,7 @@ fn half_of_the_digits_are_asked_of_accelerations() {
     }
 }
 
-/// Nothing but a coordinate without mass: it is undetermined, unless a row holds it.
+/// A single massless coordinate is undetermined, unless a row holds it.
 #[test]
 fn a_coordinate_without_mass_alone_is_undetermined() {
     let undetermined = |entry: f64| {
@@ -75,8 +75,8 @@ fn a_coordinate_without_mass_alone_is_undetermined() {
     assert_eq!(undetermined(1e-7), [vec![0], vec![]]);
 }
 
-/// What moves without inertia is (1, 1, k) in balanced coordinates: the third has no part in it
-/// below a tenth.
+/// The null vector of inertia is (1, 1, k) in equilibrated coordinates: the third is not named if k
+/// is below a tenth.
 #[test]
 fn coordinates_that_hardly_move_are_not_named() {
     for (k, free) in [(0.5, vec![0, 1, 2]), (0.11, vec![0, 1, 2]), (0.09, vec![0, 1]), (0.0, vec![0, 1])] {

@@ -1,4 +1,4 @@
-//! The step divided so that the function is monotone between neighbouring points.
+//! Divides a step so that the function is monotone between neighbouring points.
 
 use super::GuardError;
 use super::bernstein::Bernstein;
@@ -8,8 +8,8 @@ use super::nonsmooth::{PieceFunction, approaches};
 use super::polynomial::{CHECK, COARSE, Polynomial, node};
 use crate::numerics::zero::roundoff;
 
-/// Where a function is sampled first: θⱼ = (1 − cos πj/8)/2, and where the fit of these values is
-/// compared with it.
+/// First sample nodes of a function, θⱼ = (1 − cos πj/8)/2, and the nodes at which their fit is
+/// checked.
 pub const NODES: [f64; COARSE + 2] = {
     let mut nodes = [CHECK; COARSE + 2];
     let mut j = 0;
@@ -20,12 +20,12 @@ pub const NODES: [f64; COARSE + 2] = {
     nodes
 };
 
-/// How well a function is known.
+/// Accuracy of a function's values.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Accuracy {
-    /// Its error bound, at least zero.
+    /// Error bound, at least zero.
     pub delta: f64,
-    /// Whether what no fit resolves is followed through its samples, however often it turns;
+    /// Whether unresolved pieces are followed through their samples, however often they turn;
     /// otherwise only a few poles and kinks are.
     pub is_noisy: bool,
 }
@@ -36,30 +36,30 @@ impl From<f64> for Accuracy {
     }
 }
 
-/// A function that no fit resolves is divided at most so many times.
+/// Maximum number of divisions of a function that no fit resolves.
 const DEEPEST: u32 = 5;
 
-/// With more unresolved pieces than this a function is taken to oscillate too fast, not to have
-/// kinks or poles.
+/// With more unresolved pieces than this a function counts as oscillating too fast rather than as
+/// having kinks or poles.
 const ROUGH: usize = 8;
 
 /// A point of the division.
 #[derive(Clone, Copy)]
 pub(super) struct Node {
     pub(super) point: Point,
-    /// Differences below this are those of the fit.
+    /// Differences below this may be errors of the fit.
     pub(super) noise: f64,
-    /// At the end of the step, how much the value differs from that of the extremum there or
-    /// beyond; else infinite.
+    /// At the end of the step: difference between the value and the extremum there or just beyond
+    /// the step; else infinite.
     pub(super) beyond: f64,
     /// Whether a polynomial fits the function since the point before.
     pub(super) smooth: bool,
 }
 
-/// What to divide and how finely.
+/// The function to divide, and how finely.
 pub(super) struct Division {
     pub(super) accuracy: Accuracy,
-    /// Whether a piece with these bounds can be passed over.
+    /// Whether a piece with these bounds can be skipped.
     pub(super) dull: fn(range: [f64; 2], delta: f64) -> bool,
 }
 
@@ -73,14 +73,14 @@ impl Division {
         self.piece(g, [0.0, 1.0], 0, visit).map(|_| ())
     }
 
-    /// Whether bounds of the function prove that there is nothing to be seen.
+    /// Whether bounds of the function prove that the piece can be skipped.
     fn is_dull(&self, fit: &Polynomial) -> bool {
         let margin = if self.accuracy.is_noisy { fit.scatter } else { fit.margin };
         let [low, high] = fit.range();
         (self.dull)([low - margin, high + margin], self.accuracy.delta)
     }
 
-    /// The number of pieces that no fit resolves.
+    /// Divides a piece; returns the number of pieces that no fit resolves.
     fn piece(
         &self,
         g: &mut dyn FnMut(f64) -> f64,
@@ -88,7 +88,7 @@ impl Division {
         depth: u32,
         visit: &mut dyn FnMut(Node),
     ) -> Result<usize, GuardError> {
-        // What was too fast for the whole may pass between few points.
+        // A function too fast for the whole step may be resolved on a piece.
         let enough = |fit: &Polynomial| depth == 0 && self.is_dull(fit);
         let fit = Polynomial::fit(g, [start, end], self.accuracy.delta, &enough)?;
         let dull = self.is_dull(&fit);
@@ -148,7 +148,7 @@ fn beyond_end(fit: &Polynomial) -> f64 {
     beyond(2.0 * q.evaluate(1.0), 4.0 * q.derivative().evaluate(1.0))
 }
 
-/// p′²/2|p″|, the way to the extremum of a function with these derivatives.
+/// p′²/2|p″|, the difference to the extremum of a parabola with these derivatives.
 pub(super) fn beyond(rate: f64, bend: f64) -> f64 {
     if rate == 0.0 { 0.0 } else { rate * rate / (2.0 * bend.abs()) }
 }

@@ -1,20 +1,20 @@
-//! Values over time as elements of SVG.
+//! Time histories as SVG elements.
 
 use super::timeline::Timeline;
 use crate::plot::svg::plane::{Px, along, middle};
 use core::fmt::Write;
 
-/// A number in pixels, to a tenth, without zeros that say nothing.
+/// A number in pixels, to a tenth, without trailing zeros.
 pub(super) fn number(x: f64) -> String {
     format!("{}", (10.0 * x).round() / 10.0 + 0.0)
 }
 
-/// A place.
+/// Coordinates of a point in pixels.
 pub(super) fn write_point([x, y]: [f64; 2]) -> String {
     format!("{} {}", number(x), number(y))
 }
 
-/// A line from place to place.
+/// A polyline through the points.
 pub(super) fn line(places: &[[f64; 2]]) -> String {
     let mut text = String::new();
     for (i, &at) in places.iter().enumerate() {
@@ -23,7 +23,7 @@ pub(super) fn line(places: &[[f64; 2]]) -> String {
     text
 }
 
-/// A path that changes its form; one value for each frame.
+/// A path whose shape changes, with one shape for each frame.
 pub(super) fn path(timeline: &Timeline, style: &str, forms: &[String], inside: &str) -> String {
     let moves = smooth(timeline, "d", forms);
     let end = if moves.is_empty() && inside.is_empty() { "/>" } else { ">" };
@@ -31,7 +31,7 @@ pub(super) fn path(timeline: &Timeline, style: &str, forms: &[String], inside: &
     format!("<path d=\"{}\"{style}{end}{inside}{moves}{close}\n", forms[0])
 }
 
-/// Elements that move along; one place for each frame.
+/// An element that is translated, with one position for each frame.
 pub(super) fn carried(timeline: &Timeline, places: &[String], element: &str) -> String {
     let moves = match same(places) {
         true => String::new(),
@@ -43,7 +43,7 @@ pub(super) fn carried(timeline: &Timeline, places: &[String], element: &str) -> 
     format!("<g transform=\"translate({})\">{element}{moves}</g>\n", places[0])
 }
 
-/// An attribute that changes evenly between frames; nothing if it never changes.
+/// An attribute interpolated linearly between frames; empty if it is constant.
 pub(super) fn smooth(timeline: &Timeline, attribute: &str, all: &[String]) -> String {
     match same(all) {
         true => String::new(),
@@ -51,13 +51,14 @@ pub(super) fn smooth(timeline: &Timeline, attribute: &str, all: &[String]) -> St
     }
 }
 
-/// An attribute that jumps: its values, each from its part of the period on; the first from 0.
+/// A piecewise constant attribute: its values, each with the fraction of the period from which it
+/// holds; the first at 0.
 pub(super) fn steps(timeline: &Timeline, attribute: &str, all: &[(f64, &str)]) -> String {
     let mut kept: Vec<(f64, &str)> = Vec::new();
     for &(key, value) in all {
         match kept.last() {
             Some(last) if last.1 == value => {}
-            // Of what happens at once the last counts.
+            // Of simultaneous values the last counts.
             Some(last) if kept.len() > 1 && last.0 >= key => {
                 kept.pop();
                 kept.push((key, value));
@@ -78,8 +79,8 @@ pub(super) fn steps(timeline: &Timeline, attribute: &str, all: &[(f64, &str)]) -
     )
 }
 
-/// Values of all frames, the last once more for the end of the period; of equal ones in a row the
-/// first and the last.
+/// Values of all frames, the last repeated for the end of the period. Of a run of equal values only
+/// the first and the last are kept.
 fn values(timeline: &Timeline, all: &[String]) -> String {
     let moves = |i: usize| i == 0 || i + 1 == all.len() || all[i - 1] != all[i] || all[i] != all[i + 1];
     let kept: Vec<usize> = (0..all.len()).filter(|&i| moves(i)).collect();
@@ -93,7 +94,7 @@ fn forever(timeline: &Timeline) -> String {
     format!(" dur=\"{}s\" repeatCount=\"indefinite\"", (1e6 * timeline.period()).round() / 1e6)
 }
 
-/// A part of the period to a tenth of a thousandth.
+/// A fraction of the period to four decimals.
 fn key(part: f64) -> String {
     let text = format!("{part:.4}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
@@ -108,7 +109,7 @@ fn same(all: &[String]) -> bool {
     all.iter().all(|value| *value == all[0])
 }
 
-/// The middle of places that belong together.
+/// The mean of points.
 pub(super) fn mean(places: &[Px]) -> Px {
     match places {
         [a, b] => middle(*a, *b),

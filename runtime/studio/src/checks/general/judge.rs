@@ -1,14 +1,14 @@
-//! The default run before an independent judge: from the declaration alone, in maximal coordinates
-//! and double-double, with contact decisions of its own.
+//! Compares the default run with an independent judge, which uses the declaration alone, maximal
+//! coordinates, double-double arithmetic and its own contact decisions.
 
 use super::{Effort, TIGHT, case, runs, with_tolerance};
 use crate::checks::{Answer, Case, Expected, at_most};
 use crate::registry::{Entry, MethodId, MotionError, stopped};
 use liftoff_verification::judgement::{Verdict, judge, witness_judged};
 
-/// In natural units: far above the error of a run at the tight tolerance.
+/// Bound in natural units, far above the error of a run at the tight tolerance.
 const MOST: f64 = 1e-7;
-/// Of a motion that is beyond the judge.
+/// Answer for a motion that the judge cannot compute.
 const EXCUSE: &str = "not judged";
 
 pub(super) fn cases(model: &'static Entry, _: Effort) -> Vec<Case> {

@@ -1,4 +1,4 @@
-//! What can be asked of any model's default run.
+//! Checks of the default run of any model.
 
 mod energy;
 mod events;
@@ -21,11 +21,11 @@ use liftoff_verification::judgement::witness;
 /// Cases that any model's default run has.
 #[derive(Debug)]
 pub struct General {
-    /// Its name, and the first part of the ids of its cases.
+    /// Name of the group, and first part of the ids of its cases.
     pub name: &'static str,
     /// Heading of the group on the page.
     pub title: &'static str,
-    /// The cases of a model; none where it has no default run, or none that moves.
+    /// The cases of a model; empty if it has no default run or its default run does not move.
     pub cases: fn(&'static Entry, Effort) -> Vec<Case>,
 }
 
@@ -40,21 +40,21 @@ pub const GENERAL: [General; 7] = [
     General { name: "energy", title: "Energy where nothing drives or damps", cases: energy::cases },
 ];
 
-/// The text where two runs have the same events.
+/// Text if two runs have the same events.
 const SAME: &str = "the same events";
 
-/// A run so short, in natural times, tells whether it begins.
+/// Duration, in natural times, of a run that only tests whether the start is valid.
 const INSTANT: f64 = 1e-6;
 
-/// Parts of a run in the middles of which reactions are compared.
+/// Number of equal parts of a run; reactions are compared at their midpoints.
 const PARTS: usize = 32;
 
-/// Tolerance of the runs that others are compared with.
+/// Tolerance of the reference runs.
 const TIGHT: f64 = 1e-13;
 
-/// Two runs side by side: whether events agree, then by how much times, the last states and, where
-/// there are contacts, their reactions differ, in natural units of the first; `units` are those of
-/// the second run in the first's.
+/// Two runs to compare: whether events agree, and the differences of times, last states and contact
+/// reactions, in natural units of the first. `units` are the units of the second run in those of
+/// the first.
 struct Pair<'a> {
     model: &'a Entry,
     natural: [f64; 3],
@@ -88,8 +88,8 @@ impl Pair<'_> {
         largest(apart) / size
     }
 
-    /// The largest difference of a reaction in the middles of [`PARTS`] equal parts, but for those
-    /// between an event of the one run and the same of the other.
+    /// The largest difference of a reaction at the midpoints of [`PARTS`] equal parts, except
+    /// midpoints between the two times of one event.
     fn compare_reactions(&self, one: &Trajectory, other: &Trajectory) -> f64 {
         let force = |[length, time, mass]: [f64; 3]| mass * length / (time * time);
         let (natural, unit, [_, time, _]) = (force(self.natural), force(self.units), self.units);
@@ -113,7 +113,7 @@ fn has_contacts(model: &Entry) -> bool {
     !model.layout().contacts.is_empty()
 }
 
-/// How much two runs may differ.
+/// Expected bounds on the differences of two runs.
 fn differences(model: &Entry, most: f64) -> Vec<Expectation> {
     let numbers = [at_most("Δ times", most), at_most("Δ state", most), at_most("Δ reactions", most)];
     numbers.into_iter().take(if has_contacts(model) { 3 } else { 2 }).collect()
@@ -139,7 +139,7 @@ fn case(
     case
 }
 
-/// A run that is shown to the judge and the audit.
+/// A run with its specification, for the judge and the audit.
 fn shown(spec: &RunSpec, run: Trajectory) -> Trajectory {
     let held: Vec<&str> = spec.hold.iter().map(String::as_str).collect();
     witness(&run, &held);
@@ -161,7 +161,7 @@ fn runs(model: &Entry) -> bool {
     has_default_run(model) && !rests(model)
 }
 
-/// Whether the default run is refused as an equilibrium.
+/// Whether the default start is refused as an equilibrium.
 fn rests(model: &Entry) -> bool {
     let Ok(simulation) = model.simulation(&model.default_run()) else { return false };
     let end = INSTANT * simulation.scales().time;

@@ -27,7 +27,7 @@ use script::Script;
 
 /// Size of letters, pixels.
 const LETTERS: f64 = 15.0;
-/// Free pixels round all of it.
+/// Margin, pixels.
 const MARGIN: f64 = 14.0;
 
 /// The model in its pose as SVG text: bars, joints, supports hatched on their solid side, threads,
@@ -71,17 +71,17 @@ impl<'a> Draft<'a> {
         self.gravity();
     }
 
-    /// Where a point is on the drawing.
+    /// Maps a point to the drawing.
     fn map_point(&self, point: usize) -> Px {
         self.frame.px(self.configuration.points[point])
     }
 
-    /// Asks for a word beside a point of the drawing.
+    /// Requests a label beside a point of the drawing.
     fn placement(&mut self, text: Script, at: Px, clearance: f64, side: Px) {
         self.word((text, Colour::Black), vec![Spot { at, side }], clearance);
     }
 
-    /// The same for a word that says what is measured.
+    /// Requests a label of a measure.
     fn measured(&mut self, text: Script, at: Px, clearance: f64, side: Px) {
         self.word((text, Colour::Blue), vec![Spot { at, side }], clearance);
     }
@@ -90,7 +90,7 @@ impl<'a> Draft<'a> {
         self.canvas.placements.push(Placement { text, size: LETTERS, colour, at, clearance });
     }
 
-    /// An arrow g beside all that is drawn.
+    /// The gravity arrow, beside the drawing.
     fn gravity(&mut self) {
         let Some(components) = self.geometry.gravity else { return };
         let [x, y] = self.configuration.position(components);

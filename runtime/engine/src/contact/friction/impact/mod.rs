@@ -1,13 +1,13 @@
 //! Impacts with Coulomb friction.
 //!
-//! Where one contact strikes, nothing else is pressed on the way and all joints have held before,
+//! If one contact strikes, no other contact is pressed on the way and all joints have held before,
 //! its impulse grows along Routh's path ([`path`]), by Newton's, Poisson's or Stronge's law.
-//! Otherwise all contacts answer at once, by Newton's or Poisson's law ([`at_once`]); Stronge's has
-//! no meaning then. Newton's has no solution for contacts that wedge a body between them: with P ≠
-//! 0 in the cones of friction and Jᵀ P = 0 their velocities obey Pᵀ γ⁺ = 0, and the law asks for −e
-//! ġ⁻ > 0 of all that approach. Poisson's, which has one, answers then, and the outcome names it.
-//! What neither law prevents is told: the work of all contacts is part of the outcome, and no
-//! restitution is reduced.
+//! Otherwise all contacts respond at once, by Newton's or Poisson's law ([`at_once`]); Stronge's
+//! law is not defined then. Newton's has no solution for contacts that wedge a body between them:
+//! with P ≠ 0 in the friction cones and Jᵀ P = 0 their velocities satisfy Pᵀ γ⁺ = 0, but the law
+//! requires −e ġ⁻ > 0 of all that approach. Poisson's law has a solution and is used then, and the
+//! outcome names it. Neither law excludes a gain of energy: the outcome reports the work of all
+//! contacts, and no restitution is reduced.
 
 mod at_once;
 pub(in crate::contact) mod path;
@@ -23,7 +23,7 @@ use super::super::impulse::{Collision, CollisionError, Outcome, Row};
 use super::modes::{Frictional, SlipVelocity};
 use crate::model::Law;
 
-/// A contact with friction that takes part: its rows, μ, e_t.
+/// A contact with friction in the impact: its rows, μ, e_t.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ImpactFriction {
     pub(super) is_guide: bool,
@@ -34,7 +34,7 @@ pub(super) struct ImpactFriction {
 }
 
 impl Collision {
-    /// Contacts with friction that take part.
+    /// The contacts with friction in the impact.
     pub(super) fn rubbing(&self) -> Vec<ImpactFriction> {
         let rows = self.rows.iter().enumerate();
         let with_friction = rows.filter_map(|(tangent, row)| match *row {
@@ -54,14 +54,14 @@ impl Collision {
         with_friction.collect()
     }
 
-    /// Whether a contact that takes part has friction.
+    /// Whether a contact in the impact has friction.
     pub(in crate::contact) fn has_friction(&self) -> bool {
         self.rows.iter().any(|row| matches!(row, Row::Friction { .. })) && !self.rubbing().is_empty()
     }
 }
 
 impl ImpactFriction {
-    /// The contact at rest, without anything given.
+    /// The contact in the state of rest.
     fn at_rest(&self) -> Frictional {
         let (rows, mu) = ((self.normal, self.tangent), (self.mu, self.mu));
         match self.is_guide {
@@ -72,18 +72,19 @@ impl ImpactFriction {
 }
 
 impl Stages<'_> {
-    /// Whether guides with friction take part.
+    /// Whether the impact involves guides with friction.
     pub(super) fn has_guides(&self) -> bool {
         self.collision.rows.contains(&Row::Guide)
     }
 
-    /// Whether what holds both ways has held before: no clutch takes hold, no hinge comes to rest.
+    /// Whether all two-sided constraints have held before: no clutch takes hold, no hinge comes to
+    /// rest.
     fn joints_hold(&self) -> bool {
         let rows = self.collision.rows.iter().zip(self.approach.iter());
         rows.filter(|(row, _)| **row == Row::TwoSided).all(|(_, approach)| *approach == 0.0)
     }
 
-    /// The outcome of contacts of which some have friction.
+    /// Solves an impact of contacts of which some have friction.
     pub(in crate::contact) fn with_friction(&self) -> Result<Outcome, CollisionError> {
         let applied = self.collision.applied.amax() > 0.0;
         if applied && self.candidates.iter().any(|&row| self.declares(row, Law::Stronge)) {
@@ -106,8 +107,7 @@ impl Stages<'_> {
         }
     }
 
-    /// The law of all contacts: the one that all declare, or that of those which act without
-    /// restitution.
+    /// The common restitution law of all contacts; contacts without restitution accept any law.
     fn law_at_once(&self) -> Result<Law, CollisionError> {
         let departs = self.candidates.iter().any(|&row| self.approach[row] > 0.0);
         let all = |law: Law| self.candidates.iter().all(|&row| self.declares(row, law));
@@ -120,7 +120,7 @@ impl Stages<'_> {
         self.law_of(&self.all_at_once(Law::Newton, 0.0)?.acting, departs)
     }
 
-    /// An impulse from outside first, then what it makes strike.
+    /// Applies an external impulse first, then the impact that it causes.
     fn applied_before(&self) -> Result<Outcome, CollisionError> {
         let free = Collision {
             rows: self.collision.rows.iter().map(|row| without_contact(*row)).collect(),

@@ -1,4 +1,4 @@
-//! Linkages that nothing couples: each does beside the other what it does alone.
+//! Uncoupled linkages: each moves as it does alone.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -8,7 +8,8 @@ use super::borders::beside;
 use super::oracle::Linkage;
 use super::random::{Random, cases, in_order, linkage, solve};
 
-/// The same in other coordinates, `q = T q'`: M is full, M⁻¹ couples as little as before.
+/// The linkage in other coordinates, `q = T q'`: M becomes full, the Delassus matrix stays
+/// uncoupled.
 fn mixed(it: &Linkage, transformation: &DMatrix<f64>) -> Linkage {
     Linkage {
         mass: transformation.tr_mul(&it.mass) * transformation,
