@@ -121,7 +121,7 @@ fn runs(tokens: &[TokenTree], inside: &Inside, waiting: &mut Vec<Inside>) -> syn
             if levels > LEVELS {
                 return Err(syn::Error::new(
                     group.span_open(),
-                    format!("more than {LEVELS} brackets in each other"),
+                    format!("more than {LEVELS} nested brackets"),
                 ));
             }
             let opaque = inside.opaque || is_macro(&run[..i]);

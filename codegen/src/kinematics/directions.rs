@@ -70,7 +70,7 @@ fn eliminate(
         }
         None => halved(system, &reduced, open).ok_or_else(|| {
             let text = match reduced.coefficients.len() {
-                1 => "this makes a multiple of an angle constant; declare the angle itself",
+                1 => "this fixes a multiple of an angle; declare the angle itself",
                 _ => {
                     "of angles that turn together one is a whole multiple of the other: `equal(phi, 2 * psi)`; where none is, \
                      both are multiples of the angle of a third bar"
@@ -90,16 +90,16 @@ fn settled(constant: &Angle, subject: &Subject, span: Span) -> syn::Result<()> {
     let text = match (constant == &Angle::zero(), subject) {
         (true, Subject::Angle) => return Ok(()),
         (true, Subject::Weld(what)) => {
-            format!("{what} repeats what is declared of these angles already; remove it")
+            format!("{what} repeats a constraint on these angles; remove it")
         }
         (false, Subject::Weld(what)) => {
-            format!("{what} contradicts what is declared of these angles already; remove it")
+            format!("{what} contradicts another constraint on these angles; remove it")
         }
         (true, Subject::Equal([a, b])) => format!("{a} and {b} are equal already; remove this constraint"),
         (false, Subject::Equal([a, b])) => {
-            format!("{a} and {b} cannot be equal: by what is declared already they differ by a constant")
+            format!("{a} and {b} cannot be equal: other constraints make them differ by a constant")
         }
-        (false, Subject::Angle) => "this contradicts what is declared of these angles already".to_owned(),
+        (false, Subject::Angle) => "this contradicts another constraint on these angles".to_owned(),
     };
     Err(syn::Error::new(span, text))
 }

@@ -136,14 +136,14 @@ pub(super) fn merge(scene: &Scene, opaque_terms: &mut OpaqueTerms) -> syn::Resul
             let text = match support.contact.drive() {
                 Some(i) => {
                     format!(
-                        "drive `{}` does nothing: what it drives cannot move",
+                        "drive `{}` has no effect: the driven quantity cannot move",
                         scene.system.drives[i].name
                     )
                 }
                 None if support.two_sided => {
-                    format!("slider `{name}` does nothing: what it guides cannot move")
+                    format!("slider `{name}` has no effect: the guided point cannot move")
                 }
-                None => format!("support `{name}` does nothing: what it supports cannot move"),
+                None => format!("support `{name}` has no effect: the supported point cannot move"),
             };
             super::combine(&mut errors, syn::Error::new(support.span, text));
         }

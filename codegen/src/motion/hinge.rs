@@ -48,7 +48,7 @@ impl Motion {
                     format!("a model has at most {MOST_HINGES} hinges with friction; this is one more")
                 }
                 _ if self.is_prescribed(i) => format!(
-                    "what turns at hinge `{}` is welded or driven, so that friction does not decide how it turns; leave the friction out",
+                    "what turns at hinge `{}` is welded or driven, so that friction has no effect; remove the friction",
                     support.name
                 ),
                 (Some(x), Some(y)) if self.long_tree().is_none() => {

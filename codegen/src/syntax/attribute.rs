@@ -92,7 +92,7 @@ pub(super) fn parse(attribute: &Attribute, description: &mut Description) {
     let result = match &attribute.meta {
         // What is missing at the end is missing at the closing bracket.
         Meta::List(list) => list.parse_args_with(|input: ParseStream| reader(input, description)),
-        meta => Err(syn::Error::new_spanned(meta, "something is missing in parentheses")),
+        meta => Err(syn::Error::new_spanned(meta, "expected arguments in parentheses")),
     };
     if let Err(errors) = result {
         description.broken.push(name);

@@ -109,10 +109,8 @@ impl Allowed<'_> {
     fn check_conditional(&self, meta: &Meta, report: &mut Report) {
         match meta.path().get_ident() {
             Some(name) if self.own.contains(&plain(name).as_str()) => {
-                report.over(
-                    meta,
-                    "whether this holds is not known here; write the attribute without `cfg_attr`",
-                );
+                report
+                    .over(meta, "conditions are not evaluated here; write the attribute without `cfg_attr`");
             }
             _ => self.check_path(meta.path(), report),
         }

@@ -48,7 +48,7 @@ fn points(name: &Ident, input: ParseStream) -> syn::Result<Vec<(Ident, Pair)>> {
     syn::parenthesized!(content in input);
     let points = figure::positions(&content)?;
     match points.len() {
-        0 | 1 => Err(syn::Error::new(word.span(), "a body has two points or more")),
+        0 | 1 => Err(syn::Error::new(word.span(), "a body needs two points or more")),
         _ => Ok(points),
     }
 }

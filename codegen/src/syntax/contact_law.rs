@@ -88,11 +88,11 @@ pub(super) fn friction(options: &mut Options, rough: bool) -> syn::Result<Option
     let (kinetic, limit) = (options.take("friction"), options.take("static"));
     let (tangential, jams) = (options.take("tangential"), options.written("jams").cloned());
     if let (None, Some(tangential)) = (&kinetic, &tangential) {
-        let text = "`tangential` restitution is that of a contact with friction; add `friction = mu`";
+        let text = "`tangential` restitution needs friction; add `friction = mu`";
         return Err(syn::Error::new_spanned(tangential, text));
     }
     if let (None, Some(jams)) = (&kinetic, &jams) {
-        return Err(syn::Error::new(jams.span(), "`jams` is what friction may do; add `friction = mu`"));
+        return Err(syn::Error::new(jams.span(), "`jams` applies to friction only; add `friction = mu`"));
     }
     let jams = jams.is_some();
     match (kinetic, limit) {
@@ -102,7 +102,7 @@ pub(super) fn friction(options: &mut Options, rough: bool) -> syn::Result<Option
         }
         (Some(kinetic), limit) => Ok(Some(FrictionLaw { kinetic, limit, tangential, jams })),
         (None, Some(limit)) => {
-            let text = "`static` is the coefficient at rest; add that of sliding: `friction = mu`";
+            let text = "`static` is the coefficient at rest; add the sliding coefficient: `friction = mu`";
             Err(syn::Error::new_spanned(limit, text))
         }
         (None, None) => Ok(None),

@@ -36,12 +36,10 @@ pub(super) fn parse(input: ParseStream) -> syn::Result<HingeDeclaration> {
     let law = friction(&mut options, false)?;
     let missing = |what: &str| syn::Error::new(point.span(), format!("hinge `{point}` has no {what}"));
     let friction = law.ok_or_else(|| {
-        missing(
-            "friction; add `friction = mu`. What resists the turn otherwise is a `torsion` with `damping`",
-        )
+        missing("friction; add `friction = mu`. Other resistance to rotation is a `torsion` with `damping`")
     })?;
     let radius = radius.ok_or_else(|| {
-        missing("radius, by which friction turns into a couple; add `radius = r`, that of its journal")
+        missing("radius; add the radius of its journal, `radius = r`, the lever of the friction couple")
     })?;
     Ok(HingeDeclaration { point, friction, radius })
 }
@@ -56,7 +54,7 @@ fn refuse_friction_of_place(input: ParseStream) -> syn::Result<()> {
     match name {
         Ok(name) if ["friction", "static", "radius"].iter().any(|word| name == word) => {
             let text = format!(
-                "the friction of a pin is an attribute of its own beside its place: `#[pin({point}, friction = mu, radius = r)]`"
+                "declare the friction of a pin by a separate attribute: `#[pin({point}, friction = mu, radius = r)]`"
             );
             Err(syn::Error::new(name.span(), text))
         }

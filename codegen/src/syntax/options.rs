@@ -65,7 +65,7 @@ impl Options {
             let flag = flags.iter().any(|flag| name == flag);
             if !flag && !allowed.iter().any(|a| name == a) {
                 if name == "rough" && allowed.contains(&"friction") && !allowed.contains(&"radius") {
-                    return wrong("a point that never slips along its guide is no slider; hold it by `pin` or by a hinge".to_owned());
+                    return wrong("a point that never slips along its guide is not a slider; hold it by `pin` or by a hinge".to_owned());
                 }
                 if FRICTION.iter().any(|word| name == word) && allowed.contains(&"friction") {
                     let rough = match flags.contains(&"rough") {

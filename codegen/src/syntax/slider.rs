@@ -74,7 +74,10 @@ pub(super) fn parse(input: ParseStream) -> syn::Result<SliderDeclaration> {
         return Err(syn::Error::new(kind.span(), text));
     }
     if !stops && (law.restitution.is_some() || law.stop) {
-        return Err(syn::Error::new(kind.span(), "it is the ends of the bar that are struck; add `stops`"));
+        return Err(syn::Error::new(
+            kind.span(),
+            "`restitution`, `law` and `stop` apply to the ends of the bar; add `stops`",
+        ));
     }
     Ok(SliderDeclaration { name, of, guide, stops: stops.then_some(law), friction })
 }

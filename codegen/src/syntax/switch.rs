@@ -63,7 +63,7 @@ pub(super) fn switch(input: ParseStream) -> syn::Result<Expr> {
     }
     let text = quoted.value();
     if text.matches(['<', '>']).count() != 1 || text.contains('=') {
-        let text = "what is switched is there while one side is less than the other: `while(\"phi > 0\")`";
+        let text = "a switch compares two sides by `<` or `>`: `while(\"phi > 0\")`";
         return Err(syn::Error::new(quoted.span(), text));
     }
     Ok(Expr::Lit(ExprLit { attrs: Vec::new(), lit: Lit::Str(quoted) }))

@@ -40,7 +40,7 @@ pub(super) fn parse(field: &Field, description: &mut Description) {
 /// Reports it on the struct.
 pub(super) fn misplaced(attribute: &Attribute, description: &mut Description) {
     if attribute.path().is_ident(NAME) {
-        description.report.over(attribute.path(), "`value` is that of one parameter; put it on its field");
+        description.report.over(attribute.path(), "`value` belongs to one parameter; put it on its field");
     }
 }
 
@@ -99,7 +99,7 @@ pub(crate) fn without_unit(literal: &Lit) -> syn::Result<()> {
         Lit::Float(x) => x.suffix(),
         _ => "",
     };
-    let text = || format!("`{suffix}` behind a number has no meaning; write the number alone");
+    let text = || format!("`{suffix}` after a number has no meaning; write the number alone");
     if matches!(suffix, "" | "f64") { Ok(()) } else { Err(syn::Error::new(literal.span(), text())) }
 }
 

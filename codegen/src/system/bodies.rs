@@ -79,7 +79,7 @@ impl Structure {
         }
         scope
             .report
-            .add_message(name.span(), format!("`{name}` is no bar; this needs a bar, which has an axis"));
+            .add_message(name.span(), format!("`{name}` is not a bar; this needs a bar, which has an axis"));
         None
     }
 

@@ -58,7 +58,7 @@ fn under_a_bar(shape: &ShapeDeclaration, bar: &Ident) -> String {
         ShapeDeclaration::Circle(syntax::CentreDeclaration::Point(centre), _)
         | ShapeDeclaration::Disc(centre) => centre.to_string(),
         ShapeDeclaration::Bowl(..) => {
-            return format!("`{bar}` is no point; name the points of it that the bowl keeps inside");
+            return format!("`{bar}` is not a point; name the points of it that the bowl keeps inside");
         }
         _ => "O".to_owned(),
     };

@@ -138,7 +138,7 @@ pub(super) fn friction(
         && (limit - mu).signum() < 0
     {
         let text = format!(
-            "static friction {limit} of `{owner}` is below sliding friction {mu}; it is at least as large"
+            "static friction {limit} of `{owner}` is below sliding friction {mu}; it must be at least as large"
         );
         scope.report.over(expr, text);
     }

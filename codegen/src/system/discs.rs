@@ -42,7 +42,7 @@ impl Structure {
                 let bodies: Vec<String> =
                     on.iter().map(|(body, _)| self.bodies[*body].name.clone()).collect();
                 let text = format!(
-                    "`{name}` is a point of {}; say with which the disc turns: `on = {}`",
+                    "`{name}` is a point of {}; name the body with which the disc turns: `on = {}`",
                     super::listed(bodies.iter()),
                     bodies[0]
                 );

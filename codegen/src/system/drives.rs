@@ -123,7 +123,7 @@ fn distance(
     let inverse = scope.constants.divide(&Series::one(), &nominal);
     if inverse.is_none() || figure.samples.iter().any(near) {
         let text = format!(
-            "the figure shows `{}` and `{}` at one place, where the drive of their distance has no direction; draw them apart",
+            "the figure shows `{}` and `{}` at one place, so the drive of their distance has no direction; draw them apart",
             ends[0], ends[1]
         );
         scope.report.add_message(ends[0].span(), text);

@@ -52,7 +52,7 @@ pub(super) fn both_sides(scope: &mut Scope, structure: &Structure, supports: &[S
             (&structure.points[point].name, ends.map(|end| &structure.points[end].name));
         let text = format!(
             "`{point}` cannot stay on both sides of the line from `{from}` to `{to}`, which has no thickness: it is behind \
-             `{}` or `{}`; declare one of them, say when each is there by `while(\"…\")`, or give the body two sides",
+             `{}` or `{}`; declare one of them, give each a condition `while(\"…\")`, or give the body two sides",
             other.name, support.name
         );
         scope.report.add_message(support.span, text);
@@ -81,7 +81,7 @@ fn between(scope: &mut Scope, structure: &Structure, names: &[Ident; 2]) -> Opti
         None
     };
     if ends[0] == ends[1] {
-        return wrong(scope, "an edge ends at another point than it begins".to_owned());
+        return wrong(scope, "the ends of an edge must be different points".to_owned());
     }
     let [first, last] = ends.map(|end| &structure.points[end]);
     let Some((body, [from, to])) = shared(first, last) else {

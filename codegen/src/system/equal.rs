@@ -54,7 +54,7 @@ fn angle(scope: &mut Scope, structure: &Structure, coordinates: &[Declared], nam
     let text = match found.map(|i| &coordinates[i].kind) {
         Some(CoordinateKind::Angle { .. }) => return found,
         Some(CoordinateKind::Position { .. }) => {
-            format!("`{name}` is no angle; only angles can be kept equal here")
+            format!("`{name}` is not an angle; only angles can be kept equal here")
         }
         None if structure.bodies.iter().any(|body| plain(name) == body.name) => {
             format!("`{name}` is a bar; write `angle({name})` for its direction")

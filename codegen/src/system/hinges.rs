@@ -50,7 +50,7 @@ fn turning(
         (&[body], true) => return Some((point, body, None)),
         (&[from, body], false) => return Some((point, body, Some(from))),
         ([] | [_], _) => format!(
-            "nothing is hinged at `{name}`; friction of a hinge is that of a point which two bodies share, or by which one is pinned"
+            "nothing is hinged at `{name}`; hinge friction needs a point that two bodies share, or at which one is pinned"
         ),
         _ => format!(
             "more than two turn against each other at `{name}`, with the ground where it is pinned: which of them a journal joins is not \

@@ -218,7 +218,7 @@ impl Support {
                 format!("Thread `{name}` through {}.", listed(path.iter().map(|&p| point(p))))
             }
             OneSided::Drive(i) => {
-                format!("Drive `{}`, which holds while its condition does.", system.drives[*i].name)
+                format!("Drive `{}`, which may hold while its condition is true.", system.drives[*i].name)
             }
         }
     }

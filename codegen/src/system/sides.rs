@@ -31,8 +31,8 @@ pub(super) fn free_side(
             figure.settle(scope, structure, Settles::Side, &name, &lengths[side], &Series::one());
             return Some([Facing::Right, Facing::Left][side]);
         }
-        Verdict::Several(_) => "the figure lies evenly about this wall",
-        Verdict::None => "the figure lies on one side of this wall or the other, as the parameters are",
+        Verdict::Several(_) => "the figure is on both sides of this wall equally",
+        Verdict::None => "the side of this wall on which the figure lies depends on the parameters",
     };
     scope.report.add_message(declared.span, format!("{text}; say its free side: `facing = left` or `right`"));
     None
@@ -57,7 +57,7 @@ pub(super) fn side(
             return Some(if declared.over.is_some() { -upwards } else { upwards });
         }
         Verdict::Several(_) => "is upright in the figure",
-        Verdict::None => "points left or right in the figure, as the parameters are",
+        Verdict::None => "points left or right in the figure, depending on the parameters",
     };
     let (kind, bar) = (structure.bodies[body].kind(), &structure.bodies[body].name);
     let text = format!("{kind} `{bar}` {how}, so a corner is neither under nor over it; tilt the figure");
@@ -95,7 +95,7 @@ pub(super) fn edge_side(
             return Some([1, -1][side]);
         }
         Verdict::Several(_) => "in line with it",
-        Verdict::None => "on one side of it or the other, as the parameters are",
+        Verdict::None => "on one side of it or the other, depending on the parameters",
     };
     let [from, to, at] = points.map(|point| &structure.points[point].name);
     let text = format!(

@@ -11,7 +11,7 @@ fn supports_of_what_cannot_move_are_reported() {
              {supports} struct Bars {{ m: f64, l: f64 }}"
         )
     };
-    let useless = |name: &str| format!("support `{name}` does nothing: what it supports cannot move");
+    let useless = |name: &str| format!("support `{name}` has no effect: the supported point cannot move");
     assert_eq!(
         find_mistakes(&declaration("#[support(O = floor)] #[support(P = floor)]")),
         [useless("O"), useless("P")]

@@ -36,7 +36,7 @@ fn mistakes_are_reported() {
         ("#[value = l]", no_number),
         ("#[value = 2 % 3]", no_number),
         ("#[value = 1 / 0]", "the value is inf, which is no number"),
-        ("#[value = 500mm]", "`mm` behind a number has no meaning; write the number alone"),
+        ("#[value = 500mm]", "`mm` after a number has no meaning; write the number alone"),
         ("#[value(2, \"kg\")]", "expected identifier"),
         ("#[value(2, units = \"kg\")]", "expected `unit = \"…\"`"),
         ("#[value(2, unit = \"kg\", 3)]", "expected nothing more"),
@@ -46,7 +46,7 @@ fn mistakes_are_reported() {
     }
     assert_eq!(find_mistakes(&pendulum("#[value = 2] #[value = 3]")), ["a parameter has one value"]);
     let misplaced = format!("#[value = 2] {}", pendulum(""));
-    assert_eq!(find_mistakes(&misplaced), ["`value` is that of one parameter; put it on its field"]);
+    assert_eq!(find_mistakes(&misplaced), ["`value` belongs to one parameter; put it on its field"]);
 }
 
 #[test]

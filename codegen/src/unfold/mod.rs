@@ -48,7 +48,7 @@ impl Unfolded {
         let system = crate::resolve(input.clone())?;
         let Some(mirror) = system.mirror.clone() else {
             let text = format!(
-                "`{}` has no mirror: its own coordinates have every motion, and nothing is to be unfolded",
+                "`{}` has no mirror: its coordinates already have every motion, so there is nothing to unfold",
                 system.ident
             );
             return Err(syn::Error::new(system.ident.span(), text));

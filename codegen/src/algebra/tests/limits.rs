@@ -102,7 +102,7 @@ fn numbers_end_at_minus_the_greatest() {
     assert_eq!([0, 7].map(|n| Rational::integer(n).pow(0)), [Rational::ONE; 2]);
 }
 
-/// The terms pending a merge are fewer than a batch, or than twice the merged ones.
+/// The terms pending a merge are fewer than a batch, or than twice the terms so far.
 #[test]
 fn sums_keep_few_terms_waiting() {
     let wave = Wave::ONE;

@@ -80,7 +80,7 @@ impl Fault {
             }
             Self::NoLength => format!("both ends of {kind} `{bar}` are at one place in the figure"),
             Self::TurnedOver => format!(
-                "the figure draws body `{bar}` turned over, as in a mirror; go round its points the other way"
+                "the figure draws body `{bar}` turned over, as in a mirror; list its points in the other direction"
             ),
         }
     }

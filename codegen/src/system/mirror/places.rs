@@ -33,7 +33,7 @@ fn differences(pairing: &Pairing, p: usize, q: usize) -> Vec<String> {
         found.push(if p == q {
             "does not lie on the mirror".into()
         } else {
-            "the figure places them otherwise".into()
+            "the figure has them elsewhere".into()
         });
     }
     match (pinned(p), pinned(q)) {

@@ -66,7 +66,7 @@ pub(super) fn frictions(scope: &mut Scope, images: &Images, pairs: &[usize]) {
         } else if motion::same(images, &motion::negated(&w), &back) {
             continue;
         } else {
-            let moves = "in a mirror the surface of one moves against that of the other";
+            let moves = "in a mirror their surfaces move against each other";
             format!("{moves}: `{}` and `{}` have velocities that are not opposite", a.name, b.name)
         };
         scope.report.add_message(b.span, text);

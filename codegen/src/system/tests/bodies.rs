@@ -115,7 +115,7 @@ fn mistakes_in_bodies_are_reported() {
         ),
         (
             HULL.replace(", C = (0, a)", "").replace(", B = (l, 0)", ""),
-            "a body has two points or more (for example `#[body(hull, points(A = (0, 0), B = (l, 0), C = (l / 2, h)), mass = m)]`)",
+            "a body needs two points or more (for example `#[body(hull, points(A = (0, 0), B = (l, 0), C = (l / 2, h)), mass = m)]`)",
         ),
     ];
     for (attributes, expected) in cases {
@@ -124,7 +124,7 @@ fn mistakes_in_bodies_are_reported() {
     }
     assert_eq!(
         find_mistakes(&format!("{HULL} #[figure(A = (0, 0), B = (l, 0), C = (0, -a))]")),
-        ["the figure draws body `hull` turned over, as in a mirror; go round its points the other way"]
+        ["the figure draws body `hull` turned over, as in a mirror; list its points in the other direction"]
     );
 }
 

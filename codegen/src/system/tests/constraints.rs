@@ -113,7 +113,7 @@ fn mistakes_in_sliders_are_reported() {
         ),
         (
             "#[ground(O = (0, l))] #[slider(O = bar(BC), restitution = 1)]",
-            "it is the ends of the bar that are struck; add `stops` (for example `#[slider(P = horizontal(0))]`)",
+            "`restitution`, `law` and `stop` apply to the ends of the bar; add `stops` (for example `#[slider(P = horizontal(0))]`)",
         ),
         (
             "#[ground(O = (0, l))] #[slider(O = bar(BC), slide_off)]",
@@ -243,7 +243,7 @@ fn mistakes_in_supports_are_reported() {
         ),
         (
             "#[support(B = floor, while(\"phi = 0\"))]",
-            "what is switched is there while one side is less than the other: `while(\"phi > 0\")` (for example `#[support(A = floor)]`)",
+            "a switch compares two sides by `<` or `>`: `while(\"phi > 0\")` (for example `#[support(A = floor)]`)",
         ),
         (
             "#[support(B = circle(0, 0, 1))]",

@@ -68,7 +68,7 @@ fn mistakes_are_reported() {
         ),
         (
             "#[disc(B, radius = a)]",
-            "`B` is a point of `wheel`, `BC`; say with which the disc turns: `on = wheel`",
+            "`B` is a point of `wheel`, `BC`; name the body with which the disc turns: `on = wheel`",
         ),
         ("#[disc(C, radius = a, on = wheel)]", "`C` is no point of `wheel`"),
         ("#[disc(D, radius = a)]", "there is no point `D`; declared: `A`, `B`, `C`, `P`, `O`"),

@@ -54,7 +54,7 @@ fn mistakes_are_reported() {
         ),
         (
             "#[ground(O = (l, a))] #[drive(distance(O, C) = a)]",
-            "the figure shows `O` and `C` at one place, where the drive of their distance has no direction; draw them apart",
+            "the figure shows `O` and `C` at one place, so the drive of their distance has no direction; draw them apart",
         ),
         ("#[drive(angle(BC, BC) = t)]", "`BC` does not turn against itself"),
         ("#[drive(along(B, BC) = a)]", "`B` is a point of `BC`; it does not move along it"),

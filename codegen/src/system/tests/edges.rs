@@ -53,14 +53,14 @@ fn mistakes_are_reported() {
         (
             "#[support(C = bar(AB), facing = left)] #[support(back = bar(AB), facing = right, under = C)]",
             "`C` cannot stay on both sides of the line from `A` to `B`, which has no thickness: it is behind `C` or `back`; declare one \
-             of them, say when each is there by `while(\"…\")`, or give the body two sides",
+             of them, give each a condition `while(\"…\")`, or give the body two sides",
         ),
-        ("#[support(B = bar(hull))]", "`hull` is no bar; this needs a bar, which has an axis"),
+        ("#[support(B = bar(hull))]", "`hull` is not a bar; this needs a bar, which has an axis"),
         (
             "#[support(D = edge(A, C))]",
             "`A` and `C` are not on one body; an edge lies between two points of one body",
         ),
-        ("#[support(D = edge(A, A))]", "an edge ends at another point than it begins"),
+        ("#[support(D = edge(A, A))]", "the ends of an edge must be different points"),
         ("#[support(B = bar(BA))]", "there is no bar `BA`; did you mean `AB`?"),
         ("#[support(B = bar())]", "write `bar(AB)` (for example `#[support(A = floor)]`)"),
         (
@@ -81,7 +81,7 @@ fn mistakes_are_reported() {
         ),
         (
             "#[particle(P, mass = m)] #[figure(P = (2 * l, a - m))] #[support(P = bar(AB))]",
-            "the figure shows `P` on one side of it or the other, as the parameters are; say on which side it stays, seen \
+            "the figure shows `P` on one side of it or the other, depending on the parameters; say on which side it stays, seen \
              from `A` to `B`: `facing = left` or `right`",
         ),
     ];

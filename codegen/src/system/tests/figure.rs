@@ -109,7 +109,7 @@ fn ambiguous_figures_must_be_declared() {
     );
     assert_eq!(
         told("#[support(B = wall(m))]"),
-        ["the figure lies on one side of this wall or the other, as the parameters are; say its free side: \
+        ["the side of this wall on which the figure lies depends on the parameters; say its free side: \
           `facing = left` or `right`"]
     );
     assert_eq!(told("#[support(B = wall(m), facing = left)]"), [""; 0]);

@@ -66,7 +66,7 @@ fn mistakes_in_springs_are_reported() {
         ),
         (
             "#[spring(AC, stiffness = g, while(\"phi\"))]",
-            "what is switched is there while one side is less than the other: `while(\"phi > 0\")` (for example `#[spring(AB, stiffness = k, length = l)]`)",
+            "a switch compares two sides by `<` or `>`: `while(\"phi > 0\")` (for example `#[spring(AB, stiffness = k, length = l)]`)",
         ),
         ("#[spring(AC, stiffness = -2)]", "the stiffness of `AC` is -2; it cannot be negative"),
         (
@@ -164,7 +164,7 @@ fn mistakes_in_loads_are_reported() {
         ("#[force(X = (m, 0))]", "there is no point `X`; declared: `A`, `B`, `C`"),
         (
             "#[force(C = (m, 0), while(\"phi\"))]",
-            "what is switched is there while one side is less than the other: `while(\"phi > 0\")` (for example `#[force(P = (fx, fy))]`)",
+            "a switch compares two sides by `<` or `>`: `while(\"phi > 0\")` (for example `#[force(P = (fx, fy))]`)",
         ),
         (
             "#[particle(D, mass = m, while(\"phi > 0\"))]",

@@ -320,7 +320,7 @@ fn supports_without_their_mirror_image_are_reported() {
         ),
         (
             "#[support(A = floor, friction = 0.3, moving = g * t)] #[support(E = floor, friction = 0.3, moving = g * t)]",
-            "in a mirror the surface of one moves against that of the other: `A` and `E` have velocities that are not opposite",
+            "in a mirror their surfaces move against each other: `A` and `E` have velocities that are not opposite",
         ),
         ("#[ground(P = (l, l))]", "point `P` has no mirror image: no point lies at (−l, l) in the figure"),
     ]);

@@ -23,7 +23,7 @@ fn errors_show_an_example() {
             "#[bar(shin, mass = m, length = l)]",
             "bar `shin` needs its ends: `shin = A -> D`; two letters alone name both ends (for example `#[bar(AD, mass = m, length = l)]`)",
         ),
-        ("#[pin]", "something is missing in parentheses (for example `#[pin(O = (0, 0))]`)"),
+        ("#[pin]", "expected arguments in parentheses (for example `#[pin(O = (0, 0))]`)"),
         ("#[pin(D = 0)]", "expected a position `(x, y)` (for example `#[pin(O = (0, 0))]`)"),
         (
             "#[support(D = flor)]",
@@ -39,7 +39,7 @@ fn errors_show_an_example() {
         ),
         (
             "#[support(D = floor, static = m)]",
-            "`static` is the coefficient at rest; add that of sliding: `friction = mu` (for example `#[support(A = floor)]`)",
+            "`static` is the coefficient at rest; add the sliding coefficient: `friction = mu` (for example `#[support(A = floor)]`)",
         ),
         (
             "#[support(D = floor, rough, friction = m)]",
@@ -63,7 +63,7 @@ fn errors_show_an_example() {
         ),
         (
             "#[pin(D = (0, 0), friction = m)]",
-            "the friction of a pin is an attribute of its own beside its place: `#[pin(D, friction = mu, radius = r)]` (for example `#[pin(O = (0, 0))]`)",
+            "declare the friction of a pin by a separate attribute: `#[pin(D, friction = mu, radius = r)]` (for example `#[pin(O = (0, 0))]`)",
         ),
         (
             "#[pin(D = (0, 0), while(\"t < 1\"))]",
@@ -79,7 +79,7 @@ fn errors_show_an_example() {
         ),
         (
             "#[support(D = floor, jams)]",
-            "`jams` is what friction may do; add `friction = mu` (for example `#[support(A = floor)]`)",
+            "`jams` applies to friction only; add `friction = mu` (for example `#[support(A = floor)]`)",
         ),
         ("#[equal(phi)]", "expected two angles or more (for example `#[equal(angle(AB), angle(CD))]`)"),
         (
@@ -176,7 +176,7 @@ fn no_word_left_out_or_doubled_panics() {
 /// `500mm` would be read as 500, in whatever unit the rest is.
 #[test]
 fn suffixes_of_numbers_are_refused() {
-    let text = "`mm` behind a number has no meaning; write the number alone";
+    let text = "`mm` after a number has no meaning; write the number alone";
     let rod = |mass: &str, value: &str| {
         messages(&format!(
             "#[gravity(g)] #[bar(OA, mass = {mass} * m, length = l)] #[pin(O = (0, 0))] #[figure(A = (0, -l))]
@@ -227,7 +227,7 @@ fn attributes_that_the_compiler_would_refuse_are_reported() {
         all[0].starts_with("there is no attribute `gelenk`; those of a bar system are `budget`, "),
         "{all:?}"
     );
-    let condition = "whether this holds is not known here; write the attribute without `cfg_attr`";
+    let condition = "conditions are not evaluated here; write the attribute without `cfg_attr`";
     assert_eq!(told("#[cfg_attr(test, allow(x), support(A = floor))]", ""), [condition]);
     assert_eq!(
         told("#[cfg_attr(test, collision(A = floor))]", ""),
