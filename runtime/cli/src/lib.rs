@@ -36,10 +36,10 @@ use std::process::exit;
 #[derive(Parser, Debug)]
 #[command(about, after_help = EXIT_CODES)]
 struct Cli<O: ExtraCommand> {
-    /// Whether to colour what is printed
+    /// Whether to colour the output
     #[arg(long, value_name = "WHEN", global = true, default_value_t = ColorChoice::Auto)]
     color: ColorChoice,
-    /// Of a FILE.rs with several models this one
+    /// The model to take from a FILE.rs with several
     #[arg(long, id = "of_file", value_name = "NAME", global = true, alias = "struct")]
     model: Option<String>,
     #[command(subcommand)]
@@ -63,7 +63,7 @@ enum Command<O: ExtraCommand> {
     Export(export::Export),
     /// Print the contact sets of a model, their degrees of freedom and how they follow one another
     Modes(modes::Modes),
-    /// Find where a model rests, what its contacts bear there, and how it vibrates about it
+    /// Find the equilibria of a model, with contact reactions and vibrations
     Equilibrium(equilibrium::Equilibrium),
     /// Print frequencies, damping and mode shapes about a position at rest
     Linearise(linearise::Linearise),
@@ -81,7 +81,7 @@ enum Command<O: ExtraCommand> {
     Plot(Box<plot::Plot>),
     /// Simulate a model and write a page that plays its motion
     Animate(Box<animate::Animate>),
-    /// Show the motion of a file's model on a page that follows every save
+    /// Show the motion of a file's model on a page that is updated at every save
     Watch(Box<watch::Watch>),
     /// Measure error against run time of models, method by method
     Precision(Box<precision::Precision>),
@@ -89,9 +89,9 @@ enum Command<O: ExtraCommand> {
     Stability(stability::Stability),
     /// Run a model many times over ranges of its parameters and starts
     Sweep(Box<sweep::Sweep>),
-    /// Follow the curves in a plane of two parameters or starts at which what is observed changes
+    /// Follow curves in a plane of two parameters or starts across which an observed result changes
     Boundary(Box<boundary::Boundary>),
-    /// Make the parts of a sweep, which `sweep --shard` has computed, one table
+    /// Merge the parts of a sweep by `sweep --shard` into one table
     Merge(merge::Merge),
     /// Write a page for each model: drawing, equations, run, precision, stability
     Report(report::Report),
@@ -99,7 +99,7 @@ enum Command<O: ExtraCommand> {
     Words(words::Words),
     /// Write a project with a model of one's own and these commands
     New(new::New),
-    /// Print what a shell needs to complete commands, options, models and methods
+    /// Print a completion script for a shell: commands, options, models and methods
     Completions(completions::Completions),
 }
 

@@ -18,7 +18,7 @@ use std::sync::Arc;
 
 #[derive(Args, Debug)]
 pub struct Animate {
-    /// Name of the model, as `list` has it; or a file of Rust, `FILE.rs`, compiled or not
+    /// Name of the model, as in `list`, or a Rust file, `FILE.rs`, compiled or not
     #[arg(value_name = "MODEL|FILE.rs")]
     pub model: String,
     #[command(flatten)]
@@ -26,13 +26,14 @@ pub struct Animate {
     /// The method of integration
     #[arg(long, value_name = "NAME", default_value = "auto")]
     method: MethodId,
-    /// An expression to draw over time, beside coordinates, reactions and energies
+    /// An expression to draw over time, besides coordinates, reactions and energies
     #[arg(long, value_name = "EXPR")]
     output: Vec<String>,
-    /// The page to write, or with `.svg` a picture that moves; by default MODEL.html in the current directory
+    /// The page to write, or with `.svg` an animated picture; by default MODEL.html in the current
+    /// directory
     #[arg(long, value_name = "FILE.html|FILE.svg")]
     out: Option<PathBuf>,
-    /// How many times slower than it is a picture shows the run; by default as people can follow it
+    /// Factor of slow motion in a picture; by default one that is easy to follow
     #[arg(long, value_name = "X", value_parser = number)]
     slower: Option<f64>,
     #[command(flatten)]
@@ -77,7 +78,7 @@ impl Animate {
     /// The engine of the sliders, if there are any.
     fn engine(&self) -> Result<Option<Packed>, CommandError> {
         match is_picture(&self.path()) && self.sliders.asked() {
-            true => Err(CommandError::Usage("`--sliders` is for a page, not for a picture".to_owned())),
+            true => Err(CommandError::Usage("`--sliders` applies to a page, not to a picture".to_owned())),
             false => self.sliders.engine(),
         }
     }
@@ -114,7 +115,7 @@ impl Animate {
             Some(engine) => {
                 let page = live::page(model, spec, record, &about, Engine::Within(engine))?;
                 let [all, own] = [page.len(), engine.size()].map(|bytes| bytes as f64 / 1e6);
-                size = format!(", {all:.1} MB, {own:.1} MB of them the engine");
+                size = format!(", {all:.1} MB, {own:.1} MB of it the engine");
                 write(&path, page)?;
             }
             None if is_picture(&path) => {

@@ -21,11 +21,11 @@ const DIGITS: usize = 10;
 
 #[derive(Args, Debug)]
 pub struct Boundary {
-    /// Name of the model, as `list` has it; or a file of Rust, `FILE.rs`, compiled or not
+    /// Name of the model, as in `list`, or a Rust file, `FILE.rs`, compiled or not
     #[arg(value_name = "MODEL|FILE.rs")]
     pub model: String,
-    /// Twice: a parameter, a coordinate or rate at the start, or a name that settings use, with its range; COUNT is that of the grid
-    /// on which curves are found
+    /// Twice: a parameter, a coordinate or rate at the start, or a name that settings use, with its
+    /// range; COUNT is the size of the grid on which curves are found
     #[arg(long, value_name = "NAME=LOW:HIGH[:COUNT]", required = true)]
     vary: Vec<String>,
     /// A parameter, as an expression of the varied names
@@ -42,7 +42,7 @@ pub struct Boundary {
     observe: String,
     #[command(flatten)]
     events: EventArgs,
-    /// How closely curves are followed, in parts of the ranges
+    /// Accuracy of the curves, as a fraction of the ranges
     #[arg(long, value_name = "WIDTH", value_parser = width, default_value_t = WIDTH, allow_negative_numbers = true)]
     to: f64,
     /// Print JSON

@@ -11,7 +11,7 @@ use liftoff_studio::run_spec::overridden;
 
 #[derive(Args, Debug)]
 pub struct Conditions {
-    /// Name of the model, as `list` has it; or a file of Rust, `FILE.rs`, compiled or not
+    /// Name of the model, as in `list`, or a Rust file, `FILE.rs`, compiled or not
     #[arg(value_name = "MODEL|FILE.rs")]
     pub model: String,
     /// Only the phase with these supports closed (`A, E`), or `free`

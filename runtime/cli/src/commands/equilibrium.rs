@@ -12,12 +12,13 @@ use liftoff_studio::registry::{Entry, Models, Units};
 
 #[derive(Args, Debug)]
 pub struct Equilibrium {
-    /// Name of the model, as `list` has it; or a file of Rust, `FILE.rs`, compiled or not
+    /// Name of the model, as in `list`, or a Rust file, `FILE.rs`, compiled or not
     #[arg(value_name = "MODEL|FILE.rs")]
     pub model: String,
     #[command(flatten)]
     pose: PoseArgs,
-    /// A parameter, a load say: how far it may grow, or go to VALUE, until which contact opens or slides
+    /// A parameter, such as a load: find how far it may grow, or change towards VALUE, until a
+    /// contact opens or slides
     #[arg(long, value_name = "NAME[=VALUE]", value_parser = load)]
     load: Option<Load>,
     /// Print JSON

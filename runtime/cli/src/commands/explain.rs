@@ -14,7 +14,7 @@ use std::path::PathBuf;
 
 #[derive(Args, Debug)]
 pub struct Explain {
-    /// Name of the model, as `list` has it; or a file of Rust, `FILE.rs`, compiled or not
+    /// Name of the model, as in `list`, or a Rust file, `FILE.rs`, compiled or not
     #[arg(value_name = "MODEL|FILE.rs")]
     model: String,
     /// Only the phase with these supports closed (`A, E`), or `free`
@@ -27,10 +27,10 @@ pub struct Explain {
 /// How equations are written, and where.
 #[derive(Args, Debug)]
 pub struct Target {
-    /// How to write them; by default as the name of the file ends, else as text
+    /// Format; by default by the extension of the file, else text
     #[arg(long, value_enum)]
     format: Option<Format>,
-    /// Where to write, in place of the standard output
+    /// File to write instead of the standard output
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,
 }
@@ -71,7 +71,7 @@ pub enum Format {
     Text,
     /// A document for LaTeX
     Latex,
-    /// A page that needs nothing beside itself
+    /// A self-contained page
     Html,
 }
 

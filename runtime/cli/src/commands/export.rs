@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 #[derive(Args, Debug)]
 #[command(group = clap::ArgGroup::new("target").required(true).multiple(true))]
 pub struct Export {
-    /// Name of the model, as `list` has it; or a file of Rust, `FILE.rs`, compiled or not
+    /// Name of the model, as in `list`, or a Rust file, `FILE.rs`, compiled or not
     #[arg(value_name = "MODEL|FILE.rs")]
     pub model: String,
     /// Write a module of Python: symbols, matrices and expressions of each contact set for SymPy

@@ -18,12 +18,12 @@ const AT_REST: f64 = 1e-9;
 
 #[derive(Args, Debug)]
 pub struct Linearise {
-    /// Name of the model, as `list` has it; or a file of Rust, `FILE.rs`, compiled or not
+    /// Name of the model, as in `list`, or a Rust file, `FILE.rs`, compiled or not
     #[arg(value_name = "MODEL|FILE.rs")]
     pub model: String,
     #[command(flatten)]
     pose: PoseArgs,
-    /// The supports that are closed, `A,E`, or `free`; by default all that touch at the start
+    /// The closed supports, `A,E`, or `free`; by default all that touch at the start
     #[arg(long, value_name = "SUPPORTS")]
     closed: Option<String>,
     /// Unfold a mirrored model: the motions that keep its symmetry, and those that break it
@@ -32,7 +32,7 @@ pub struct Linearise {
     /// Print JSON, with the matrices A and B
     #[arg(long)]
     json: bool,
-    /// Draw the modes into a file, each of them moving
+    /// Draw the modes into a file, as animations
     #[arg(long, value_name = "FILE", conflicts_with = "json")]
     svg: Option<PathBuf>,
 }

@@ -14,7 +14,7 @@ use serde_json::{Map, Value};
 
 #[derive(Args, Debug)]
 pub struct List {
-    /// Names of models, of which to print all that a run takes where nothing is said
+    /// Names of models whose default runs are printed in full
     pub models: Vec<String>,
     /// Print JSON
     #[arg(long)]

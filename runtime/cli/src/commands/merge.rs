@@ -12,8 +12,8 @@ pub struct Merge {
     /// Files of shards, or folders of them
     #[arg(value_name = "FOLDER|FILE", required = true)]
     shards: Vec<PathBuf>,
-    /// Write all members to a file, as the sweep in one process does; `-` is the standard output; without files the shards are
-    /// only checked
+    /// Write all members to a file, as a sweep in one process would; `-` is the standard output;
+    /// without files the shards are only checked
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
     #[command(flatten)]

@@ -10,7 +10,7 @@ use std::path::PathBuf;
 
 #[derive(Args, Debug)]
 pub struct Modes {
-    /// Name of the model, as `list` has it; or a file of Rust, `FILE.rs`, compiled or not
+    /// Name of the model, as in `list`, or a Rust file, `FILE.rs`, compiled or not
     #[arg(value_name = "MODEL|FILE.rs")]
     pub model: String,
     /// Print a graph for Graphviz

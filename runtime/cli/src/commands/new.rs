@@ -35,10 +35,11 @@ const TAKEN: [&str; 8] =
 pub struct New {
     /// Name of the project and of its folder
     name: PathBuf,
-    /// The model to begin with: one of `list`, or that of a file
+    /// The model to begin with: a name from `list`, or a file
     #[arg(long, value_name = "MODEL|FILE.rs")]
     from: Option<String>,
-    /// Where liftoff's sources are; by default crates.io, or where this program was built from if that was no published version
+    /// Folder of liftoff's sources; by default crates.io, or the folder that this program was built
+    /// from if its version is not published
     #[arg(long, value_name = "DIRECTORY")]
     liftoff: Option<PathBuf>,
 }
@@ -99,7 +100,7 @@ impl New {
         let model = models.find(from)?;
         let unknown = || {
             CommandError::Usage(format!(
-                "--from {from}: this program has not the text of this model; give its file"
+                "--from {from}: this program does not have the text of this model; give its file"
             ))
         };
         let found = files::parse(from, model.source().ok_or_else(unknown)?, declarations)?;
@@ -148,7 +149,7 @@ fn package(folder: &Path) -> Result<String, CommandError> {
         }
         true => Ok(name.to_owned()),
         false => Err(CommandError::Usage(format!(
-            "`{name}` is no name of a package: a letter, then letters, digits, `-` and `_`"
+            "`{name}` is not a package name: use a letter, then letters, digits, `-` and `_`"
         ))),
     }
 }

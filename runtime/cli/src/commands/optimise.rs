@@ -16,19 +16,20 @@ use liftoff_studio::sweep::Observation;
 
 #[derive(Args, Debug)]
 pub struct Optimise {
-    /// Name of the model, as `list` has it; or a file of Rust, `FILE.rs`, compiled or not
+    /// Name of the model, as in `list`, or a Rust file, `FILE.rs`, compiled or not
     #[arg(value_name = "MODEL|FILE.rs")]
     pub model: String,
     #[command(flatten)]
     run_args: RunArgs,
-    /// A parameter, or a coordinate or rate given at the start, and the bounds that it may have; the search begins with its value in the
-    /// run
+    /// A parameter, coordinate or rate at the start, with optional bounds; the search begins with
+    /// its value in the run
     #[arg(long, value_name = "NAME[=LOW:HIGH]", required = true)]
     vary: Vec<String>,
-    /// What is to be least: `first open`, the time of an event, `first impact x`, an output behind one, `end phi`, an output at the end
+    /// The quantity to minimise: `first open`, the time of an event, `first impact x`, an output
+    /// after one, `end phi`, an output at the end
     #[arg(long, value_name = "WHAT")]
     of: String,
-    /// Seek the greatest value
+    /// Maximise it
     #[arg(long)]
     greatest: bool,
     /// Print JSON
@@ -80,7 +81,7 @@ impl Optimise {
             return Ok((Place::End, Some(output.clone())));
         }
         let (which, filter, output) = observation.event().ok_or_else(|| {
-            wrong("expected an event, `first open`, an output behind it, `2nd impact x`, or at the end, `end phi`")
+            wrong("expected an event, `first open`, an output after it, `2nd impact x`, or at the end, `end phi`")
         })?;
         Ok((Place::Event(which, filter), output.cloned()))
     }
@@ -95,7 +96,7 @@ fn bounded(model: &Entry, text: &str) -> Result<(String, Option<[f64; 2]>), Comm
     let number = |text: &str| measured(&units, name, text).map_err(|why| wrong(&why));
     let [low, high] = [number(low)?, number(high)?];
     if !(low < high && (high - low).is_finite()) {
-        return Err(wrong("a lower and a greater bound are expected"));
+        return Err(wrong("expected a lower and a greater bound"));
     }
     Ok((name.trim().to_owned(), Some([low, high])))
 }

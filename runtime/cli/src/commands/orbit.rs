@@ -15,19 +15,19 @@ use liftoff_studio::run_spec::RunSpec;
 
 #[derive(Args, Debug)]
 pub struct Orbit {
-    /// Name of the model, as `list` has it; or a file of Rust, `FILE.rs`, compiled or not
+    /// Name of the model, as in `list`, or a Rust file, `FILE.rs`, compiled or not
     #[arg(value_name = "MODEL|FILE.rs")]
     pub model: String,
     #[command(flatten)]
     run_args: RunArgs,
-    /// Where the motion is looked at once a turn: an event, `impact` or `impact A`, or a condition that becomes true, `phi' > 0`; of
-    /// a driven model `t = T` with the period of its drive
+    /// The section, met once per period: an event, `impact` or `impact A`, or a condition that
+    /// becomes true, `phi' > 0`; for a driven model `t = T` with the period of its drive
     #[arg(long, value_name = "EVENT|EXPR")]
     section: String,
-    /// A coordinate that need not come back, as that along a walker's way
+    /// A coordinate that need not return, such as the distance walked
     #[arg(long, value_name = "NAME")]
     drift: Vec<String>,
-    /// A parameter in which the orbit is followed, and up to which value
+    /// A parameter in which to continue the orbit, and its final value
     #[arg(long = "continue", value_name = "NAME=VALUE", value_parser = assignment)]
     to: Option<Assignment>,
     /// Print JSON

@@ -13,15 +13,16 @@ use std::path::PathBuf;
 
 #[derive(Args, Debug)]
 pub struct Plot {
-    /// Name of the model, as `list` has it; or a file of Rust, `FILE.rs`, compiled or not
+    /// Name of the model, as in `list`, or a Rust file, `FILE.rs`, compiled or not
     #[arg(value_name = "MODEL|FILE.rs")]
     pub model: String,
     #[command(flatten)]
     run_args: RunArgs,
-    /// What to draw against time; coordinates, reactions and energies if nothing is named. In portraits: the coordinates
+    /// Outputs to draw against time; by default coordinates, reactions and energies. In portraits:
+    /// the coordinates
     #[arg(long, value_name = "EXPR")]
     output: Vec<String>,
-    /// What to draw it against in place of time
+    /// Output on the horizontal axis instead of time
     #[arg(long, value_name = "EXPR")]
     against: Option<String>,
     /// Kind of picture; by default the one that the other options imply, else a chart
@@ -30,10 +31,10 @@ pub struct Plot {
     /// A point whose path is drawn
     #[arg(long, value_name = "POINT")]
     trail: Vec<String>,
-    /// How many positions are superposed
+    /// Number of superposed positions
     #[arg(long, value_name = "N", value_parser = whole(1..=1000))]
     positions: Option<usize>,
-    /// The start of a further motion of a portrait, `phi=0.2,phi'=1`
+    /// The start of another motion in a portrait, `phi=0.2,phi'=1`
     #[arg(long, value_name = "NAME=VALUE,…", value_parser = start)]
     also: Vec<Start>,
     /// The file to write [default: MODEL.svg]

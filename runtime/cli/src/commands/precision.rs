@@ -99,7 +99,7 @@ impl Precision {
         let interpreted: Vec<&str> = found.iter().filter(|m| !m.is_compiled()).map(|m| m.name()).collect();
         if !interpreted.is_empty() {
             tell(&format!(
-                "interpreted: {}; compiled they take a fifth of the time to all of it",
+                "interpreted: {}; compiled models take between a fifth and all of this time",
                 interpreted.join(", ")
             ));
         }
@@ -224,7 +224,7 @@ fn table(rows: &[WorkPrecisionRow]) -> String {
 fn blank(rows: &[WorkPrecisionRow]) -> String {
     match rows.iter().filter(|row| row.is_not_judged()).count() {
         0 => String::new(),
-        count => format!("{count} of {} rows are not judged: there is nothing to compare with\n", rows.len()),
+        count => format!("{count} of {} rows are not judged: there is no reference\n", rows.len()),
     }
 }
 
@@ -257,7 +257,7 @@ mod tests {
         let text = table(&[row([None, None]), row([Some(1e-7), None])]);
         assert!(
             text.contains("not judged")
-                && text.ends_with("1 of 2 rows are not judged: there is nothing to compare with\n"),
+                && text.ends_with("1 of 2 rows are not judged: there is no reference\n"),
             "{text}"
         );
         assert!(!table(&[row([Some(1e-7), None])]).contains("not judged"));

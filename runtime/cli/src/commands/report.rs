@@ -28,9 +28,9 @@ fn made(model: &'static Entry, sliders: bool, tell: &dyn Fn(usize)) -> Option<re
 
 #[derive(Args, Debug)]
 pub struct Report {
-    /// Names of the models, as `list` has them; all of them by default
+    /// Names of models, as in `list` [default: all]
     pub models: Vec<String>,
-    /// Where to write a page for each model, and index.html
+    /// Folder for a page for each model, and index.html
     #[arg(long, value_name = "DIRECTORY", default_value = "target/liftoff/report")]
     out: PathBuf,
     #[command(flatten)]

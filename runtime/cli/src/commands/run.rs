@@ -27,7 +27,7 @@ use std::sync::Arc;
 
 #[derive(Args, Debug)]
 pub struct Run {
-    /// Name of the model, as `list` has it; or a file of Rust, `FILE.rs`, compiled or not
+    /// Name of the model, as in `list`, or a Rust file, `FILE.rs`, compiled or not
     #[arg(value_name = "MODEL|FILE.rs")]
     pub model: String,
     #[command(flatten)]
@@ -37,7 +37,7 @@ pub struct Run {
     method: MethodId,
     #[command(flatten)]
     sampling: Sampling,
-    /// Say whether the motion keeps its contacts and its energy and does not jump
+    /// Check that the motion satisfies contacts and energy balance and has no jumps
     #[arg(long, conflicts_with_all = ["json", "csv", "parquet", "arrow", "npz"])]
     audit: bool,
     /// Print JSON
@@ -157,7 +157,7 @@ impl Run {
         line_violation(&start, &nominal).iter().for_each(|behind| note(&behind.to_string()));
         if let Some(corners) = crossed_outline(&start) {
             note(&format!(
-                "the outline {} crosses itself: the corners of a body are listed in turn round it",
+                "the outline {} crosses itself: list the corners of a body in order around it",
                 corners.join("–")
             ));
         }
@@ -175,7 +175,10 @@ impl Run {
             .map(|name| format!("{name} = {}", significant(start[name.as_str()], 4)))
             .collect();
         (self.run_args.has_start() && !open.is_empty()).then(|| {
-            format!("the start is completed by {}: near the figure, and as contacts have it", open.join(", "))
+            format!(
+                "the start is completed by {}, near the figure and according to the contacts",
+                open.join(", ")
+            )
         })
     }
 

@@ -19,12 +19,12 @@ Examples:
   sensitivity falling-pair                       by all parameters and what is given at the start
   sensitivity zigzag --of m1 --of phi_inner      by these two")]
 pub struct Sensitivity {
-    /// Name of the model, as `list` has it; or a file of Rust, `FILE.rs`, compiled or not
+    /// Name of the model, as in `list`, or a Rust file, `FILE.rs`, compiled or not
     #[arg(value_name = "MODEL|FILE.rs")]
     pub model: String,
     #[command(flatten)]
     run_args: RunArgs,
-    /// A parameter, or a coordinate or rate given at the start; by default all of them
+    /// A parameter, coordinate or rate at the start [default: all]
     #[arg(long, value_name = "NAME")]
     of: Vec<String>,
     /// Print JSON, with the derivatives of the states at the events too

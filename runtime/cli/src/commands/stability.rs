@@ -20,7 +20,8 @@ const PATIENCE: Duration = Duration::from_secs(300);
 
 #[derive(Args, Debug)]
 pub struct Stability {
-    /// Models and groups of cases; by default the program's own groups, or where it has none every group of every model
+    /// Models and groups of cases; by default the program's own groups, or without these all groups
+    /// of all models
     #[arg(value_name = "MODEL|GROUP")]
     pub names: Vec<String>,
     /// Shorten the long runs; in full an optimised build takes minutes

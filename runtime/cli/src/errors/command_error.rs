@@ -40,7 +40,7 @@ impl CommandError {
         match ending {
             Ending::Converged => Ok(()),
             Ending::Stopped(why) => Err(Self::Failed(format!(
-                "the search has not converged, and the values are the best until then: {why}"
+                "the search has not converged; these are the best values so far: {why}"
             ))),
         }
     }

@@ -32,10 +32,10 @@ pub struct BudgetArgs {
     /// Sets of contacts tried to decide which are closed
     #[arg(long, value_name = "N", value_parser = whole(1..=1 << 53), default_value_t = Budget::default().trials)]
     max_trials: usize,
-    /// Memory of a motion that is kept, as --audit needs it
+    /// Memory of a recorded motion, for --audit
     #[arg(long, value_name = "BYTES", value_parser = bytes, default_value = "1GiB")]
     max_memory: usize,
-    /// Time on the clock; by default any
+    /// Wall time [default: unlimited]
     #[arg(long, value_name = "T", value_parser = duration)]
     timeout: Option<Duration>,
 }

@@ -36,7 +36,7 @@ pub fn resolved(
 
 /// Refuses to choose where there is no file.
 pub fn no_choice(chosen: Option<&str>) -> Result<(), CommandError> {
-    let refused = |_| Err(CommandError::Usage("`--model` chooses among those of a FILE.rs".to_owned()));
+    let refused = |_| Err(CommandError::Usage("`--model` chooses a model of a FILE.rs".to_owned()));
     chosen.map_or(Ok(()), refused)
 }
 

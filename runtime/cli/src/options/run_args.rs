@@ -27,7 +27,8 @@ pub struct EventArgs {
     /// A support that never opens; replaces the default ones
     #[arg(long, value_name = "SUPPORT")]
     hold: Vec<String>,
-    /// A support that vanishes at a time, in a sweep an expression of the varied names; replaces the default ones
+    /// A support that is removed at a time, in a sweep an expression of the varied names; replaces
+    /// the default ones
     #[arg(long, value_name = "SUPPORT@T", value_parser = release)]
     release: Vec<Release>,
     /// A thread that is cut when a condition becomes true, `BD=t = 0.5`; replaces the default ones

@@ -39,7 +39,7 @@ pub fn text(measured: &Measured, found: &Fitted) -> String {
             };
             format!("{of}, with {} of freedom", told(found.freedom, "degree"))
         }
-        None => "no degree of freedom is left for errors".to_owned(),
+        None => "there are no degrees of freedom left for error estimates".to_owned(),
     };
     let _ = writeln!(text, "{values}, norm of the residuals {}: {freedom}", significant(found.norm, FEW));
     let ended = if found.ending == Ending::Converged { "converged" } else { "not converged" };

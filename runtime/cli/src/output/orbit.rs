@@ -33,7 +33,7 @@ pub fn text(layout: &Layout, orbit: &Orbit) -> String {
     }
     let _ = writeln!(text, "  events: {}", describe_events(&orbit.events));
     let _ = writeln!(text, "  multipliers: {}", multipliers(orbit, DIGITS));
-    let _ = writeln!(text, "  misses itself by {:.0e} natural units", orbit.residual);
+    let _ = writeln!(text, "  differs from its image by {:.0e} natural units", orbit.residual);
     text
 }
 
@@ -58,10 +58,10 @@ fn end(branch: &Branch) -> String {
     match &branch.end {
         BranchEnd::Reached => "followed to the end".to_owned(),
         BranchEnd::Sequence(events) => {
-            format!("beyond the last one the events are others: {}", describe_events(events))
+            format!("beyond the last one the sequence of events changes: {}", describe_events(events))
         }
-        BranchEnd::Lost(why) => format!("beyond the last one there is none: {why}"),
-        BranchEnd::Long => "the branch is longer than so many orbits".to_owned(),
+        BranchEnd::Lost(why) => format!("beyond the last one no orbit is found: {why}"),
+        BranchEnd::Long => "the branch was ended at the maximum number of orbits".to_owned(),
     }
 }
 

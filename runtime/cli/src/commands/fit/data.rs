@@ -85,7 +85,7 @@ impl Measured {
         let observation = Observation::parse(what, layout).map_err(|error| wrong(&error.to_string()))?;
         let Some((which, filter, output)) = observation.event() else {
             return Err(wrong(
-                "expected an event, `first open`, `2nd impact A`, `last stick`, or an output behind it",
+                "expected an event, `first open`, `2nd impact A`, `last stick`, or an output after it",
             ));
         };
         let kind = output.map_or("t".to_owned(), ToString::to_string);
@@ -120,9 +120,9 @@ impl Measured {
         });
         let Some([k, i]) = other else { return Ok(self) };
         let [without, beside] = [&self.kinds[k], &self.kinds[i]];
-        let gives = "--sd COLUMN=VALUE, a column `COLUMN ±`, or `±` behind the value of an event gives it";
+        let gives = "--sd COLUMN=VALUE, a column `COLUMN ±`, or `±` after the value of an event gives it";
         Err(CommandError::Usage(format!(
-            "a value of `{without}` has no standard deviation, and is fitted beside one of `{beside}`: {gives}"
+            "a value of `{without}` has no standard deviation, but is fitted with a value of `{beside}`: {gives}"
         )))
     }
 }

@@ -19,26 +19,27 @@ use std::path::PathBuf;
 
 #[derive(Args, Debug)]
 pub struct Fit {
-    /// Name of the model, as `list` has it; or a file of Rust, `FILE.rs`, compiled or not
+    /// Name of the model, as in `list`, or a Rust file, `FILE.rs`, compiled or not
     #[arg(value_name = "MODEL|FILE.rs")]
     pub model: String,
     #[command(flatten)]
     run_args: RunArgs,
-    /// A parameter, or a coordinate or rate given at the start, that is to be found; the search begins with its value in the run
+    /// A parameter, coordinate or rate at the start to fit; the search begins with its value in the
+    /// run
     #[arg(long, value_name = "NAME", required = true)]
     vary: Vec<String>,
-    /// A table with a column `t` and columns named by outputs, as `run --csv` writes it; of `phi`, the column `phi ±` has standard
-    /// deviations
+    /// A table with a column `t` and columns named by outputs, as `run --csv` writes it; a column
+    /// `phi ±` has the standard deviations
     #[arg(long, value_name = "FILE.csv", required_unless_present = "event")]
     data: Option<PathBuf>,
-    /// A column of the table that is fitted; by default all of them
+    /// A column of the table to fit [default: all]
     #[arg(long, value_name = "COLUMN", requires = "data")]
     of: Vec<String>,
     /// The standard deviation of a column
     #[arg(long, value_name = "COLUMN=VALUE", requires = "data")]
     sd: Vec<String>,
-    /// The measured time of an event, `first open=0.4531`, or an output behind it, `2nd impact phi=0.3`; a standard deviation
-    /// after `±` or `+-`
+    /// The measured time of an event, `first open=0.4531`, or an output after it, `2nd impact
+    /// phi=0.3`; a standard deviation after `±` or `+-`
     #[arg(long, value_name = "WHAT=VALUE[±SD]")]
     event: Vec<String>,
     /// Print JSON, with the residuals

@@ -74,7 +74,7 @@ fn without_time(head: &StringRecord) -> String {
     let names: Vec<String> = head.iter().map(|name| format!("`{name}`")).collect();
     match names.is_empty() {
         true => {
-            " is empty: a head with a column `t`, separated by commas, is to be its first line".to_owned()
+            " is empty: the first line must be a header with a column `t`, separated by commas".to_owned()
         }
         false => format!(": there is no column `t` among {}, separated by commas", names.join(", ")),
     }
@@ -93,7 +93,7 @@ fn columns(layout: &'static Layout, head: &StringRecord, of: &[String]) -> Resul
     }
     let of_none = |name: &&str| name.strip_suffix(DEVIATION).is_some_and(|of| !all.contains(&of));
     if let Some(name) = head.iter().find(of_none) {
-        return Err(format!("column `{name}`: there is no column of which it has the standard deviations"));
+        return Err(format!("column `{name}`: there is no column with values for these standard deviations"));
     }
     let names = if of.is_empty() { all.clone() } else { of.iter().map(String::as_str).collect() };
     let column = |name: &str| {
@@ -117,7 +117,7 @@ fn row(
     columns: &[Column],
 ) -> Result<DataRow, String> {
     if record.len() != width {
-        return Err(format!("{} cells, and the head has {width}", record.len()));
+        return Err(format!("{} cells, but the header has {width}", record.len()));
     }
     let number = |place: usize, name: &str| {
         let text = &record[place];

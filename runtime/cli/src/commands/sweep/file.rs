@@ -90,7 +90,7 @@ fn word(option: &str, value: &Value) -> Result<String, String> {
         Value::String(text) => Ok(text.clone()),
         Value::Integer(number) => Ok(number.to_string()),
         Value::Float(number) => Ok(format!("{number:e}")),
-        _ => Err(format!("`{option}` is said by words and numbers")),
+        _ => Err(format!("`{option}` must be text or numbers")),
     }
 }
 
@@ -129,7 +129,7 @@ mod tests {
         assert_eq!(error("model='a'\nvari='x=0:1:3'"), "no key `vari`; did you mean `vary`?");
         assert_eq!(error("vary='x=0:1:3'"), "no model: say model = \"name\"");
         assert!(error("model='a'\nthreads=0").contains("threads"));
-        assert_eq!(error("model='a'\nset=1979-05-27"), "`set` is said by words and numbers");
+        assert_eq!(error("model='a'\nset=1979-05-27"), "`set` must be text or numbers");
     }
 
     /// What a file may say, and what it may not.

@@ -24,7 +24,8 @@ use std::slice;
 
 #[derive(Args, Debug)]
 pub struct Sweep {
-    /// Name of the model, as `list` has it; a file of Rust, `FILE.rs`; or a TOML file with the model and these options by their names
+    /// Name of the model, as in `list`; or a Rust file, `FILE.rs`; or a TOML file with the model
+    /// and the options by name
     #[arg(value_name = "MODEL|FILE.rs|FILE.toml")]
     what: String,
     #[command(flatten)]
@@ -192,12 +193,12 @@ impl Options {
             }
             (true, _) => Ok(()),
             (false, Some(path)) => Err(CommandError::Interrupted(format!(
-                "interrupted; the same command goes on where it was: {} has what is done",
+                "interrupted; the same command resumes from {}",
                 path.display()
             ))),
-            (false, None) => {
-                Err(CommandError::Interrupted("interrupted; with --csv what is done would be kept".into()))
-            }
+            (false, None) => Err(CommandError::Interrupted(
+                "interrupted; --csv would have kept the finished members".into(),
+            )),
         }
     }
 
@@ -249,7 +250,7 @@ impl Options {
         print(&text)?;
         if is_interrupted() {
             return Err(CommandError::Interrupted(
-                "interrupted; the intervals are as narrow as they had become".into(),
+                "interrupted; the intervals are those found so far".into(),
             ));
         }
         Ok(())

@@ -15,8 +15,8 @@ const WIDTH: f64 = 1e-10;
 
 #[derive(Args, Clone, Default, Debug)]
 pub struct Options {
-    /// A parameter, a coordinate or rate at the start, or a name that settings use; `LOW:HIGH` for samples, `…:log` for
-    /// equal ratios, `NAME=X,Y,…` for these values
+    /// A parameter, a coordinate or rate at the start, or a name for use in expressions; `LOW:HIGH`
+    /// for samples, `…:log` for equal ratios, `NAME=X,Y,…` for these values
     #[arg(long, value_name = "NAME=LOW:HIGH:COUNT")]
     pub vary: Vec<String>,
     /// A parameter, as an expression of the varied names
@@ -28,22 +28,24 @@ pub struct Options {
     /// A coordinate of a pose: start with the energy of this pose at rest
     #[arg(long, value_name = "NAME=EXPR")]
     pub energy_of: Vec<String>,
-    /// What to read: `first open`, `first open EXPR`, `2nd impact`, `t of last impact A`, `count impact`, `max EXPR`, `end EXPR`, `end`
+    /// Outputs to observe: `first open`, `first open EXPR`, `2nd impact`, `t of last impact A`,
+    /// `count impact`, `max EXPR`, `end EXPR`, `end`
     #[arg(long, value_name = "WHAT")]
     pub observe: Vec<String>,
-    /// Draw so many points at random
+    /// Number of random points
     #[arg(long, value_name = "N", conflicts_with = "sobol", value_parser = whole(1..=MOST_MEMBERS))]
     pub random: Option<usize>,
-    /// Take so many points of Sobol's sequence
+    /// Number of Sobol points
     #[arg(long, value_name = "N", value_parser = whole(1..=MOST_MEMBERS))]
     pub sobol: Option<usize>,
-    /// What random points are drawn from [default: 0], by what Sobol's are shifted [default: not]
+    /// Seed of random points [default: 0], or of the shift of Sobol points [default: unshifted]
     #[arg(long, value_name = "N")]
     pub seed: Option<u64>,
-    /// Seek where what is observed changes: `first open`, or a number that reaches a value, `first open phi = 0.4`
+    /// Locate where an observed result changes: `first open`, or a number that reaches a value,
+    /// `first open phi = 0.4`
     #[arg(long, value_name = "NAME=LOW:HIGH[:COUNT]", conflicts_with_all = ["vary", "random", "sobol", "csv", "parquet", "arrow", "npz", "svg", "journal"])]
     pub bisect: Option<String>,
-    /// How narrow to make the intervals of changes [default: 1e-10]
+    /// Width to which changes are located [default: 1e-10]
     #[arg(long, value_name = "WIDTH", requires = "bisect", value_parser = width, allow_negative_numbers = true)]
     pub to: Option<f64>,
     #[command(flatten)]
@@ -52,7 +54,7 @@ pub struct Options {
     #[arg(long, value_name = "N", value_parser = whole(1..=MOST_THREADS))]
     pub threads: Option<usize>,
     /// Write all members to a file, `-` is the standard output; until all are done they are kept in FILE.journal, from
-    /// which the same command goes on
+    /// which the same command resumes
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,
     /// Alone, files of columns are written from FILE.parts, a folder that keeps what is done until all is, in memory of 12 bytes
@@ -66,15 +68,15 @@ pub struct Options {
     /// until all is done]
     #[arg(long, value_name = "FILE")]
     pub journal: Option<PathBuf>,
-    /// Compute everything anew, whatever the journal has, or the files of the shard
+    /// Compute everything again and ignore the journal or the files of the shard
     #[arg(long)]
     pub fresh: bool,
     /// Compute a part of the members and keep it in this folder, i-of-n.shard; the same command goes on where it was, `merge`
     /// makes all parts one table
     #[arg(long, value_name = "FOLDER")]
     pub out: Option<PathBuf>,
-    /// Which part of how many: every n-th member from the i-th on, 0/n to (n-1)/n [default: that of the task of a Slurm array, by
-    /// SLURM_ARRAY_TASK_ID, _MIN and _COUNT]
+    /// Part i of n: every n-th member from the i-th on, 0/n to (n-1)/n [default: from the task of a
+    /// Slurm array, by SLURM_ARRAY_TASK_ID, _MIN and _COUNT]
     #[arg(long, value_name = "I/N")]
     pub shard: Option<Shard>,
     /// Write a script for `sbatch` that computes all parts as an array of tasks, instead of computing anything
@@ -97,7 +99,9 @@ impl Options {
     /// The texts of what is varied.
     pub fn varied(&self) -> Result<impl Iterator<Item = &str>, CommandError> {
         if self.bisect.is_some() && !self.vary.is_empty() {
-            return Err(CommandError::Usage("what is bisected is varied, and nothing else".into()));
+            return Err(CommandError::Usage(
+                "--bisect already varies its name; do not vary anything else".into(),
+            ));
         }
         Ok(self.vary.iter().chain(&self.bisect).map(String::as_str))
     }
@@ -105,12 +109,12 @@ impl Options {
     pub fn sample(&self) -> Result<Sample, CommandError> {
         match (self.random, self.sobol) {
             (Some(_), Some(_)) => {
-                Err(CommandError::Usage("a sample is random or of Sobol's sequence, not both".into()))
+                Err(CommandError::Usage("use either random or Sobol points, not both".into()))
             }
             (Some(count), None) => Ok(Sample::Random { count, seed: self.seed.unwrap_or(0) }),
             (None, Some(count)) => Ok(Sample::Sobol { count, seed: self.seed }),
             (None, None) if self.seed.is_some() => {
-                Err(CommandError::Usage("a seed is for --random and --sobol".into()))
+                Err(CommandError::Usage("a seed needs --random or --sobol".into()))
             }
             (None, None) => Ok(Sample::Grid),
         }

@@ -37,9 +37,11 @@ impl Options {
                 usage(format!("{name} needs a folder for the shards: say --out FOLDER"))
             }
             (Some(_), _, Some(name), _) => usage(format!(
-                "{name} is of the whole sweep, --out of shards: `merge FOLDER {name} FILE` writes it from these"
+                "{name} needs the whole sweep, --out writes shards: `merge FOLDER {name} FILE` writes it from these"
             )),
-            (Some(_), _, None, Some(name)) => usage(format!("{name} is of the whole sweep, --out of shards")),
+            (Some(_), _, None, Some(name)) => {
+                usage(format!("{name} needs the whole sweep, --out writes shards"))
+            }
             (folder, ..) => Ok(folder.as_deref()),
         }
     }
@@ -108,7 +110,7 @@ pub fn tell(share: &Share) -> Result<(), CommandError> {
     match share.is_whole() {
         true => Ok(()),
         false => Err(CommandError::Interrupted(format!(
-            "interrupted; the same command goes on where it was: {} has what is done",
+            "interrupted; the same command resumes from {}",
             share.journal.display()
         ))),
     }

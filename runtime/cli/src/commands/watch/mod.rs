@@ -22,7 +22,7 @@ const TICK: Duration = Duration::from_millis(100);
 
 #[derive(Args, Debug)]
 pub struct Watch {
-    /// A file of Rust; it need not compile
+    /// A Rust file; it need not compile
     #[arg(value_name = "FILE.rs")]
     file: PathBuf,
     #[command(flatten)]
@@ -30,10 +30,10 @@ pub struct Watch {
     /// The method of integration
     #[arg(long, value_name = "NAME", default_value = "auto")]
     method: MethodId,
-    /// An expression to draw over time, beside coordinates, reactions and energies
+    /// An expression to draw over time, besides coordinates, reactions and energies
     #[arg(long, value_name = "EXPR")]
     output: Vec<String>,
-    /// The port on this computer; by default one that is free
+    /// The port on this computer [default: a free one]
     #[arg(long, value_name = "NUMBER", default_value_t = 0)]
     port: u16,
     /// Open it in the browser
