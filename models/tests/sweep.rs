@@ -88,7 +88,7 @@ fn ctrl_c_keeps_what_is_done_and_says_how_to_go_on() {
     assert_eq!(output.status.code(), Some(130));
     let (told, error) = (text(&output.stdout), text(&output.stderr));
     assert!(told.contains("not run\n"), "{told}");
-    assert!(error.contains("the same command goes on where it was: out.csv.journal"), "{error}");
+    assert!(error.contains("the same command resumes from out.csv.journal"), "{error}");
     let computed: usize = told.split_whitespace().nth(4).and_then(|word| word.parse().ok()).expect("a count");
     assert_eq!(lines(&folder.join("out.csv.journal")), computed + 2);
 }
@@ -131,7 +131,7 @@ fn mistakes_are_one_line_and_exit_code_2() {
             2,
         ),
         (&["zigzag", vary, "--observe=end", "--csv=none/out.csv"], "cannot write none/out.csv", 1),
-        (&["zigzag", vary, "--observe=end", "--seed=1"], "a seed is for --random and --sobol", 2),
+        (&["zigzag", vary, "--observe=end", "--seed=1"], "a seed needs --random or --sobol", 2),
         (&["wrong.toml"], "no key `observ`; did you mean `observe`?", 2),
         (&["torn.toml"], "torn.toml: line ", 2),
         (&["absent.toml"], "cannot read absent.toml", 1),

@@ -233,7 +233,6 @@ fn mistakes_in_files_are_reported_at_their_place() {
     assert!(wrong("e.rs", "t = 10", "z = 10").contains("until `z = 10`: no name `z`"));
     assert!(refused("run", &folder.join("f.rs"), &[]).contains("cannot read"));
     assert!(
-        refused("run", Path::new("ladder"), &["--model", "Ladder"])
-            .contains("chooses among those of a FILE.rs")
+        refused("run", Path::new("ladder"), &["--model", "Ladder"]).contains("chooses a model of a FILE.rs")
     );
 }

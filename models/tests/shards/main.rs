@@ -173,7 +173,7 @@ fn shards_that_do_not_belong_together_are_refused_by_name() {
     run_program(&folder, &other);
     assert!(
         merge("other/1-of-2.shard")
-            .contains("other/1-of-2.shard is of another sweep than parts/0-of-2.shard: its `vary`")
+            .contains("other/1-of-2.shard belongs to another sweep than parts/0-of-2.shard: its `vary`")
     );
     let mine = text(&read_file(folder.join("parts/1-of-2.shard")));
     for (word, from, to) in [("version", env!("CARGO_PKG_VERSION"), "0.0.1"), ("model", "zigzag", "zigzog")] {

@@ -87,7 +87,7 @@ pub enum ConditionError {
     },
     /// A coordinate beside its own sine or cosine: torsion springs.
     #[error(
-        "{phase}: `{coordinate}` stands beside its own sine or cosine, so that the zeros are not those of a polynomial"
+        "{phase}: `{coordinate}` occurs together with its own sine or cosine: the condition is not a polynomial"
     )]
     Transcendental {
         /// The contact set.
@@ -96,7 +96,7 @@ pub enum ConditionError {
         coordinate: String,
     },
     /// The energy of the start is not finite, or numbers overflow.
-    #[error("{phase}: the energy level at this start is not finite, or its coefficients are too long")]
+    #[error("{phase}: the energy at this start is not finite, or its coefficients are too long")]
     Overflow {
         /// The contact set.
         phase: String,

@@ -24,7 +24,7 @@ pub enum FlowError {
     Step(#[from] StepError),
     /// Guides with friction stick and slide in turn, and press to one side or the other: there is
     /// no one phase to integrate.
-    #[error("guides with friction change what they do on the way; run a `Simulation`")]
+    #[error("guides with friction change their state during the motion; run a `Simulation`")]
     Guides,
 }
 

@@ -45,7 +45,7 @@ pub enum JoinError {
         variable: &'static str,
     },
     /// MPI cannot be called from more than one thread of a process.
-    #[error("the MPI of this machine serves one thread of a process only")]
+    #[error("the MPI library supports only one thread per process")]
     Threads,
 }
 

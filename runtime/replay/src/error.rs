@@ -47,25 +47,25 @@ pub enum ReplayError {
     },
     /// Events at one time that come apart with what is varied, or an event at a given time beside
     /// one whose time varies: which of them is first depends on the way.
-    #[error("events at t = {t} come apart: what follows has derivatives to one side only")]
+    #[error("events at t = {t} separate: only one-sided derivatives exist after them")]
     Simultaneous {
         /// When.
         t: f64,
     },
     /// A condition that cannot be evaluated on these numbers.
-    #[error("the condition at t = {t} asks for {feature}, which are known in doubles only")]
+    #[error("the condition at t = {t} needs {feature}, which are known in double precision only")]
     Condition {
         /// When.
         t: f64,
-        /// What is known in doubles only.
+        /// The feature that is known in double precision only.
         feature: &'static str,
     },
     /// An output that cannot be evaluated on these numbers.
-    #[error("`{output}` asks for {feature}, which are known in doubles only")]
+    #[error("`{output}` needs {feature}, which are known in double precision only")]
     Output {
         /// The output.
         output: String,
-        /// What is known in doubles only.
+        /// The feature that is known in double precision only.
         feature: &'static str,
     },
     /// Something is to be read at a time that the run does not have.

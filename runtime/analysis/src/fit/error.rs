@@ -19,7 +19,7 @@ pub enum FitError {
         variables: usize,
     },
     /// The run that the search begins with cannot be compared with the data.
-    #[error("with the values that the search begins with: {0}")]
+    #[error("at the initial values: {0}")]
     Start(TrialError),
     /// A variable does not change what is measured, or several only together.
     #[error("{}", undetermined(.0))]
@@ -30,7 +30,7 @@ fn undetermined(names: &[String]) -> String {
     match names {
         [name] => format!("the data do not determine {name}: nothing measured depends on it"),
         names => format!(
-            "the data do not determine {}: a change of one is made up for by changes of the others",
+            "the data do not determine {}: they are correlated: changes of some compensate changes of the others",
             names.join(", ")
         ),
     }

@@ -93,7 +93,7 @@ impl Search<'_> {
             (Short, Some(Err(why))) => Ending::Stopped(format!("no step leads on: {why}")),
             (Least | Short, _) => Ending::Converged,
             (Exhausted, _) => Ending::Stopped(format!("{} runs are the most", self.runs)),
-            (NoDerivatives, _) => Ending::Stopped("a step has no derivatives that are numbers".to_owned()),
+            (NoDerivatives, _) => Ending::Stopped("the derivatives at a step are not finite".to_owned()),
         }
     }
 

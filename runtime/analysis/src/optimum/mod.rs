@@ -82,6 +82,6 @@ pub enum OptimumError {
         high: f64,
     },
     /// The run that the search begins with has no such value, or no derivatives.
-    #[error("with the values that the search begins with: {0}")]
+    #[error("at the initial values: {0}")]
     Start(TrialError),
 }

@@ -101,7 +101,7 @@ impl Optimum<'_> {
             let variables = self.variables.iter().zip(&progress.best.values);
             if let Some((free, _)) = variables.into_iter().find(|(free, value)| free.runs_away(**value)) {
                 return Ending::Stopped(format!(
-                    "it becomes better without end as {} goes on: --vary {0}=LOW:HIGH keeps it between bounds",
+                    "the output improves without bound as {} grows or falls: --vary {0}=LOW:HIGH keeps it between bounds",
                     free.variable.name
                 ));
             }
@@ -117,7 +117,7 @@ impl Optimum<'_> {
             _ if self.steepest(&progress.best) <= FLAT * progress.steepest => Ending::Converged,
             Some(why) => Ending::Stopped(format!("no step leads on: {why}")),
             None => Ending::Stopped(
-                "no step is better, though there is a slope: it jumps where other events begin to happen"
+                "no step improves the output, although the slope is not zero: the output jumps where the sequence of events changes"
                     .to_owned(),
             ),
         }

@@ -23,7 +23,7 @@ pub enum OrbitError {
     #[error("{0}")]
     Run(String),
     /// The motion does not come to the section.
-    #[error("the motion does not come to the section `{section}`: it ends with `{last}`")]
+    #[error("the motion does not reach the section `{section}`: it ends with `{last}`")]
     NoReturn {
         /// The section.
         section: String,
@@ -31,16 +31,14 @@ pub enum OrbitError {
         last: String,
     },
     /// The section is met at once however often the run is started from it.
-    #[error(
-        "from the section `{section}` no run can be started that does not meet it at once: choose another"
-    )]
+    #[error("from the section `{section}` every run meets it again at once: choose another section")]
     NoStart {
         /// The section.
         section: String,
     },
     /// Contacts and drifting coordinates hold all of the start.
     #[error(
-        "on the section `{section}` nothing is free to vary: the contacts and what drifts hold the whole state"
+        "on the section `{section}` no direction is free: the contacts and the drift fix the whole state"
     )]
     Held {
         /// The section.
@@ -51,7 +49,7 @@ pub enum OrbitError {
     Sensitivity(#[from] SensitivityError),
     /// Newton's method does not come to a fixed point.
     #[error(
-        "no fixed point of the return map from this start: after {iterations} iterations the state misses itself by {residual:.1e} natural units at {state}"
+        "no fixed point of the return map from this start: after {iterations} iterations the state differs from its image by {residual:.1e} natural units at {state}"
     )]
     NotFound {
         /// How many.
@@ -69,12 +67,12 @@ pub enum OrbitError {
     /// Orbits with the same parameters lie side by side, so that none is followed from one
     /// parameter to the next.
     #[error(
-        "the orbit is one of a family with the same parameters, as where energy is conserved: which of them is to be followed is not determined"
+        "the orbit is one of a family with the same parameters, as where energy is conserved: the orbit to follow is not determined"
     )]
     Family,
     /// What drifts does not do so by a symmetry: from the shifted state the motion is another.
     #[error(
-        "after one more turn {entry} misses by {apart:.1e} natural units: the motion depends on a coordinate that is said to drift"
+        "after one more period {entry} differs by {apart:.1e} natural units: the motion depends on the drifting coordinate"
     )]
     NotEquivariant {
         /// A coordinate or rate.

@@ -38,7 +38,7 @@ fn of_starts_and_parameters() {
     assert_eq!(asked, "on A, E, C: the motion is that of `phi_inner`; there is no start `phi_outer`");
     assert_eq!(find_refusal("zigzag", "A, E, C", &[("phi_inner", 1.0)]), "parameter `m1` is not given");
     assert_eq!(find_refusal("zigzag", "A, E, C", &[("phi_inner", f64::NAN)]), "`phi_inner` is not finite");
-    let infinite = "on P, Q: the energy level at this start is not finite, or its coefficients are too long";
+    let infinite = "on P, Q: the energy at this start is not finite, or its coefficients are too long";
     assert_eq!(find_refusal("falling_pair", "P, Q", &[("phi", core::f64::consts::FRAC_PI_2)]), infinite);
 }
 

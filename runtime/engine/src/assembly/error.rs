@@ -28,7 +28,9 @@ pub enum StartError {
         name: String,
     },
     /// A coordinate that others determine has another value.
-    #[error("`{name}` = {value} contradicts what else is given, by which it is {follows}: leave one out")]
+    #[error(
+        "`{name}` = {value} contradicts the other given values, from which it is {follows}: leave one out"
+    )]
     Contradicts {
         /// The coordinate or rate.
         name: String,
@@ -47,7 +49,7 @@ pub enum StartError {
     },
     /// Natural forces or energies are no normal numbers.
     #[error(
-        "forces and energies of a motion of {length:.1e} m in {time:.1e} s with {mass:.1e} kg are beyond what numbers hold: use other units"
+        "forces and energies of a motion of {length:.1e} m in {time:.1e} s with {mass:.1e} kg are beyond the range of f64: use other units"
     )]
     Units {
         /// The natural length, m.
@@ -75,7 +77,7 @@ pub enum StartError {
     },
     /// A contact with an edge is below it, and is not said to have gone round an end.
     #[error(
-        "support {support} is penetrated by {depth:.3e}; if it has gone round an end of its edge, start with `below({name})` = 1"
+        "support {support} is penetrated by {depth:.3e}; if it has passed around an end of its edge, start with `below({name})` = 1"
     )]
     BelowEdge {
         /// The contact.
@@ -87,7 +89,7 @@ pub enum StartError {
     },
     /// A contact that is said to be below an edge is not.
     #[error(
-        "`below({support})` = {value}: it is 1 where the support has gone round an end of its edge and is below that, else left out"
+        "`below({support})` = {value}: use 1 if the support has passed around an end of its edge and is below the edge, else leave it out"
     )]
     NotBelow {
         /// The support.
@@ -152,7 +154,7 @@ pub enum StartError {
     #[error("the start is an equilibrium: it never moves")]
     Equilibrium,
     /// A rate from an energy needs a phase of one degree of freedom.
-    #[error("an energy level gives the rate of one degree of freedom, here are {degrees}")]
+    #[error("an energy level determines the rate of one degree of freedom, but there are {degrees}")]
     Degrees {
         /// Degrees of freedom at the start.
         degrees: usize,

@@ -135,10 +135,10 @@ pub enum CollisionError {
     Exhausted,
     /// Stronge's law relates energies of a single contact along its path, without tangential
     /// restitution.
-    #[error("Stronge's law is of one contact at a time, without tangential restitution")]
+    #[error("Stronge's law applies to one contact at a time, without tangential restitution")]
     Several,
     /// Matrices and vectors that do not fit each other, or a tangent of what is no contact.
-    #[error("the dimensions of the collision do not fit each other")]
+    #[error("the dimensions of the collision do not match")]
     Dimensions,
 }
 

@@ -72,7 +72,7 @@ pub enum ContactError {
         massless: Vec<String>,
     },
     /// Stronge's law relates energies of one contact, and several act at once.
-    #[error("Stronge's restitution is of one contact at a time, and {} act at once", contacts.join(", "))]
+    #[error("Stronge's restitution applies to one contact at a time, but {} act at once", contacts.join(", "))]
     Several {
         /// Labels of the contacts that act.
         contacts: Vec<String>,

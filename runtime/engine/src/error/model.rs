@@ -19,7 +19,7 @@ pub enum ModelError {
     /// The condition on which a contact, a spring or a load is there reads a force that depends on
     /// whether it is.
     #[error(
-        "the condition `while` of {of} reads a reaction, friction or the force of a drive, which are decided after it; let it read the motion or the time"
+        "the condition `while` of {of} reads a reaction, friction or the force of a drive, which are decided after it; use the motion or the time"
     )]
     SwitchedByForce {
         /// Its label.
@@ -67,9 +67,7 @@ pub enum ModelError {
     },
     /// A length or a moment of inertia is lost beside the largest, so that contacts and joints
     /// cannot be told.
-    #[error(
-        "{of}, {value:e}, is lost beside {beside:e} in the arithmetic of doubles: contacts and joints cannot be told"
-    )]
+    #[error("{of}, {value:e}, is below the roundoff of {beside:e}: contacts and joints cannot be resolved")]
     Spread {
         /// What is measured.
         of: String,
@@ -162,7 +160,7 @@ pub enum ModelError {
     },
     /// The coefficient of static friction is below that of sliding at v = 0.
     #[error(
-        "static friction {limit} of {contact} is below its sliding friction {kinetic} at v = 0; it is at least as large"
+        "static friction {limit} of {contact} is below its sliding friction {kinetic} at v = 0; it must be at least as large"
     )]
     StaticFriction {
         /// The contact.

@@ -53,7 +53,7 @@ pub enum OutputError {
         contact: String,
     },
     /// Supports that do not make up one contact.
-    #[error("{supports} are no single contact")]
+    #[error("{supports} are not a single contact")]
     NoContact {
         /// The supports given.
         supports: String,
@@ -80,14 +80,14 @@ pub enum OutputError {
     },
     /// A condition on what only a recorded motion has.
     #[error(
-        "`{condition}` depends on the energy lost before, `D`, which only a finished motion has: it cannot end a run"
+        "`{condition}` depends on the dissipated energy `D`, which only a finished motion has: it cannot end a run"
     )]
     History {
         /// The condition.
         condition: String,
     },
     /// More text than any expression has.
-    #[error("an expression of {characters} characters: {LONGEST} are the most")]
+    #[error("an expression of {characters} characters: at most {LONGEST} are allowed")]
     Length {
         /// Length of the text.
         characters: usize,

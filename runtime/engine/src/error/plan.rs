@@ -40,7 +40,7 @@ pub enum ScheduleError {
     #[error(transparent)]
     Condition(#[from] OutputError),
     /// A support that is no thread cannot be cut.
-    #[error("`{support}` is no thread; release it")]
+    #[error("`{support}` is not a thread; release it")]
     NoThread {
         /// The support.
         support: String,
@@ -53,7 +53,7 @@ pub enum ScheduleError {
     },
     /// The impulse that a hinge with friction passes on would not be known.
     #[error(
-        "no impulse can be applied to a model with friction in hinges: theirs would depend on it; let something strike it"
+        "no impulse can be applied to a model with friction in hinges: hinge impulses would depend on it; use an impact instead"
     )]
     HingeFriction,
     /// An impulse that is infinite or not a number.

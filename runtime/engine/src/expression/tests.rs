@@ -147,14 +147,14 @@ fn mistakes_are_reported_at_their_place() {
             "B, C, D is smooth, with neither a friction force nor a slip velocity: declare it with `friction = mu`, or `rough`",
         ),
         ("mu(A)", "A, E is rough and does not slip: declare it with `friction = mu` in place of `rough`"),
-        ("v(P, P)", "P, P are no single contact"),
+        ("v(P, P)", "P, P are not a single contact"),
         ("fx(D, AB)", "no quantity `fx(D,AB)`; did you mean `fx(D, AD)`?"),
         ("fx(Q)", "no quantity `fx(Q)`; known: fx(D, AD), fx(D, DB)"),
         ("shears(S)", "no function `shears`; did you mean `shear`?"),
         ("fx(D", "expected `)`, found the end at column 5"),
         ("N(B)", "only the total reaction of B, C, D is determined: write N(B, C, D)"),
-        ("N(A, B)", "A, B are no single contact"),
-        ("x(D, D)", "D, D are no single contact"),
+        ("N(A, B)", "A, B are not a single contact"),
+        ("x(D, D)", "D, D are not a single contact"),
     ] {
         let error = parse(text).map(|_| ()).unwrap_err();
         assert_eq!(error.to_string(), message, "{text}");
@@ -276,7 +276,7 @@ fn length_and_depth_are_bounded() {
     assert!(condition.unwrap().sides(&[1.0, 1.0], known).is_none());
     assert_eq!(parse(&sum(1002, "m")), Err(OutputError::Operators { column: 2003 }));
     let text = parse(&"m".repeat(10_001)).unwrap_err().to_string();
-    assert_eq!(text, "an expression of 10001 characters: 10000 are the most");
+    assert_eq!(text, "an expression of 10001 characters: at most 10000 are allowed");
     assert!(Formula::parse(&" ".repeat(1_000_000), &[]).is_err());
 }
 

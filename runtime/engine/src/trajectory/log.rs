@@ -99,7 +99,7 @@ impl fmt::Display for LoggedDecision {
         f.write_str(match self {
             Self::SmallPivot => "a pivot of the closed form is small: the phase is integrated with multipliers",
             Self::OtherBranch => {
-                "the contacts are closed on another branch than that of the closed form: the phase is integrated with multipliers"
+                "the contacts are closed on another branch than the closed form: the phase is integrated with multipliers"
             }
             Self::StartPenetrates(depth) => {
                 return write!(f, "the start penetrates contacts by {depth:.1e}, within ten times the tolerance: its pose is moved onto them");
@@ -110,19 +110,19 @@ impl fmt::Display for LoggedDecision {
             Self::ConditionHolds(condition) => {
                 return write!(
                     f,
-                    "`{condition}` holds at the start: it is met where it comes to hold again, and never if it always holds"
+                    "`{condition}` holds at the start: it is met when it becomes true again, and never if it stays true"
                 );
             }
             Self::GuardUnresolved => {
-                "a guard turns too often to be followed: it is taken for noise"
+                "a guard oscillates too often to be followed: it is treated as noise"
             }
             Self::LandingUnresolved { contact, since } => {
                 return write!(
                     f,
-                    "the gap of {contact} has been zero within its error since t = {since:.4}: when it closes is not decided, try a smaller tolerance"
+                    "the gap of {contact} has been zero within its error since t = {since:.4}: the time at which it closes is undecided; try a smaller tolerance"
                 );
             }
-            Self::LoadUnresolved => "a load varies so fast here that no step is proved to have seen all of it",
+            Self::LoadUnresolved => "a load varies so fast here that no step provably resolves it",
             Self::ConditionUndecided => "undecided: a condition may be met here, beside a pole or within its error bound",
             Self::Method(Choice { method, why }) => return write!(f, "{method} goes on: {why}"),
             Self::SingularPosition => "a loop passes a singular position: the motion is continued along its branch",
@@ -135,21 +135,21 @@ impl fmt::Display for LoggedDecision {
                 );
             }
             Self::MotionNotDetermined => {
-                "redundant contacts slide with different friction: how they share their load decides the motion, and one is taken"
+                "redundant contacts slide with different friction: the motion depends on how they share their load; one of the motions is taken"
             }
             Self::MotionsNotCounted => {
-                "many contacts with friction touch: a motion that satisfies its law is taken, others are not looked for"
+                "many contacts with friction touch: the first motion found that satisfies the law is taken; others are not sought"
             }
             Self::SeveralImpacts(count) => {
                 return write!(f, "{count} outcomes satisfy the law of impact with friction; the first is taken");
             }
             Self::ReactionsNotUnique => "the reactions are not unique; the least-norm ones are given",
-            Self::BearingChanged => "a contact is relieved by others that depend on it; it stays closed",
+            Self::BearingChanged => "a contact loses its load to redundant ones; it stays closed",
             Self::ImpulsesNotUnique => "the impulses are not unique; the least-norm ones are given",
             Self::FrictionAhead(energy) => {
                 return write!(
                     f,
-                    "the last impacts are taken for one that gains {energy:.3e} J: friction takes it again before their end"
+                    "the last impacts are treated as one, which gains {energy:.3e} J; friction would dissipate it before they end"
                 );
             }
             Self::RestitutionScaled(factor) => {

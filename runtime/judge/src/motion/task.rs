@@ -32,13 +32,13 @@ pub enum NotJudged {
     #[error("the motion is not finite at t = {0}")]
     NotFinite(f64),
     /// Steps or work are used up.
-    #[error("the work allowed is used up at t = {0}")]
+    #[error("the work limit is reached at t = {0}")]
     Work(f64),
     /// Powers of its natural time are no numbers.
     #[error("motions whose natural time is {0:.0e} are beyond the judge")]
     Scale(f64),
     /// Nothing follows from such a tolerance.
-    #[error("a run at the tolerance {0} says nothing of its events")]
+    #[error("at the tolerance {0} the events of a run are not reliable")]
     Coarse(f64),
     /// Nothing was computed.
     #[error("there is no motion")]

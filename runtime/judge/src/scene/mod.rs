@@ -121,7 +121,7 @@ pub enum SceneError {
     Friction(String),
     /// What is there while a condition holds; the judge has all contacts, springs and loads at all
     /// times.
-    #[error("{0} is there while a condition holds only; the judge has all that is declared at all times")]
+    #[error("{0} is active on a condition only; the judge treats every part as always active")]
     Switch(String),
 }
 

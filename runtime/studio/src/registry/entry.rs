@@ -313,7 +313,7 @@ fn check_angles(layout: &Layout, values: &Values) -> Result<(), MotionError> {
         .find(|(name, value)| value.is_finite() && apart(*value) > COARSEST && layout.is_angle(name));
     match lost {
         Some((name, value)) => Err(MotionError::Input(format!(
-            "{name} = {value:e}: numbers there are {:.1e} rad apart, and an angle has no digits left",
+            "{name} = {value:e}: numbers there are {:.1e} rad apart, so an angle has no digits left",
             apart(*value)
         ))),
         None => Ok(()),

@@ -167,7 +167,7 @@ mod tests {
         assert_eq!(told_of("#[derive(Serialize)] #[serde(x)] #[derive(clap::Args)] #[clap(y)]"), [""; 0]);
         let hint = ["there is no attribute `collision`; did you mean `#[support(A = floor)]`?"];
         assert_eq!(told_of("#[collision(A = floor)]"), hint);
-        let condition = ["whether this holds is not known here; write the attribute without `cfg_attr`"];
+        let condition = ["conditions are not evaluated here; write the attribute without `cfg_attr`"];
         assert_eq!(told_of("#[cfg_attr(feature = \"a\", support(A = floor))]"), condition);
         assert_eq!(told_of("#[cfg_attr(docsrs, allow(x))]"), [""; 0]);
     }

@@ -35,7 +35,7 @@ impl Criterion {
         layout: &'static Layout,
     ) -> Result<(), SweepError> {
         let [observation] = observations else {
-            return Err(SweepError::Invalid("a threshold is sought of one observation".into()));
+            return Err(SweepError::Invalid("a threshold needs exactly one observation".into()));
         };
         match (observation.is_category(), self) {
             (false, Self::Category) => {

@@ -128,7 +128,7 @@ impl Range {
             return Err(format!("the range from {low} to {high} is reversed"));
         }
         if !(high - low).is_finite() {
-            return Err(format!("the range from {low} to {high} is wider than numbers are"));
+            return Err(format!("the range from {low} to {high} exceeds the range of f64"));
         }
         if *logarithmic && *low <= 0.0 {
             return Err(format!("a logarithmic range begins above zero, not at {low}"));
@@ -192,7 +192,7 @@ mod tests {
         );
         assert!(error("x=0:1:18446744073709551615").contains("18446744073709551615 values"));
         assert!(error("x=0:1:18446744073709551616").contains("is no count"));
-        assert!(error("x=-1e308:1e308:3").contains("wider than numbers are"));
+        assert!(error("x=-1e308:1e308:3").contains("exceeds the range of f64"));
         assert_eq!(error("x=0:1:many"), "`x=0:1:many`: `many` is no count");
         assert_eq!(error("x=0:p"), "`x=0:p`: no name `p`; did you mean `pi`?");
         assert_eq!(error("x=1/0,2"), "`x=1/0,2`: 1/0 is no finite number");

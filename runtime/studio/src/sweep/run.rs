@@ -56,7 +56,7 @@ impl Sweep<'_> {
     pub(super) fn prepared(&self) -> Result<(Plan<'_>, Points), SweepError> {
         let plan = Plan::new(self)?;
         if self.criterion.value().is_some() {
-            return Err(SweepError::Invalid("a value to be reached is for thresholds".into()));
+            return Err(SweepError::Invalid("a value to reach needs a threshold".into()));
         }
         Ok((plan, self.sample.points(&self.varied)?))
     }

@@ -29,7 +29,7 @@ pub(super) fn thresholds(
     width: f64,
 ) -> Result<Vec<Threshold>, SweepError> {
     let [varied] = varied else {
-        return Err(SweepError::Invalid("a threshold is sought along one varied name".into()));
+        return Err(SweepError::Invalid("a threshold needs exactly one varied name".into()));
     };
     criterion.check(plan.observations, plan.model.layout())?;
     if !(width > 0.0 && width.is_finite()) {

@@ -26,7 +26,7 @@ pub enum PrecisionSpecError {
     #[error("tolerance {0} is not between 0 and 1")]
     Tolerance(f64),
     /// Doubles do not tell it from a greater one.
-    #[error("tolerance {0:e} is below what doubles tell: {LEAST:e} is the least")]
+    #[error("tolerance {0:e} is below the resolution of f64: the least is {LEAST:e}")]
     Fine(f64),
     /// Nothing is asked for.
     #[error("no method or no tolerance to measure")]
@@ -81,6 +81,6 @@ mod tests {
         assert_eq!(with(&[1e-300]), Err(PrecisionSpecError::Fine(1e-300)));
         assert_eq!(with(&[]), Err(PrecisionSpecError::Nothing));
         let told = PrecisionSpecError::Fine(1e-300).to_string();
-        assert_eq!(told, "tolerance 1e-300 is below what doubles tell: 1e-18 is the least");
+        assert_eq!(told, "tolerance 1e-300 is below the resolution of f64: the least is 1e-18");
     }
 }

@@ -316,7 +316,7 @@ fn unidentifiable_parameters_are_refused_by_name() {
     // From rest t = √(2y/g): only the ratio is determined.
     assert_eq!(
         refused(&["e", "g", "y"], times()),
-        "the data do not determine g, y: a change of one is made up for by changes of the others"
+        "the data do not determine g, y: they are correlated: changes of some compensate changes of the others"
     );
     assert_eq!(refused(&["e", "g"], times()[..1].to_vec()), "1 measured values are too few for 2 variables");
     // Where it strikes its height is 0.

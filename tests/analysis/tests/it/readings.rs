@@ -179,7 +179,7 @@ fn what_cannot_be_read_is_named() {
             .to_string()
     };
     let told = read(Reading { moment: Moment::Time(0.1), output: Some(&velocity) });
-    assert_eq!(told, "`vx(A)` asks for velocities of points, which are known in doubles only");
+    assert_eq!(told, "`vx(A)` needs velocities of points, which are known in double precision only");
     assert_eq!(read(Reading { moment: Moment::Time(0.4), output: None }), "t = 0.4 is not within the run");
     assert_eq!(read(Reading { moment: Moment::Event(9), output: None }), "t = 0.3 is not within the run");
 }

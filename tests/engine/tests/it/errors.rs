@@ -66,7 +66,7 @@ fn entries_lost_beside_the_largest() {
         |r: f64, l: f64| message(Simulation::new(&Cradle { m: 0.1, j: 1e-3 * l * l, r, l, g: 9.81 }));
     assert_eq!(
         cradle(0.02, 1e8),
-        "the radius of the disc about P, 2e-2, is lost beside 1e8 in the arithmetic of doubles: contacts and joints cannot be told"
+        "the radius of the disc about P, 2e-2, is below the roundoff of 1e8: contacts and joints cannot be resolved"
     );
     let light = Cradle { m: 1e9, j: 1e-7, r: 0.02, l: 1.0, g: 9.81 };
     assert!(matches!(Simulation::new(&light), Err(ModelError::Spread { .. })));
@@ -92,7 +92,7 @@ fn starts() {
     assert!(told.starts_with("the start lies 3.539"), "{told}");
     let free = Pose::new("phi", 0.1).with("y", 1.0);
     let told = message(pair().start(free.clone()).unwrap().on_energy_of(free));
-    assert_eq!(told, "an energy level gives the rate of one degree of freedom, here are 2");
+    assert_eq!(told, "an energy level determines the rate of one degree of freedom, but there are 2");
 }
 
 /// Contacts that the given coordinates contradict are open; those that they do not mention stay
@@ -222,8 +222,7 @@ fn static_friction_is_that_of_no_slip() {
     for w in [0.0, 1.0, -1.0, 30.0] {
         assert!(Simulation::new(&Stribeck { w, ..STRIBECK }).is_ok(), "{w}");
         let told = message(Simulation::new(&Stribeck { w, mu: 0.4, c: -0.3, ..STRIBECK }));
-        let expected =
-            "static friction 0.3 of P is below its sliding friction 0.4 at v = 0; it is at least as large";
+        let expected = "static friction 0.3 of P is below its sliding friction 0.4 at v = 0; it must be at least as large";
         assert_eq!(told, expected, "{w}");
         let told = message(Simulation::new(&Stribeck { w, mu: -0.4, limit: 0.5, ..STRIBECK }));
         assert_eq!(told, "friction of P is -0.4: a coefficient of friction is a number ≥ 0", "{w}");

@@ -7,7 +7,7 @@ use parallelogram::Parallelogram;
 mod parallelogram;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    // Parsed from text, so that the compiler cannot evaluate constants.
+    // Known at run time only, so that the compiler computes nothing in advance.
     let turn = std::env::args().len() as f64;
     let model = Parallelogram { m: 1.0, l: 1.0, c: 1.0, d: 2.0, g: 9.81 };
     let start = Pose::new("phi", turn);

@@ -112,7 +112,7 @@ fn derivatives_are_reported_through_events() {
     assert!(text.contains("d/dm") && text.contains("phi'"), "{text}");
     let refused = |more: &[&'static str]| errors(&run(&command(more)));
     assert!(refused(&["--of", "mass"]).contains("neither a parameter nor given at the start"));
-    assert!(refused(&["--start", "phi=0", "--limit", "0.5", "--of", "phi"]).contains("come apart"));
+    assert!(refused(&["--start", "phi=0", "--limit", "0.5", "--of", "phi"]).contains("separate"));
     assert!(refused(&["--set", "e=0.5", "--start", "phi=0.3", "--limit", "3"]).contains("infinitely many"));
 }
 
@@ -207,7 +207,7 @@ fn orbits_are_reported_and_followed() {
     let refused = |more: &[&'static str]| errors(&run(&[&["orbit", name], more].concat()));
     assert!(refused(&["--section", "impact Z"]).contains("Z"));
     assert!(refused(&["--section", "y >"]).contains("neither a kind of event"));
-    assert!(refused(&["--section", "y > 100", "--limit", "1"]).contains("does not come to the section"));
+    assert!(refused(&["--section", "y > 100", "--limit", "1"]).contains("does not reach the section"));
     assert!(refused(&["--section", "impact", "--drift", "z"]).contains("z"));
 }
 

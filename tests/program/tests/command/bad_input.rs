@@ -103,7 +103,7 @@ fn long_or_deep_input_is_refused() {
     let sum = |terms: usize| vec!["alpha"; terms].join("+");
     for (text, told) in [
         (sum(1500) + "=9", "more than 1000 operators, at column "),
-        (sum(20_000), "an expression of 119999 characters: 10000 are the most"),
+        (sum(20_000), "an expression of 119999 characters: at most 10000 are allowed"),
         ("(".repeat(3000), "nested too deeply at column 65"),
         ("-".repeat(3000), "nested too deeply at column 65"),
         ("sin(".repeat(2000), "nested too deeply"),
@@ -112,7 +112,7 @@ fn long_or_deep_input_is_refused() {
             refused(&["run", "trestle", &format!("{option}={text}")], told);
         }
     }
-    refused(&["run", "trestle", "--set", &format!("m={}", "1+".repeat(60_000))], "are the most");
+    refused(&["run", "trestle", "--set", &format!("m={}", "1+".repeat(60_000))], "at most 10000 are allowed");
     // As wide as a column becomes, and as deep as a sum may be.
     let wide = format!("{}alpha", " ".repeat(9000));
     let output =

@@ -133,7 +133,7 @@ fn tables_that_are_none_are_refused_in_a_line() {
         (
             "stray",
             "t,y,x ±\n0.1,1,1\n",
-            "column `x ±`: there is no column of which it has the standard deviations",
+            "column `x ±`: there is no column with values for these standard deviations",
         ),
         ("only_time", "t\n1\n", "there is no column beside `t`"),
         ("empty", "t,y\n", "has no values"),
@@ -147,8 +147,8 @@ fn tables_that_are_none_are_refused_in_a_line() {
         ("back", "t,y\n0.2,1\n0.1,1\n", ", line 3: t = 0.1 does not come after t = 0.2"),
         ("thrice", "t,y\n0.2,1\n0.2,1\n0.2,1\n", ", line 4: t = 0.2 is there three times"),
         ("before", "t,y\n-0.1,1\n", ", line 2: t = -0.1 is before the start"),
-        ("narrow", "t,y\n0.1\n", ", line 2: 1 cells, and the head has 2"),
-        ("wide", "t,y\n0.1,1,2\n", ", line 2: 3 cells, and the head has 2"),
+        ("narrow", "t,y\n0.1\n", ", line 2: 1 cells, but the header has 2"),
+        ("wide", "t,y\n0.1,1,2\n", ", line 2: 3 cells, but the header has 2"),
         ("deviation", "t,y,y ±\n0.1,1,0\n", ", line 2: y ±: a standard deviation is a number > 0"),
         ("several", "t,y,y'\n0.1,1,0\n", "--sd COLUMN=VALUE"),
     ] {

@@ -214,10 +214,7 @@ fn what_is_hardly_meant_is_noted() {
     assert!(!noted(&["--start", "alpha=6", "--limit", "0.1"]).contains("degrees"));
     // The trestle is symmetrical and stays so.
     let always = noted(&["--until", "x = 0", "--limit", "0.1"]);
-    assert!(
-        always.contains("`x = 0` holds at the start: it is met where it comes to hold again"),
-        "{always}"
-    );
+    assert!(always.contains("`x = 0` holds at the start: it is met when it becomes true again"), "{always}");
     assert_eq!(noted(&["--limit", "0.1"]), "");
     let ended = noted(&["--limit", "50"]);
     assert!(

@@ -18,8 +18,8 @@ fn a_matrix_is_regular_by_its_least_pivot() {
     }
 }
 
-/// An inverse with a relative error `part` reduces the residual by this factor in each of four
-/// refinements; a refinement that does not reduce it is discarded.
+/// With `part` times the inverse, each of four refinements multiplies the residual by 1 − part; a
+/// refinement that does not reduce it is discarded.
 #[test]
 fn solutions_are_refined_while_that_helps() {
     let matrix = DMatrix::from_row_slice(2, 2, &[3.0, 1.0, -1.0, 2.0]);

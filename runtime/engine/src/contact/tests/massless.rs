@@ -46,8 +46,8 @@ fn massless_bodies_rest_on_their_contacts_unpressed() {
 #[test]
 fn half_of_the_digits_are_asked_of_accelerations() {
     for contacts in [0, 1, 100] {
-        // The least singular value is δ, the largest 2, or that of so many rows of one beside a
-        // mass.
+        // The least singular value is δ. The largest is 2, or that of a unit mass with `rows` unit
+        // rows.
         let rows = contacts as f64;
         let largest = f64::max(2.0, 0.5 + (0.25 + rows).sqrt());
         let cutoff = f64::EPSILON.sqrt() * largest;

@@ -130,10 +130,10 @@ impl Snapshot<'_> {
 pub(super) fn reason_name(reason: Reason) -> &'static str {
     match reason {
         Reason::Only => "that is left",
-        Reason::Stable => "that stiff springs at the contacts would hold, the others fly apart",
-        Reason::LiftOff => "with the fewest closed contacts of those that stiff springs would hold",
+        Reason::Stable => "that is stable with stiff springs at the contacts, the others are not",
+        Reason::LiftOff => "with the fewest closed contacts of those that are stable with stiff springs",
         Reason::Sticks => "with the most contacts that stick of those with the fewest closed",
         Reason::First => "that comes first: contacts in their order, sticking before sliding before open",
-        Reason::Unstable => "with the fewest closed contacts; stiff springs would hold none",
+        Reason::Unstable => "with the fewest closed contacts; none is stable with stiff springs",
     }
 }

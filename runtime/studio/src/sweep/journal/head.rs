@@ -5,7 +5,7 @@ use crate::sweep::Observation;
 use serde_json::{Map, Value};
 
 pub(in crate::sweep) const MARK: &str = "# liftoff sweep ";
-pub(in crate::sweep) const FOREIGN: &str = "is no journal of a sweep, and is left as it is";
+pub(in crate::sweep) const FOREIGN: &str = "is not a journal of a sweep and was not changed";
 /// How rows are written.
 pub(in crate::sweep) const FORM: u32 = 2;
 /// Letters of a value that are told.

@@ -15,7 +15,7 @@ const COLUMNS: &str = "columns";
 /// The word of how rows are written.
 const JOURNAL: &str = "journal";
 
-const NONE: &str = "is no shard of a sweep, or its first lines are not as they were written";
+const NONE: &str = "is not a shard of a sweep, or its first lines are damaged";
 
 /// The head of a shard.
 #[derive(Clone, Debug)]
@@ -55,7 +55,7 @@ impl Head {
         let columns = identity.get(COLUMNS).and_then(columnar::of_word);
         let read = (number(SHARD), number(SHARDS), number(MEMBERS), names.zip(columns));
         if identity.get(JOURNAL) != Some(&FORM.into()) {
-            return Err("is written as other versions write shards".to_owned());
+            return Err("was written by another version".to_owned());
         }
         let (Some(index), Some(count), Some(members), Some(columns)) = read else {
             return Err(NONE.to_owned());

@@ -32,7 +32,7 @@ impl Part {
         let other = difference(&self.head.of_all(), &first.head.of_all());
         let names = || "its columns are others".to_owned();
         let other = other.or_else(|| (self.head.names != first.head.names).then(names));
-        let reason = |text| format!("is of another sweep than {}: {text}", first.path.display());
+        let reason = |text| format!("belongs to another sweep than {}: {text}", first.path.display());
         other
             .map_or(Ok(()), |text| Err(SweepError::Journal { path: self.path.clone(), reason: reason(text) }))
     }

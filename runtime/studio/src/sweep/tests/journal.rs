@@ -223,7 +223,7 @@ fn a_journal_of_another_sweep_is_refused() {
     assert_eq!(other().fresh().run().unwrap().computed, 41);
     std::fs::write(&path, "my notes\n").unwrap();
     let error = other().fresh().run().err().unwrap().to_string();
-    assert!(error.ends_with("is no journal of a sweep, and is left as it is"), "{error}");
+    assert!(error.ends_with("is not a journal of a sweep and was not changed"), "{error}");
     assert_eq!(std::fs::read_to_string(&path).unwrap(), "my notes\n");
     std::fs::remove_file(path).unwrap();
 }

@@ -8,8 +8,7 @@ use super::borders::beside;
 use super::oracle::Linkage;
 use super::random::{Random, cases, in_order, linkage, solve};
 
-/// The linkage in other coordinates, `q = T q'`: M becomes full, the Delassus matrix stays
-/// uncoupled.
+/// The linkage in other coordinates, `q = T q'`: M becomes full, the Delassus matrix is unchanged.
 fn mixed(it: &Linkage, transformation: &DMatrix<f64>) -> Linkage {
     Linkage {
         mass: transformation.tr_mul(&it.mass) * transformation,
