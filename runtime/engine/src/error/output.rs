@@ -52,6 +52,16 @@ pub enum OutputError {
         /// The contact's label.
         contact: String,
     },
+    /// Several names where a function takes one.
+    #[error("{function} takes one {argument}: write {function}({first})")]
+    Several {
+        /// The function.
+        function: String,
+        /// What it takes, a point or a support.
+        argument: &'static str,
+        /// The first of the names given.
+        first: String,
+    },
     /// Supports that do not make up one contact.
     #[error("{supports} are not a single contact")]
     NoContact {

@@ -167,10 +167,15 @@ impl Names {
             }
             _ => {}
         }
+        let point = POINTS.iter().find(|(known, ..)| *known == name);
         let [argument] = arguments else {
-            return Err(OutputError::NoContact { supports: arguments.join(", ") });
+            return Err(OutputError::Several {
+                function: name.to_owned(),
+                argument: if point.is_some() { "point" } else { "support" },
+                first: arguments.first().cloned().unwrap_or_default(),
+            });
         };
-        match POINTS.iter().find(|(known, ..)| *known == name) {
+        match point {
             Some((_, axis, order)) => {
                 Ok(Expression::Point { index: self.point(argument)?, axis: *axis, order: *order })
             }

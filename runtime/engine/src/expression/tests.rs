@@ -147,14 +147,16 @@ fn mistakes_are_reported_at_their_place() {
             "B, C, D is smooth, with neither a friction force nor a slip velocity: declare it with `friction = mu`, or `rough`",
         ),
         ("mu(A)", "A, E is rough and does not slip: declare it with `friction = mu` in place of `rough`"),
-        ("v(P, P)", "P, P are not a single contact"),
+        ("v(P, P)", "v takes one support: write v(P)"),
+        ("gap(C, B)", "gap takes one support: write gap(C)"),
         ("fx(D, AB)", "no quantity `fx(D,AB)`; did you mean `fx(D, AD)`?"),
         ("fx(Q)", "no quantity `fx(Q)`; known: fx(D, AD), fx(D, DB)"),
         ("shears(S)", "no function `shears`; did you mean `shear`?"),
         ("fx(D", "expected `)`, found the end at column 5"),
         ("N(B)", "only the total reaction of B, C, D is determined: write N(B, C, D)"),
         ("N(A, B)", "A, B are not a single contact"),
-        ("x(D, D)", "D, D are not a single contact"),
+        ("x(D, D)", "x takes one point: write x(D)"),
+        ("vy(A, D)", "vy takes one point: write vy(A)"),
     ] {
         let error = parse(text).map(|_| ()).unwrap_err();
         assert_eq!(error.to_string(), message, "{text}");
