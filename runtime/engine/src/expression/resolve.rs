@@ -8,6 +8,8 @@ use std::borrow::Cow;
 
 const POINTS: [(&str, usize, usize); 6] =
     [("x", 0, 0), ("y", 1, 0), ("vx", 0, 1), ("vy", 1, 1), ("ax", 0, 2), ("ay", 1, 2)];
+/// The magnitude of a point's velocity.
+const SPEED: &str = "speed";
 const PI: &str = "pi";
 const CONSTANTS: [&str; 6] = [PI, "t", "T", "V", "E", "D"];
 /// The slip velocity of a contact.
@@ -115,7 +117,8 @@ impl Names {
 
     /// Refuses unknown functions before their arguments are read.
     pub(super) fn check_function(&self, name: &str) -> Result<(), OutputError> {
-        let of_names = || POINTS.iter().map(|(name, ..)| *name).chain(OF_CONTACTS).chain([RATE]);
+        let of_points = || POINTS.iter().map(|(name, ..)| *name).chain([SPEED]);
+        let of_names = || of_points().chain(OF_CONTACTS).chain([RATE]);
         if of_names().any(|known| known == name) {
             return Ok(());
         }
@@ -167,18 +170,19 @@ impl Names {
             }
             _ => {}
         }
-        let point = POINTS.iter().find(|(known, ..)| *known == name);
+        let entry = POINTS.iter().find(|(known, ..)| *known == name);
         let [argument] = arguments else {
             return Err(OutputError::Several {
                 function: name.to_owned(),
-                argument: if point.is_some() { "point" } else { "support" },
+                argument: if entry.is_some() || name == SPEED { "point" } else { "support" },
                 first: arguments.first().cloned().unwrap_or_default(),
             });
         };
-        match point {
+        match entry {
             Some((_, axis, order)) => {
                 Ok(Expression::Point { index: self.point(argument)?, axis: *axis, order: *order })
             }
+            None if name == SPEED => self.point(argument).map(Expression::speed),
             None if name == SLIP => self.of_friction(argument).map(Expression::Slip),
             None if name == COEFFICIENT => self.of_friction(argument).map(Expression::Coefficient),
             None => Ok(Expression::Gap(self.contact(argument)?.0)),

@@ -156,6 +156,8 @@ fn mistakes_are_reported_at_their_place() {
         ("N(B)", "only the total reaction of B, C, D is determined: write N(B, C, D)"),
         ("N(A, B)", "A, B are not a single contact"),
         ("x(D, D)", "x takes one point: write x(D)"),
+        ("speed(D, P)", "speed takes one point: write speed(D)"),
+        ("speed(P)", "no point `P`; known: D"),
         ("vy(A, D)", "vy takes one point: write vy(A)"),
     ] {
         let error = parse(text).map(|_| ()).unwrap_err();
@@ -194,6 +196,7 @@ fn rates_degrees_and_comparisons_have_all_their_spellings() {
     same("rate(phi)", "phi'");
     same("rate(rate( phi ))", "phi''");
     same("rate(x(D))", "vx(D)");
+    same("speed(D)", "sqrt(vx(D)^2 + vy(D)^2)");
     same("rate(l * phi - m)", "l * phi' - 0");
     same("30deg", &30.0_f64.to_radians().to_string());
     same("2 * 30° + 1 rad", &format!("2 * {} + 1", 30.0_f64.to_radians()));
@@ -333,6 +336,7 @@ fn units_follow_from_what_is_multiplied() {
         ("m * l^2 * phi'", Some("kg m²/s")),
         ("sqrt(l * ay(D))", Some("m/s")),
         ("R(P) * v(P)", Some("W")),
+        ("speed(D)", Some("m/s")),
         ("mu(P)", Some("")),
         ("phi - 0.5", Some("rad")),
         ("m * l^3", Some("kg m³")),

@@ -116,6 +116,15 @@ impl Expression {
         Self::Join(operator, Box::new(left), Box::new(right))
     }
 
+    /// √(vx² + vy²) of a point.
+    pub(super) fn speed(point: usize) -> Self {
+        let square = |axis| {
+            let rate = Self::Point { index: point, axis, order: 1 };
+            Self::join(Operator::Power, rate, Self::Number(2.0))
+        };
+        Self::apply(Function::Sqrt, Self::join(Operator::Add, square(0), square(1)))
+    }
+
     /// Its derivative by time, of what is linear in coordinates and positions of points; none of
     /// anything else.
     pub(super) fn rate(&self) -> Option<Self> {
