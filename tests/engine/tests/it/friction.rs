@@ -385,7 +385,9 @@ fn a_bar_all_but_flat_slides_from_its_rough_wall() {
                 let expected = landing((bar.mu, bar.nu, bar.g), start);
                 assert!((run.end_time() / expected - 1.0).abs() < 1e-8, "{start:e}: {}", run.end_time());
             }
-            Err(error) => assert!(start < 1e-12 && error.to_string().contains("depends on roundoff"), "{error}"),
+            Err(error) => {
+                assert!(start < 1e-12 && error.to_string().contains("depends on roundoff"), "{error}")
+            }
         }
     }
 }
