@@ -32,6 +32,7 @@ snapshots! {
     chimney: Chimney;
     struck_chain: StruckChain;
     unequal_pendulum: UnequalPendulum;
+    cart_pendulum: CartPendulum;
     folded_chain: FoldedChain;
     walker: Walker;
     parallelogram: Parallelogram;

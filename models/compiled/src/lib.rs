@@ -13,6 +13,8 @@ mod bouncing_ball;
 mod bouncing_bar;
 #[path = "../../systems/src/car_axis.rs"]
 mod car_axis;
+#[path = "../../systems/src/cart_pendulum.rs"]
+mod cart_pendulum;
 #[path = "../../systems/src/chimney.rs"]
 mod chimney;
 #[path = "../../systems/src/compass_walker.rs"]
@@ -88,6 +90,7 @@ pub use belt::Belt;
 pub use bouncing_ball::BouncingBall;
 pub use bouncing_bar::BouncingBar;
 pub use car_axis::CarAxis;
+pub use cart_pendulum::CartPendulum;
 pub use chimney::Chimney;
 pub use compass_walker::CompassWalker;
 pub use dominoes::Dominoes;
@@ -147,6 +150,7 @@ pub fn models() -> &'static Models {
             AFrame,
             DoublePendulum,
             UnequalPendulum,
+            CartPendulum,
             StruckChain,
             FoldedChain,
             Walker,

@@ -14,7 +14,7 @@ macro_rules! texts {
     };
 }
 
-const TEXTS: [(&str, &str); 43] = texts![
+const TEXTS: &[(&str, &str)] = &texts![
     falling_pair
     falling_pair_full
     narrow_gap
@@ -33,6 +33,7 @@ const TEXTS: [(&str, &str); 43] = texts![
     a_frame
     double_pendulum
     unequal_pendulum
+    cart_pendulum
     struck_chain
     folded_chain
     walker

@@ -8,6 +8,7 @@ pub(super) const RUNS: &[DefaultRun] = &[
     ("a-frame", a_frame),
     ("double-pendulum", double_pendulum),
     ("unequal-pendulum", unequal_pendulum),
+    ("cart-pendulum", cart_pendulum),
     ("struck-chain", struck_chain),
     ("folded-chain", folded_chain),
     ("walker", walker),
@@ -24,6 +25,11 @@ fn double_pendulum() -> RunSpec {
 fn unequal_pendulum() -> RunSpec {
     let parameters = [("m1", 1.0), ("m2", 3.0), ("l", 1.0), ("g", 9.81)];
     RunSpec::with(&parameters).start(&[("phi_1", 1.0), ("phi_2", 0.5)]).until("t = 10")
+}
+
+fn cart_pendulum() -> RunSpec {
+    let parameters = [("a", 2.0), ("m", 1.0), ("l", 1.0), ("g", 9.81)];
+    RunSpec::with(&parameters).start(&[("phi", 1.0), ("x", 0.0)]).until("t = 5")
 }
 
 fn struck_chain() -> RunSpec {
