@@ -25,7 +25,7 @@ fn deep_nesting_is_parsed_or_refused() {
     for (open, close) in [("(", ")"), ("sqrt(2+", ")"), ("-(", ")"), ("sin(l+", ")"), ("(1/(1+", "))")] {
         for levels in [LEVELS / 2 - 3, LEVELS, 200, 10_000] {
             let told = find_mistakes(format!("{}l{}", open.repeat(levels), close.repeat(levels)));
-            let refused = told.iter().any(|text| text.starts_with("more than 48 brackets"));
+            let refused = told.iter().any(|text| text.starts_with("more than 48 nested brackets"));
             assert_eq!(refused, levels >= LEVELS, "{open} {levels}: {told:?}");
         }
     }

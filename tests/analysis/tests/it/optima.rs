@@ -165,7 +165,7 @@ fn a_steep_start_does_not_end_the_search_too_soon() {
 fn unbounded_objectives_are_reported() {
     let found = stone([1.0, 2.0], 0.5, (Place::End, Some("x + y"), false)).unwrap();
     let Ending::Stopped(why) = &found.ending else { panic!("{found:?}") };
-    assert!(why.contains("without end") && why.contains("LOW:HIGH"), "{why}");
+    assert!(why.contains("without bound") && why.contains("LOW:HIGH"), "{why}");
 }
 
 /// At x′ = 0 the cosine is greatest, and has no slope.
