@@ -74,7 +74,7 @@ fn spins() -> Case {
     let start = [("phi_1", 0.0), ("phi_2", 1.0), ("phi_1'", 1e155), ("phi_2'", -1e155)];
     let spec = RunSpec::with(&parameters).start(&start).until("t = 1");
     let scene = "double-pendulum, φ' = ±1e155: forces overflow";
-    Case::refused("extremes.double pendulum φ'=1e155", scene, "beyond what numbers hold", move |by| {
+    Case::refused("extremes.double pendulum φ'=1e155", scene, "beyond the range of f64", move |by| {
         run("double-pendulum", by, &spec)
     })
 }

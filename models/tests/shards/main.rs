@@ -188,7 +188,7 @@ fn shards_that_do_not_belong_together_are_refused_by_name() {
     }
     assert!(refused(&with(&["--out=parts", "--shard=0/3"])).contains("is of 2 shards, not of 3"));
     fs::write(folder.join("notes.shard"), "my notes\n").expect("a file");
-    assert!(merge("notes.shard").contains("notes.shard is no shard of a sweep"));
+    assert!(merge("notes.shard").contains("notes.shard is not a shard of a sweep"));
 }
 
 #[test]
