@@ -58,7 +58,7 @@ fn impossible_input_is_refused() {
         (&["run", model, "--set", "g=9.81 N"], "--set g: measured in m/s², not in N"),
         (&["run", model, "--limit", "3 mm"], "`3 mm` is measured in m, not in s"),
         (&["run", model, "--at", "-1"], "--at -1: a run begins at t = 0"),
-        (&["run", model, "--tol", "1e-300"], "1e-18 is the least"),
+        (&["run", model, "--tol", "1e-300"], "the least is 1e-18"),
         (&["run", model, "--tol", "1e-9 m"], "measured in m"),
         (&["plot", model, "--width", "12"], "`12` is no whole number from 240 to 10000"),
         (&["plot", model, "--width", "wide"], "`wide` is no number"),
@@ -68,7 +68,7 @@ fn impossible_input_is_refused() {
         (&["precision", model, "--tolerances", "0"], "tolerance 0 is not between 0 and 1"),
         (&["precision", model, "--tolerances", "NaN"], "`NaN` is no number"),
         (&["precision", model, "--tolerances", "1/0"], "tolerance inf is not between 0 and 1"),
-        (&["precision", model, "--tolerances", "1e-300"], "1e-18 is the least"),
+        (&["precision", model, "--tolerances", "1e-300"], "the least is 1e-18"),
         (&["precision", model, "--measuring", "18446744073709551615"], "is no whole number"),
         (&["completions", "tcsh"], "tcsh"),
     ];

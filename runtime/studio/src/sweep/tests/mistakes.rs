@@ -62,7 +62,7 @@ fn mistakes_are_reported_before_anything_runs() {
         (&["vary h=0:1:3", "set g=9.81 m/s", observe], "--set g: measured in m/s², not in m/s"),
         (&["vary h=0:1:3", "start y'=3deg", observe], "--start y': measured in m/s, not in rad"),
         (&["vary h=1:2:3000", "vary e=0:1:3000", observe], "a grid of 9000000 points: 4000000 are the most"),
-        (&["vary h=0:1:3", "observe end y = 2"], "for thresholds"),
+        (&["vary h=0:1:3", "observe end y = 2"], "needs a threshold"),
     ];
     for (words, expected) in cases {
         let error = refused("ball", words);
