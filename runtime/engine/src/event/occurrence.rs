@@ -17,7 +17,7 @@ impl Occurrence {
     /// Reads `first`, `2nd`, `3rd`, `11th`, …, `last`; none of other words.
     ///
     /// ```
-    /// use liftoff::event::Occurrence;
+    /// use liftoff::__private::event::Occurrence;
     /// assert_eq!(Occurrence::parse("22nd"), Some(Occurrence::Nth(22)));
     /// assert_eq!(Occurrence::parse("22th"), None);
     /// ```
