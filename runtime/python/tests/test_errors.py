@@ -70,7 +70,7 @@ def test_unknown_names_are_key_errors_with_the_nearest(ladder, arguments, told):
         ({"limit": "2 m"}, "limit: measured in s, not in m"),
         ({"limit": math.nan}, "limit"),
         ({"tolerance": 2}, "tolerance"),
-        ({"cut": {"A": "t = 1"}}, "no thread"),
+        ({"cut": {"A": "t = 1"}}, "not a thread"),
     ],
 )
 def test_values_without_a_motion_are_value_errors(ladder, arguments, told):
