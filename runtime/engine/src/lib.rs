@@ -117,7 +117,7 @@ pub use error::{ModelError, NameError, OutputError, ScheduleError, SupportError}
 #[cfg(feature = "std")]
 pub use event::{Event, EventFilter, EventKind, FrictionState, ImpactOrder, Note, PreImpact, Reaction};
 #[cfg(feature = "std")]
-pub use expression::{Condition, Formula, IntoConditions, Output, contact_set};
+pub use expression::{Condition, IntoConditions, Output, contact_set};
 #[cfg(feature = "std")]
 pub use integration::method;
 pub use liftoff_core::model::{BarSystem, ContactSet, Form, Layout};

@@ -2,8 +2,9 @@
 //! `lambda deg`.
 
 use core::fmt;
+use liftoff::__private::expression::Formula;
 use liftoff::__private::expression::si_unit::SiUnit;
-use liftoff::{Formula, OutputError};
+use liftoff::OutputError;
 use liftoff_codegen::units::{self, Unit};
 use thiserror::Error;
 

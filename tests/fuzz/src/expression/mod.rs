@@ -5,7 +5,8 @@ mod grammar;
 
 use std::fmt;
 
-use liftoff::{Budget, Condition, Formula, Output, Trajectory};
+use liftoff::__private::expression::Formula;
+use liftoff::{Budget, Condition, Output, Trajectory};
 use liftoff_models::models;
 use liftoff_studio::registry::Entry;
 use liftoff_tests::random::Source;

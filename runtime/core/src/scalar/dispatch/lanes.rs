@@ -3,6 +3,7 @@
 use wide::f64x8;
 
 /// How many lanes there are.
+#[doc(hidden)]
 pub const LANES: usize = 8;
 
 /// [`LANES`] doubles, or `V` times as many; every operation acts on each by itself, with the bits
