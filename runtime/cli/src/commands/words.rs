@@ -1,4 +1,5 @@
-//! `liftoff words`: the reference of the language, whose only source is the documentation of `BarSystem`.
+//! `liftoff words`: the reference of the language, whose only source is the documentation of
+//! `BarSystem`.
 
 use crate::CommandError;
 use crate::output::print::print;
@@ -70,14 +71,13 @@ impl<'a> Reference<'a> {
 
     /// Every word with what it declares, then the chapters.
     fn list(&self) -> String {
-        let row =
-            |row: &Row<'_>| format!("{}\n    {}\n", styled(NAME, &plain(row.form)), plain(row.declares));
-        let rows: String = self.rows.iter().map(row).collect();
+        let rows: String = self.rows.iter().map(Row::text).collect();
         let titles: Vec<String> = self.chapters.iter().map(Chapter::anchor).collect();
         format!("{rows}\nChapters, each printed by its name: {}\n", titles.join(", "))
     }
 
-    /// A word with its chapter or, where it has none of its own, with an example; else what names or mentions it.
+    /// A word with its chapter or, where it has none of its own, with an example; else what names
+    /// or mentions it.
     fn find(&self, word: &str) -> Result<String, NameError> {
         if let Some(chapter) = self.chapters.iter().find(|chapter| chapter.anchor() == word) {
             return Ok(chapter.text());
@@ -101,9 +101,7 @@ impl<'a> Reference<'a> {
             let known: Vec<String> = names.chain(self.chapters.iter().map(Chapter::anchor)).collect();
             return Err(NameError::new("word", word, known.iter().map(String::as_str)));
         }
-        let rows = rows
-            .iter()
-            .map(|row| format!("{}\n    {}\n", styled(NAME, &plain(row.form)), plain(row.declares)));
+        let rows = rows.into_iter().map(Row::text);
         let texts = match chapters.is_empty() {
             true => self.example(word).into_iter().collect(),
             false => chapters.into_iter().map(Chapter::text).collect::<Vec<_>>(),
@@ -120,6 +118,10 @@ impl<'a> Reference<'a> {
 }
 
 impl<'a> Row<'a> {
+    fn text(&self) -> String {
+        format!("{}\n    {}\n", styled(NAME, &plain(self.form)), plain(self.declares))
+    }
+
     /// The attributes that it is about.
     fn names(&self) -> impl Iterator<Item = &'a str> {
         let parts = self.form.split("#[").skip(1);
