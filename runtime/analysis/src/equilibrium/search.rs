@@ -122,13 +122,17 @@ fn without_turns(subject: &Subject, set: ContactSet, state: Vec<DoubleDouble>) -
     equilibrium(subject, set, &moved, 1.0).filter(is_near).unwrap_or(state)
 }
 
+/// How far a value of a coordinate is from another; whole turns of an angle do not count.
+fn difference(coordinate: &Coordinate, a: f64, b: f64) -> f64 {
+    let apart = a - b;
+    if coordinate.is_angle { apart - TAU * (apart / TAU).round() } else { apart }
+}
+
 /// How far it is from the position of the subject, in natural units; whole turns do not count.
 fn distance(subject: &Subject, found: &Equilibrium) -> f64 {
     let entries = subject.layout().coordinates.iter().zip(found.positions.iter().zip(&subject.state));
     let parts = entries.map(|(coordinate, (a, b))| {
-        let apart = a - b.hi();
-        let apart = if coordinate.is_angle { apart - TAU * (apart / TAU).round() } else { apart };
-        (apart / subject.scales.coordinate(coordinate)).powi(2)
+        (difference(coordinate, *a, b.hi()) / subject.scales.coordinate(coordinate)).powi(2)
     });
     parts.sum()
 }
@@ -137,9 +141,7 @@ fn distance(subject: &Subject, found: &Equilibrium) -> f64 {
 fn is_same(subject: &Subject, known: &Equilibrium, state: &[DoubleDouble]) -> bool {
     let mut entries = subject.layout().coordinates.iter().zip(known.positions.iter().zip(state));
     entries.all(|(coordinate, (a, b))| {
-        let apart = (a - b.hi()).abs();
-        let apart = if coordinate.is_angle { (apart - TAU * (apart / TAU).round()).abs() } else { apart };
-        apart <= SAME * subject.scales.coordinate(coordinate).max(a.abs())
+        difference(coordinate, *a, b.hi()).abs() <= SAME * subject.scales.coordinate(coordinate).max(a.abs())
     })
 }
 
