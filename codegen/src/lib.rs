@@ -29,6 +29,7 @@ pub mod algebra;
 mod budget;
 mod dimensions;
 mod document;
+pub mod elementary;
 mod emit;
 pub mod export;
 pub mod functions;

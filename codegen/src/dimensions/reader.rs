@@ -205,6 +205,14 @@ impl<'d> DimensionReader<'d> {
                 let length = coordinate == Some(LENGTH);
                 Some(ExpressionDimension::known(if length { VELOCITY } else { RATE }))
             }
+            // Alike, as the terms of a sum.
+            "min" | "max" | "clamp" => {
+                let first = self.infer(argument);
+                call.args.iter().skip(1).fold(first, |known, argument| match (known, self.infer(argument)) {
+                    (Some(known), Some(other)) => Some(self.sum(known, other, argument)),
+                    (known, other) => known.or(other),
+                })
+            }
             name => self.function(name, argument),
         }
     }

@@ -227,6 +227,10 @@ impl BodyWriter<'_> {
                 let a = self.operand(a);
                 quote!(#a.sqrt())
             }
+            Operation::Elementary(function, a) => {
+                let (a, method) = (self.operand(a), variable(function.method()));
+                quote!(#a.#method())
+            }
             Operation::Sin(_) | Operation::Cos(_) => TokenStream::new(),
         };
         (expression, depth)
@@ -234,7 +238,10 @@ impl BodyWriter<'_> {
 
     fn operand(&self, id: Id) -> TokenStream {
         let (tokens, depth) = &self.written[&id];
-        let call = matches!(self.program.operation(id), Operation::MulAdd(..) | Operation::Sqrt(_));
+        let call = matches!(
+            self.program.operation(id),
+            Operation::MulAdd(..) | Operation::Sqrt(_) | Operation::Elementary(..)
+        );
         if *depth == 0 || call { tokens.clone() } else { quote!((#tokens)) }
     }
 }

@@ -139,6 +139,7 @@ fn applied(function: Function, x: &str) -> String {
         Function::Sin => format!("sin({x})"),
         Function::Cos => format!("cos({x})"),
         Function::Tan => format!("tan({x})"),
+        Function::Elementary(function) => format!("sympy.{}({x})", function.name()),
         Function::Power(n) => format!("({x})**{}", exponent(n.into())),
     }
 }

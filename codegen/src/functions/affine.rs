@@ -48,7 +48,7 @@ impl SeriesScope<'_> {
             Operation::MulAdd(a, b, c) => Some(of(a)?.saturating_add(of(b)?).max(of(c)?)),
             Operation::Neg(a) => of(a),
             Operation::Div(a, b) => of(b).filter(|degree| *degree == 0).and_then(|_| of(a)),
-            Operation::Sqrt(_) | Operation::Sin(_) | Operation::Cos(_) => None,
+            Operation::Sqrt(_) | Operation::Sin(_) | Operation::Cos(_) | Operation::Elementary(..) => None,
         }
     }
 

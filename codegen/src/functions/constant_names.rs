@@ -65,6 +65,7 @@ fn compose_name(system: &System, program: &Program, id: Id) -> Option<String> {
         Operation::Neg(a) => Some(format!("minus_{}", name(a)?)),
         Operation::Ratio(value) => number(value),
         Operation::Sqrt(a) => Some(format!("root_of_{}", name(a)?)),
+        Operation::Elementary(function, a) => Some(format!("{}_of_{}", function.name(), name(a)?)),
         _ => None,
     }
 }

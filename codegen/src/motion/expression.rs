@@ -1,6 +1,7 @@
 //! Expressions that are no Poisson series, and the opaque terms that stand for them in series.
 
 use crate::algebra::{Angle, Quotient, Rational, Series, Symbol};
+use crate::elementary::Elementary;
 use crate::kinematics::Kinematics;
 use crate::system::{Driven, Formula, Function, Operator, System};
 
@@ -135,6 +136,11 @@ impl Expression {
             Function::Cos => own().apply(Function::Sin).apply(Function::Negate),
             Function::Tan => number(1, 1).over(own().apply(Function::Cos).apply(Function::Power(2))),
             Function::Power(n) => number(n.into(), 1).times(own().apply(Function::Power(n - 1))),
+            Function::Elementary(Elementary::Exp) => own().apply(function),
+            Function::Elementary(Elementary::Log) => number(1, 1).over(own()),
+            Function::Elementary(Elementary::Tanh) => {
+                number(1, 1).minus(own().apply(function).apply(Function::Power(2)))
+            }
         }
     }
 

@@ -2,6 +2,7 @@
 
 use super::{Id, Operation, Program};
 use crate::algebra::{Rational, Symbol};
+use crate::elementary::Elementary;
 
 /// The base of the digits of long numbers.
 const DIGIT: i128 = 1 << 42;
@@ -300,6 +301,11 @@ impl Program {
     /// √a.
     pub fn sqrt(&mut self, a: Id) -> Id {
         self.push(Operation::Sqrt(a))
+    }
+
+    /// eᵃ, log a, tanh a.
+    pub fn elementary(&mut self, function: Elementary, a: Id) -> Id {
+        self.push(Operation::Elementary(function, a))
     }
 
     /// (sin a, cos a).

@@ -19,6 +19,8 @@ pub struct Cost {
     pub roots: usize,
     /// Angles whose sine and cosine are taken.
     pub angles: usize,
+    /// Exponentials, logarithms and hyperbolic tangents.
+    pub elementary: usize,
 }
 
 impl Program {
@@ -35,6 +37,7 @@ impl Program {
                 Operation::Div(..) => cost.divisions += 1,
                 Operation::Sqrt(_) => cost.roots += 1,
                 Operation::Sin(a) | Operation::Cos(a) => angles.push(a),
+                Operation::Elementary(..) => cost.elementary += 1,
             }
         }
         angles.sort();
@@ -53,8 +56,8 @@ impl Program {
     /// window.
     pub fn cycles(&self, outputs: &[Id]) -> usize {
         let cost = self.cost(outputs);
-        let Cost { additions, multiplications, fused, divisions, roots, angles } = cost;
-        let work = additions + multiplications + fused + 10 * (divisions + roots + angles);
+        let Cost { additions, multiplications, fused, divisions, roots, angles, elementary } = cost;
+        let work = additions + multiplications + fused + 10 * (divisions + roots + angles + elementary);
         (work / 2).max(self.latency(outputs) * work / (work + WINDOW))
     }
 
@@ -67,7 +70,7 @@ impl Program {
                 Operation::Add(..) | Operation::Sub(..) | Operation::Mul(..) | Operation::MulAdd(..) => 4,
                 Operation::Div(..) => 14,
                 Operation::Sqrt(_) => 18,
-                Operation::Sin(_) | Operation::Cos(_) => 40,
+                Operation::Sin(_) | Operation::Cos(_) | Operation::Elementary(..) => 40,
             };
             let before = self.operation(id).operands().map(|a| ready[a.index()]).max();
             ready[id.index()] = own + before.unwrap_or(0);
@@ -80,24 +83,27 @@ impl Cost {
     /// Additions, multiplications, divisions and roots one by one, two in a multiplication with an
     /// addition; a sine and its cosine are one each.
     pub fn flops(self) -> usize {
-        let Self { additions, multiplications, fused, divisions, roots, angles } = self;
-        additions + multiplications + 2 * fused + divisions + roots + 2 * angles
+        let Self { additions, multiplications, fused, divisions, roots, angles, elementary } = self;
+        additions + multiplications + 2 * fused + divisions + roots + 2 * angles + elementary
     }
 
     /// What they take on current processors: every operation once; a sine with its cosine as forty,
-    /// a division or root as ten.
+    /// an exponential too, a division or root as ten.
     pub fn weight(self) -> usize {
-        let Self { additions, multiplications, fused, divisions, roots, angles } = self;
-        additions + multiplications + fused + 10 * (divisions + roots) + 40 * angles
+        let Self { additions, multiplications, fused, divisions, roots, angles, elementary } = self;
+        additions + multiplications + fused + 10 * (divisions + roots) + 40 * (angles + elementary)
     }
 }
 
 impl fmt::Display for Cost {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { additions, multiplications, fused, divisions, roots, angles } = self;
+        let Self { additions, multiplications, fused, divisions, roots, angles, elementary } = self;
         write!(f, "{additions} +, {multiplications} ×, {fused} ×+, {divisions} ÷")?;
         if *roots > 0 {
             write!(f, ", {roots} √")?;
+        }
+        if *elementary > 0 {
+            write!(f, ", {elementary} exp log tanh")?;
         }
         write!(f, ", {angles} sin cos")
     }

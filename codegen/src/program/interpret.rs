@@ -22,6 +22,7 @@ impl Program {
                 Operation::Sqrt(a) => at(a).sqrt(),
                 Operation::Sin(a) => at(a).sin(),
                 Operation::Cos(a) => at(a).cos(),
+                Operation::Elementary(function, a) => function.apply(at(a)),
             };
         }
         outputs.iter().map(|id| values[id.index()]).collect()

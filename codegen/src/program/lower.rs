@@ -136,6 +136,7 @@ impl<'a> Lowering<'a> {
                 let (sin, cos) = self.program.sin_cos(x);
                 self.program.div(sin, cos)
             }
+            Function::Elementary(function) => self.program.elementary(function, x),
             Function::Power(n) => {
                 let power = self.program.power(x, n.unsigned_abs());
                 let one = self.program.integer(1);

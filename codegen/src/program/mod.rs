@@ -20,6 +20,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use rustc_hash::FxHashMap;
 
 use crate::algebra::{Rational, Symbol};
+use crate::elementary::Elementary;
 
 pub use cost::Cost;
 pub use lower::Lowering;
@@ -65,6 +66,8 @@ pub enum Operation {
     Sin(Id),
     /// cos a.
     Cos(Id),
+    /// eᵃ, log a, tanh a.
+    Elementary(Elementary, Id),
 }
 
 impl Operation {
@@ -72,7 +75,9 @@ impl Operation {
     pub fn operands(self) -> impl Iterator<Item = Id> {
         let operands = match self {
             Self::Ratio(_) | Self::Pi | Self::Input(_) => [None; 3],
-            Self::Neg(a) | Self::Sqrt(a) | Self::Sin(a) | Self::Cos(a) => [Some(a), None, None],
+            Self::Neg(a) | Self::Sqrt(a) | Self::Sin(a) | Self::Cos(a) | Self::Elementary(_, a) => {
+                [Some(a), None, None]
+            }
             Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => [Some(a), Some(b), None],
             Self::MulAdd(a, b, c) => [Some(a), Some(b), Some(c)],
         };

@@ -25,6 +25,10 @@ impl Scope<'_> {
                 let angle = constants.angle(&value);
                 constants.divide(&Series::sin(&angle), &Series::cos(&angle)).ok_or(ZERO)
             }
+            // No number of the field of the parameters and their roots.
+            Function::Elementary(_) => {
+                return Ok(Formula::Apply(function, Box::new(Formula::Constant(value))));
+            }
             Function::Power(n) => self.power(&value, n).ok_or(ZERO),
         };
         result.map(Formula::Constant)

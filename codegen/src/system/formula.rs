@@ -9,12 +9,14 @@ use super::bodies::Structure;
 use super::expression::whole;
 use super::scope::Scope;
 use super::{Declared, Formula, Function, Operator, Reading, Signal};
-use crate::algebra::work;
+use crate::algebra::{Rational, Series, work};
+use crate::elementary::Elementary;
 use crate::limits;
 use crate::syntax::{plain, unknown};
 
 const FORMS: &str = "expected a number, a parameter, `t`, a coordinate, `rate(phi)`, `x(P)`, `y(P)`, `vx(P)`, `vy(P)`, \
-                     + − * /, `sqrt(…)`, `sin(…)`, `cos(…)`, `tan(…)`, `abs(…)` or `.powi(n)`";
+                     + − * /, `sqrt(…)`, `sin(…)`, `cos(…)`, `tan(…)`, `exp(…)`, `log(…)`, `tanh(…)`, `abs(…)`, \
+                     `min(a, b)`, `max(a, b)`, `clamp(x, low, high)` or `.powi(n)`";
 
 /// What expressions may read.
 pub(super) struct Readable<'a> {
@@ -176,6 +178,9 @@ impl FormulaReader<'_, '_, '_> {
             Expr::Path(path) => path.path.get_ident().map(ToString::to_string).unwrap_or_default(),
             _ => String::new(),
         };
+        if matches!((name.as_str(), call.args.len()), ("min" | "max", 2) | ("clamp", 3)) {
+            return self.bounded(&name, call);
+        }
         let (Some(argument), 1) = (call.args.first(), call.args.len()) else {
             return self.refuse(call, call);
         };
@@ -231,16 +236,53 @@ impl FormulaReader<'_, '_, '_> {
             "sin" => Function::Sin,
             "cos" => Function::Cos,
             "tan" => Function::Tan,
-            // √(x x) is |x|: its kink is found where x changes its sign.
             "abs" => {
                 let argument = self.parse(argument)?;
-                let square = self.apply(Function::Power(2), argument, whole)?;
-                return self.apply(Function::Sqrt, square, whole);
+                return self.magnitude(argument, whole);
             }
-            _ => return self.refuse(argument, at),
+            _ => match Elementary::ALL.into_iter().find(|function| function.name() == name) {
+                Some(function) => Function::Elementary(function),
+                None => return self.refuse(argument, at),
+            },
         };
         let argument = self.parse(argument)?;
         self.apply(function, argument, whole)
+    }
+
+    /// √(x x), whose kink is found where x changes its sign.
+    fn magnitude(&mut self, x: Formula, at: &impl ToTokens) -> Option<Formula> {
+        let square = self.apply(Function::Power(2), x, at)?;
+        self.apply(Function::Sqrt, square, at)
+    }
+
+    /// `min(a, b)`, `max(a, b)`, and `clamp(x, low, high)`, which is `max(low, min(x, high))`.
+    fn bounded(&mut self, name: &str, call: &ExprCall) -> Option<Formula> {
+        let arguments: Vec<Option<Formula>> = call.args.iter().map(|argument| self.parse(argument)).collect();
+        let arguments: Vec<Formula> = arguments.into_iter().collect::<Option<_>>()?;
+        match (name, <[Formula; 2]>::try_from(arguments)) {
+            ("min", Ok([a, b])) => self.extreme(Operator::Subtract, a, b, call),
+            ("max", Ok([a, b])) => self.extreme(Operator::Add, a, b, call),
+            ("clamp", Err(arguments)) => {
+                let [x, low, high] = <[Formula; 3]>::try_from(arguments).ok()?;
+                let below = self.extreme(Operator::Subtract, x, high, call)?;
+                self.extreme(Operator::Add, low, below, call)
+            }
+            _ => None,
+        }
+    }
+
+    /// ½ (a + b ± |a − b|): the greatest of two with +, the least with −.
+    fn extreme(&mut self, sign: Operator, a: Formula, b: Formula, at: &impl ToTokens) -> Option<Formula> {
+        let mut join = |operator, a, b| {
+            let joined = self.scope.joined_by(operator, a, b);
+            self.kept(joined, at)
+        };
+        let (sum, difference) = (join(Operator::Add, a.clone(), b.clone())?, join(Operator::Subtract, a, b)?);
+        let distance = self.magnitude(difference, at)?;
+        let twice = self.scope.joined_by(sign, sum, distance);
+        let (twice, half) = (self.kept(twice, at)?, Formula::Constant(Series::constant(Rational::HALF)));
+        let extreme = self.scope.joined_by(Operator::Multiply, half, twice);
+        self.kept(extreme, at)
     }
 
     fn apply(&mut self, function: Function, argument: Formula, at: &impl ToTokens) -> Option<Formula> {

@@ -1,5 +1,6 @@
 //! What acts beside gravity, and where internal forces are asked for.
 
+use crate::elementary::Elementary;
 use proc_macro2::Span;
 
 use crate::algebra::Series;
@@ -189,6 +190,8 @@ pub enum Function {
     Tan,
     /// xⁿ.
     Power(i32),
+    /// eˣ, log x, tanh x.
+    Elementary(Elementary),
 }
 
 /// Operations on two numbers.

@@ -53,6 +53,7 @@ use syn::{Ident, Path, Visibility};
 use crate::algebra::{Angle, Series};
 use bodies::Structure;
 
+pub use crate::elementary::Elementary;
 pub use crate::syntax::ImpactLaw as Law;
 pub use crate::syntax::{DefaultValue, RunDeclaration, StartValue};
 pub use constants::Definition;

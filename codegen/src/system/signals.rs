@@ -118,8 +118,13 @@ fn text(constants: &[(Ident, Expr)], expr: &Expr) -> Option<String> {
         }
         Expr::Call(call) => {
             let Expr::Path(function) = &*call.func else { return None };
-            let (function, argument) = (function.path.get_ident()?, inner(call.args.first()?)?);
-            Some(if function == "rate" { format!("{argument}'") } else { format!("{function}({argument})") })
+            let arguments: Option<Vec<String>> = call.args.iter().map(inner).collect();
+            let (function, arguments) = (function.path.get_ident()?, arguments?.join(", "));
+            Some(if function == "rate" {
+                format!("{arguments}'")
+            } else {
+                format!("{function}({arguments})")
+            })
         }
         Expr::MethodCall(call) if call.method == "powi" => {
             Some(format!("({}^{})", inner(&call.receiver)?, inner(call.args.first()?)?))

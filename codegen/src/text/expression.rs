@@ -54,6 +54,7 @@ fn applied(function: Function, x: Math) -> Math {
         Function::Sin => of("sin", x),
         Function::Cos => of("cos", x),
         Function::Tan => of("tan", x),
+        Function::Elementary(function) => of(function.name(), x),
         Function::Power(n) => x.power(n),
     }
 }

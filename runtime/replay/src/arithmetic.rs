@@ -16,6 +16,9 @@ pub(crate) fn apply<S: Number>(function: Function, x: S) -> S {
         Function::Cos => x.sin_cos().1,
         Function::Tan => x.sin_cos().0 / x.sin_cos().1,
         Function::Abs => x.abs(),
+        Function::Exp => x.exp(),
+        Function::Log => x.ln(),
+        Function::Tanh => x.tanh(),
     }
 }
 

@@ -28,6 +28,14 @@ pub enum Formula {
     Sin(Box<Formula>),
     /// cos a.
     Cos(Box<Formula>),
+    /// eᵃ.
+    Exp(Box<Formula>),
+    /// log a.
+    Log(Box<Formula>),
+    /// tanh a.
+    Tanh(Box<Formula>),
+    /// |a|, away from zero.
+    Abs(Box<Formula>),
 }
 
 /// f, ḟ, f̈.
@@ -61,6 +69,13 @@ impl Formula {
             Self::Sqrt(a) => chain(of(a), |x| [x.sqrt(), 0.5 * x.powf(-0.5), -0.25 * x.powf(-1.5)]),
             Self::Sin(a) => chain(of(a), |x| [x.sin(), x.cos(), -x.sin()]),
             Self::Cos(a) => chain(of(a), |x| [x.cos(), -x.sin(), -x.cos()]),
+            Self::Exp(a) => chain(of(a), |x| [x.exp(); 3]),
+            Self::Log(a) => chain(of(a), |x| [x.ln(), 1.0 / x, -x.powi(-2)]),
+            Self::Tanh(a) => chain(of(a), |x| {
+                let slope = x.cosh().powi(-2);
+                [x.tanh(), slope, -2.0 * x.tanh() * slope]
+            }),
+            Self::Abs(a) => chain(of(a), |x| [x.abs(), x.signum(), 0.0]),
         }
     }
 

@@ -24,10 +24,16 @@ pub enum Expression {
     Sin(Box<Expression>),
     Cos(Box<Expression>),
     Tan(Box<Expression>),
+    Exp(Box<Expression>),
+    Log(Box<Expression>),
+    Tanh(Box<Expression>),
+    Min(Box<Expression>, Box<Expression>),
+    Max(Box<Expression>, Box<Expression>),
 }
 
 use Expression::{
-    Coordinate as Q, Cos, Difference, Number, Position, Product, Quotient, Sin, Sqrt, Square, Sum, Tan, Time,
+    Coordinate as Q, Cos, Difference, Exp, Log, Max, Min, Number, Position, Product, Quotient, Sin, Sqrt,
+    Square, Sum, Tan, Tanh, Time,
 };
 
 impl Expression {
@@ -70,6 +76,11 @@ impl Expression {
             Sin(a) => format!("sin({})", of(a)),
             Cos(a) => format!("cos({})", of(a)),
             Tan(a) => format!("tan({})", of(a)),
+            Exp(a) => format!("exp({})", of(a)),
+            Log(a) => format!("log({})", of(a)),
+            Tanh(a) => format!("tanh({})", of(a)),
+            Min(a, b) => format!("min({}, {})", of(a), of(b)),
+            Max(a, b) => format!("max({}, {})", of(a), of(b)),
         }
     }
 
@@ -81,6 +92,14 @@ impl Expression {
             false => Formula::Value(coordinate),
         };
         let product = Formula::Product;
+        let number = |x: f64| Box::new(Formula::Constant(x));
+        // ½ (a + b ± |a − b|).
+        let extreme = |sign: f64, a: &Self, b: &Self| {
+            let difference = Formula::Sum(of(a), Box::new(product(number(-1.0), of(b))));
+            let distance = product(number(sign), Box::new(Formula::Abs(Box::new(difference))));
+            let sum = Formula::Sum(Box::new(Formula::Sum(of(a), of(b))), Box::new(distance));
+            product(number(0.5), Box::new(sum))
+        };
         match self {
             Number(quantity) => Formula::Constant(quantity.value),
             Time => Formula::Time,
@@ -100,6 +119,11 @@ impl Expression {
             Sqrt(a) => Formula::Sqrt(of(a)),
             Sin(a) => Formula::Sin(of(a)),
             Cos(a) => Formula::Cos(of(a)),
+            Exp(a) => Formula::Exp(of(a)),
+            Log(a) => Formula::Log(of(a)),
+            Tanh(a) => Formula::Tanh(of(a)),
+            Min(a, b) => extreme(-1.0, a, b),
+            Max(a, b) => extreme(1.0, a, b),
             Tan(a) => product(
                 Box::new(Formula::Sin(of(a))),
                 Box::new(Formula::Inverse(Box::new(Formula::Cos(of(a))))),

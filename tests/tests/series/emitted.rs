@@ -176,6 +176,9 @@ fn method(call: &ExprMethodCall, variables: &Variables) -> Value {
     match (name.as_str(), &arguments[..]) {
         ("mul_add", [a, b]) => Value::One(receiver.mul_add(a.one(), b.one())),
         ("sqrt", []) => Value::One(receiver.sqrt()),
+        ("exp", []) => Value::One(receiver.exp()),
+        ("ln", []) => Value::One(receiver.ln()),
+        ("tanh", []) => Value::One(receiver.tanh()),
         ("sin_cos", []) => {
             let (sin, cos) = receiver.sin_cos();
             Value::array([sin, cos])
@@ -194,6 +197,9 @@ fn order(name: &str, arguments: &[Value]) -> Value {
         ("quotient", [_, a, b]) => a.one() / b.one(),
         ("inverse", [_, constant, b]) => at_zero(constant.one()) / b.one(),
         ("sqrt", [_, a]) => a.one().sqrt(),
+        ("exp", [_, a]) => a.one().exp(),
+        ("ln", [_, a]) => a.one().ln(),
+        ("tanh", [_, a]) => a.one().tanh(),
         ("magnitude", [_, a]) if a.one().coefficient(0) < 0.0 => -a.one(),
         ("magnitude", [_, a]) => a.one(),
         ("versed", [value, cos]) => at_zero(value.one() + cos.one()) - cos.one(),

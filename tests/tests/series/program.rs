@@ -2,6 +2,7 @@
 
 use liftoff_codegen::Analysis;
 use liftoff_codegen::algebra::Symbol;
+use liftoff_codegen::elementary::Elementary;
 use liftoff_codegen::functions::PhaseFunctions;
 use liftoff_codegen::program::{Id, Operation, Program};
 use liftoff_core::scalar::{Jet, Real};
@@ -26,6 +27,9 @@ fn evaluate(program: &Program, outputs: &[Id], input: &dyn Fn(Symbol) -> Series)
             Operation::Sqrt(a) => at(a).sqrt(),
             Operation::Sin(a) => at(a).sin_cos().0,
             Operation::Cos(a) => at(a).sin_cos().1,
+            Operation::Elementary(Elementary::Exp, a) => at(a).exp(),
+            Operation::Elementary(Elementary::Log, a) => at(a).ln(),
+            Operation::Elementary(Elementary::Tanh, a) => at(a).tanh(),
         };
     }
     outputs.iter().map(|id| values[id.index()]).collect()

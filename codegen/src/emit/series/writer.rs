@@ -7,6 +7,7 @@ use proc_macro2::{Literal, TokenStream};
 
 use super::super::body::{self, Inputs, VariableNames};
 use super::super::functions::State;
+use super::super::variable;
 use crate::algebra::Symbol;
 use crate::functions::SeriesScope;
 use crate::program::{Id, Operation};
@@ -138,6 +139,11 @@ impl SeriesWriter<'_> {
             Operation::Sqrt(a) => {
                 let a = self.term(a);
                 (quote!(order.sqrt(#column, #a)), None)
+            }
+            Operation::Elementary(function, a) => {
+                let (a, method) = (self.term(a), variable(function.method()));
+                self.columns += function.columns() - 1;
+                (quote!(order.#method(#column, #a)), None)
             }
             _ => return None,
         };

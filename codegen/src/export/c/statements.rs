@@ -126,6 +126,9 @@ impl CWriter<'_> {
             Operation::Sqrt(a) => (format!("sqrt({})", self.written[&a].0), Level::Atom),
             Operation::Sin(a) => (format!("sin({})", self.written[&a].0), Level::Atom),
             Operation::Cos(a) => (format!("cos({})", self.written[&a].0), Level::Atom),
+            Operation::Elementary(function, a) => {
+                (format!("{}({})", function.name(), self.written[&a].0), Level::Atom)
+            }
             Operation::Ratio(value) => ratio(value),
             Operation::Pi => (format!("{:?}", core::f64::consts::PI), Level::Atom),
             Operation::Input(_) => unreachable!("inputs are written before"),

@@ -64,6 +64,7 @@ impl Instant<'_> {
                     Function::Cos => x.cos(),
                     Function::Tan => x.tan(),
                     Function::Power(n) => x.powi(*n),
+                    Function::Elementary(function) => function.apply(x),
                 }
             }
             Formula::Join(operator, a, b) => {

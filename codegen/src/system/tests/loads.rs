@@ -157,9 +157,18 @@ fn a_magnitude_is_the_root_of_a_square() {
 }
 
 #[test]
+fn the_least_and_the_greatest_are_halves_of_sums() {
+    let [least, most] = ["min(t, phi)", "max(t, phi)"].map(|text| formula(text).1);
+    assert_eq!(least, formula("1 / 2 * (t + phi - abs(t - phi))").1);
+    assert_eq!(most, formula("1 / 2 * (t + phi + abs(t - phi))").1);
+    assert_eq!(formula("clamp(t, 0, phi)").1, formula("max(0, min(t, phi))").1);
+}
+
+#[test]
 fn mistakes_in_loads_are_reported() {
     let forms = "expected a number, a parameter, `t`, a coordinate, `rate(phi)`, `x(P)`, `y(P)`, `vx(P)`, `vy(P)`, \
-                 + − * /, `sqrt(…)`, `sin(…)`, `cos(…)`, `tan(…)`, `abs(…)` or `.powi(n)`";
+                 + − * /, `sqrt(…)`, `sin(…)`, `cos(…)`, `tan(…)`, `exp(…)`, `log(…)`, `tanh(…)`, `abs(…)`, \
+                 `min(a, b)`, `max(a, b)`, `clamp(x, low, high)` or `.powi(n)`";
     let cases = [
         ("#[force(X = (m, 0))]", "there is no point `X`; declared: `A`, `B`, `C`"),
         (
@@ -175,8 +184,10 @@ fn mistakes_in_loads_are_reported() {
         ("#[force(C = (phj, 0))]", "there is no parameter or coordinate `phj`; did you mean `phi`?"),
         ("#[couple(AB = rate(psi))]", "there is no coordinate `psi`; did you mean `phi`?"),
         ("#[couple(AB = rate(2 * phi))]", "expected one name: `rate(phi)`"),
-        ("#[couple(AB = exp(t))]", forms),
+        ("#[couple(AB = sinh(t))]", forms),
         ("#[couple(AB = t % 2)]", forms),
+        ("#[couple(AB = min(t))]", forms),
+        ("#[couple(AB = clamp(t, 1))]", forms),
         ("#[couple(AB = t / (l - l))]", "division by zero"),
         ("#[couple(AB = sqrt(-1) * t)]", "the root of a negative number"),
         ("#[couple(AB = t.powi(a))]", "expected a whole number between −64 and 64"),

@@ -53,6 +53,7 @@ fn of_expression(expression: &Expression, known: &dyn Fn(Symbol) -> f64, opaque_
             (Function::Cos, x) => x.cos(),
             (Function::Tan, x) => x.tan(),
             (Function::Power(n), x) => x.powi(*n),
+            (Function::Elementary(function), x) => function.apply(x),
         },
         Expression::Join(operator, a, b) => match (operator, of(a), of(b)) {
             (Operator::Add, a, b) => a + b,

@@ -59,6 +59,21 @@ impl<S: Real> Real for TwoEnded<S> {
     }
 
     #[inline(always)]
+    fn exp(self) -> Self {
+        self.each(S::exp)
+    }
+
+    #[inline(always)]
+    fn ln(self) -> Self {
+        self.each(S::ln)
+    }
+
+    #[inline(always)]
+    fn tanh(self) -> Self {
+        self.each(S::tanh)
+    }
+
+    #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         let ([a, c], [b, d]) =
             (self.0.map(S::sin_cos).map(|(s, _)| s), self.0.map(S::sin_cos).map(|(_, c)| c));

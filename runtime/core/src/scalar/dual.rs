@@ -122,6 +122,23 @@ impl<S: Real, const N: usize> Real for Dual<S, N> {
         (self.chain(sin, cos), self.chain(cos, -sin))
     }
 
+    #[inline(never)]
+    fn exp(self) -> Self {
+        let value = self.value.exp();
+        self.chain(value, value)
+    }
+
+    #[inline(never)]
+    fn ln(self) -> Self {
+        self.chain(self.value.ln(), S::ratio(1, 1) / self.value)
+    }
+
+    #[inline(never)]
+    fn tanh(self) -> Self {
+        let value = self.value.tanh();
+        self.chain(value, S::ratio(1, 1) - value * value)
+    }
+
     fn mul_add(self, a: Self, b: Self) -> Self {
         let rate = |i: usize| {
             let scaled = self.gradient[i].mul_add(a.value, b.gradient[i]);

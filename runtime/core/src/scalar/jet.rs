@@ -57,6 +57,20 @@ impl<S: Real, const K: usize> Jet<S, K> {
         Self(q)
     }
 
+    /// f of this series, by f′ = g x′: `slope` gives coefficient n of g from the first n + 1 of f.
+    #[inline]
+    fn integral(self, value: S, slope: impl Fn(usize, &[S; K]) -> S) -> Self {
+        let zero = S::ratio(0, 1);
+        let (mut f, mut g) = ([zero; K], [zero; K]);
+        f[0] = value;
+        for n in 1..K {
+            g[n - 1] = slope(n - 1, &f);
+            let sum = (1..=n).fold(zero, |sum, k| (S::ratio(k as i64, 1) * self.0[k]).mul_add(g[n - k], sum));
+            f[n] = sum / S::ratio(n as i64, 1);
+        }
+        Self(f)
+    }
+
     /// The order of the first coefficient that is not zero; K where all are.
     #[inline]
     fn order(&self) -> usize {
@@ -181,6 +195,26 @@ impl<S: Real, const K: usize> Real for Jet<S, K> {
             (s[n], c[n]) = (ds / order, -dc / order);
         }
         (Self(s), Self(c))
+    }
+
+    #[inline]
+    fn exp(self) -> Self {
+        let value = self.0[0].exp();
+        self.integral(value, |n, known| known[n])
+    }
+
+    #[inline]
+    fn ln(self) -> Self {
+        let slope = Self::ratio(1, 1) / self;
+        self.integral(self.0[0].ln(), |n, _| slope.0[n])
+    }
+
+    #[inline]
+    fn tanh(self) -> Self {
+        self.integral(self.0[0].tanh(), |n, known| {
+            let square = (0..=n).fold(S::ratio(0, 1), |sum, k| known[k].mul_add(known[n - k], sum));
+            S::ratio(i64::from(n == 0), 1) - square
+        })
     }
 
     #[inline]

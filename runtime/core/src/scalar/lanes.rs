@@ -154,6 +154,21 @@ impl<const V: usize, X: Vector> Real for Lanes<V, X> {
     }
 
     #[inline(always)]
+    fn exp(self) -> Self {
+        Self::from_fn(|lane| Real::exp(self.lane(lane)))
+    }
+
+    #[inline(always)]
+    fn ln(self) -> Self {
+        Self::from_fn(|lane| Real::ln(self.lane(lane)))
+    }
+
+    #[inline(always)]
+    fn tanh(self) -> Self {
+        Self::from_fn(|lane| Real::tanh(self.lane(lane)))
+    }
+
+    #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         let ([sin], [cos]) = Self::sin_cos_each([self]);
         (sin, cos)

@@ -65,6 +65,12 @@ pub trait Real:
     }
     /// `(sin self, cos self)`.
     fn sin_cos(self) -> (Self, Self);
+    /// e^self.
+    fn exp(self) -> Self;
+    /// The natural logarithm.
+    fn ln(self) -> Self;
+    /// `tanh self`.
+    fn tanh(self) -> Self;
     /// The sines and the cosines of several angles, with the bits that each has by itself; side by
     /// side where that pays.
     #[inline(always)]

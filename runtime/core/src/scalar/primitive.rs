@@ -26,6 +26,21 @@ macro_rules! primitive {
             }
 
             #[inline]
+            fn exp(self) -> Self {
+                Library::exp(self)
+            }
+
+            #[inline]
+            fn ln(self) -> Self {
+                Library::ln(self)
+            }
+
+            #[inline]
+            fn tanh(self) -> Self {
+                Library::tanh(self)
+            }
+
+            #[inline]
             fn is_zero(self) -> bool {
                 self == 0.0
             }

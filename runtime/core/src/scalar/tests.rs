@@ -2,7 +2,7 @@
 
 use core::f64::consts::{FRAC_PI_2, SQRT_2};
 
-use super::{DoubleDouble, Dual, Jet, Real, Scalar};
+use super::{DoubleDouble, Dual, Dual4, Jet, Real, Scalar};
 
 type Pair = (f64, f64);
 
@@ -97,6 +97,48 @@ proptest::proptest! {
 }
 
 /// Taylor coefficients of sin(√(1+t²)/(2−t)) cos 3t − t/7 about t = 1/4.
+/// x, eˣ, tanh x.
+const EXPONENTIALS: [(Pair, Pair, Pair); 6] = [
+    ((0.5, 0.0), (1.6487212707001282, -4.731568479435833e-17), (0.46211715726000974, 2.1916603238260928e-17)),
+    ((1e-09, 0.0), (1.000000001, -8.224037093664211e-17), (1e-09, -3.3333333333333338e-28)),
+    (
+        (-7.25, 0.0),
+        (0.000710174388842549, 3.546078199295509e-20),
+        (-0.9999989913051835, -4.825784794213681e-17),
+    ),
+    (
+        (0.1, 1e-18),
+        (1.1051709180756477, -8.039006821520055e-17),
+        (0.09966799462495582, 4.532500168488986e-18),
+    ),
+    ((39.0, 0.0), (8.659340042399374e+16, 2.953606932719265), (1.0, 0.0)),
+    ((-300.3, 1e-15), (3.813880528480453e-131, -8.715796699401282e-148), (-1.0, 0.0)),
+];
+
+/// x, log x.
+const LOGARITHMS: [(Pair, Pair); 5] = [
+    ((0.5, 0.0), (-core::f64::consts::LN_2, -2.3190468138462996e-17)),
+    ((1e-09, 0.0), (-20.72326583694641, -6.485730665985714e-16)),
+    ((7.25, 0.0), (1.9810014688665833, 6.013262624124967e-17)),
+    ((1.0, 1e-18), (1e-18, -5.0000000000000005e-37)),
+    ((1e+300, 0.0), (690.7755278982137, 2.3747660028800243e-14)),
+];
+
+/// The bounds of the module: relative of eˣ and tanh x, absolute of log x.
+#[test]
+fn double_double_exponentials() {
+    for (x, exp, tanh) in EXPONENTIALS {
+        let bound = 1e-29 + 1e-32 * x.0.abs();
+        let [e, t] = [pair(x).exp(), pair(x).tanh()];
+        assert!(distance(e, pair(exp)) < bound * exp.0, "exp {x:?}: {e:?}");
+        assert!(distance(t, pair(tanh)) < bound * tanh.0.abs(), "tanh {x:?}: {t:?}");
+    }
+    for (x, log) in LOGARITHMS {
+        let l = pair(x).ln();
+        assert!(distance(l, pair(log)) < 1e-29 + 1e-32 * log.0.abs(), "log {x:?}: {l:?}");
+    }
+}
+
 const SERIES: [Pair; 7] = [
     (0.37076986862134725, -1.6754019534635703e-17),
     (-0.9898046182434224, 1.452114703730708e-17),
@@ -129,6 +171,25 @@ fn jets_carry_taylor_coefficients() {
 }
 
 /// √(t² + 2t³ + …) = t + t² + …, t/√(t²) = 1 and |t²| beside them, for t ≥ 0.
+/// log eˣ = x, tanh x = (e²ˣ − 1)/(e²ˣ + 1), order by order; the first derivatives are those of duals.
+#[test]
+fn jets_of_exponentials_agree_with_each_other() {
+    let x = Jet::<f64, 6>::new([0.3, 1.2, -0.7, 0.4, 0.9, -0.2]);
+    let (one, back) = (Jet::ratio(1, 1), x.exp().ln());
+    let power = (x + x).exp();
+    let (tanh, quotient) = (x.tanh(), (power - one) / (power + one));
+    for k in 0..6 {
+        assert!((back.coefficient(k) - x.coefficient(k)).abs() < 40.0 * f64::EPSILON, "log, order {k}");
+        let off = tanh.coefficient(k) - quotient.coefficient(k);
+        assert!(off.abs() < 40.0 * f64::EPSILON, "tanh, order {k}: {off:e}");
+    }
+    let dual = Dual4::new(0.3, [1.2, 0.0, 0.0, 0.0]);
+    let pairs = [(x.exp(), dual.exp()), (x.exp().ln(), dual.exp().ln()), (tanh, dual.tanh())];
+    for (jet, dual) in pairs {
+        assert!((jet.coefficient(1) - dual.gradient()[0]).abs() < 4.0 * f64::EPSILON);
+    }
+}
+
 #[test]
 fn jets_are_one_sided_at_zeros() {
     let of = |coefficients: [f64; 4]| Jet::<f64, 4>::new(coefficients);

@@ -12,6 +12,9 @@
 //! r = |a|      rₙ = σ aₙ, σ the sign of the first aₖ ≠ 0: one-sided, for t ≥ 0
 //! s = sin φ    sₙ = φₙ c₀ + m / n              column k φₖ, c
 //! c = cos φ    cₙ = −φₙ s₀ − m / n             column k φₖ, s
+//! e = eᵃ       eₙ = aₙ e₀ + m / n              column k aₖ, e
+//! l = log a    lₙ = (aₙ − m / n) / a₀          column a, k lₖ
+//! h = tanh a   hₙ = aₙ g₀ + m / n              column k aₖ, g = 1 − h², and h, h
 //! ```
 //!
 //! What an order adds last is a product with a value, so that little stands between a coefficient
@@ -38,6 +41,12 @@ pub trait SeriesOps<S: Real> {
     fn sqrt(&mut self, column: usize, a: S) -> S;
     /// |a| = √a², for t ≥ 0.
     fn magnitude(&mut self, column: usize, a: S) -> S;
+    /// eᵃ.
+    fn exp(&mut self, column: usize, a: S) -> S;
+    /// log a.
+    fn ln(&mut self, column: usize, a: S) -> S;
+    /// tanh a; takes two columns.
+    fn tanh(&mut self, column: usize, a: S) -> S;
     /// sin φ and cos φ, whose values are `values`; takes two columns.
     fn sin_cos(&mut self, column: usize, angle: S, values: impl FnOnce() -> (S, S)) -> (S, S);
     /// 1 − cos φ, whose value is `value`.
@@ -120,6 +129,28 @@ impl<S: Real, P: Storage<S>> SeriesOps<S> for Values<'_, P> {
     }
 
     #[inline(always)]
+    fn exp(&mut self, column: usize, a: S) -> S {
+        let value = a.exp();
+        self.keep(column, value, value);
+        value
+    }
+
+    #[inline(always)]
+    fn ln(&mut self, column: usize, a: S) -> S {
+        let inverse = S::ratio(1, 1) / a;
+        self.keep(column, inverse, inverse);
+        a.ln()
+    }
+
+    #[inline(always)]
+    fn tanh(&mut self, column: usize, a: S) -> S {
+        let value = a.tanh();
+        self.keep(column, S::ratio(1, 1) - value * value, value);
+        self.keep(column + 1, value + value, value);
+        value
+    }
+
+    #[inline(always)]
     fn sin_cos(&mut self, column: usize, _: S, values: impl FnOnce() -> (S, S)) -> (S, S) {
         let (sin, cos) = values();
         self.keep(column, sin, cos);
@@ -197,6 +228,35 @@ impl<S: Real, P: Storage<S>> SeriesOps<S> for Coefficients<'_, P> {
         let sign = (S::ratio(1, 1) - known * known).mul_add(a.sign(), known);
         self.tape.keep(column, sign, sign);
         sign * a
+    }
+
+    #[inline(always)]
+    fn exp(&mut self, column: usize, a: S) -> S {
+        let n = self.n as i64;
+        let (value, _) = self.tape.kept(column);
+        let power = a.mul_add(value, self.tape.sum(column) * S::ratio(1, n));
+        self.tape.write(self.n, column, a * S::ratio(n, 1), power);
+        power
+    }
+
+    #[inline(always)]
+    fn ln(&mut self, column: usize, a: S) -> S {
+        let n = self.n as i64;
+        let (inverse, _) = self.tape.kept(column);
+        let logarithm = (a - self.tape.sum(column) * S::ratio(1, n)) * inverse;
+        self.tape.write(self.n, column, a, logarithm * S::ratio(n, 1));
+        logarithm
+    }
+
+    #[inline(always)]
+    fn tanh(&mut self, column: usize, a: S) -> S {
+        let n = self.n as i64;
+        let ((slope, _), (twice, _)) = (self.tape.kept(column), self.tape.kept(column + 1));
+        let tangent = a.mul_add(slope, self.tape.sum(column) * S::ratio(1, n));
+        let square = tangent.mul_add(twice, self.tape.sum(column + 1));
+        self.tape.write(self.n, column, a * S::ratio(n, 1), -square);
+        self.tape.write(self.n, column + 1, tangent, tangent);
+        tangent
     }
 
     #[inline(always)]

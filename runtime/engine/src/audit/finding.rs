@@ -53,9 +53,9 @@ pub struct Finding {
 }
 
 impl Finding {
-    /// Whether the value is beyond its bound, or no number.
+    /// Whether the value is beyond its bound, or one of them is no number.
     pub fn is_violation(&self) -> bool {
-        self.value > self.bound || self.value.is_nan()
+        self.value > self.bound || self.value.is_nan() || self.bound.is_nan()
     }
 
     pub(super) fn is_worse_than(&self, other: &Self) -> bool {

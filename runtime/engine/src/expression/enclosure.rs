@@ -52,6 +52,12 @@ impl Enclosure {
                 let [sin, cos] = [Function::Sin, Function::Cos].map(|function| self.apply(function));
                 sin.times(cos.reciprocal())
             }
+            Function::Exp => self.chain(x.exp(), x.exp()),
+            Function::Log => self.chain(x.ln(), x.reciprocal()),
+            Function::Tanh => {
+                let value = x.tanh();
+                self.chain(value, Interval::exactly(1.0).minus(value.powi(2)))
+            }
             Function::Abs if x.low >= 0.0 => self,
             Function::Abs if x.high <= 0.0 => self.apply(Function::Negate),
             Function::Abs => Self { value: x.abs(), slope: self.slope.union(self.slope.negated()) },

@@ -8,7 +8,7 @@ use super::tree::Expression;
 use crate::error::OutputError;
 
 /// A number that depends on variables, in the language of [`Output`](super::Output): numbers,
-/// `+ - * / ^`, parentheses, `sqrt sin cos tan abs`, `pi`, and the variables' names.
+/// `+ - * / ^`, parentheses, `sqrt sin cos tan abs exp log tanh min max clamp`, `pi`, and the variables' names.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Formula {
     text: String,
@@ -63,7 +63,10 @@ mod tests {
         let error = |text: &str| Formula::parse(text, &["lambda"]).expect_err("no variable").to_string();
         assert_eq!(error("1 - lamda"), "no name `lamda`; did you mean `lambda`?");
         assert_eq!(error("lambda'"), "no name `lambda'`; did you mean `lambda`?");
-        assert_eq!(error("N(A)"), "no function `N`; known: sqrt, sin, cos, tan, abs");
+        assert_eq!(
+            error("N(A)"),
+            "no function `N`; known: sqrt, sin, cos, tan, abs, exp, log, tanh, min, max, clamp"
+        );
     }
 
     #[test]

@@ -136,8 +136,25 @@ impl Interval {
         if self.low < 0.0 || self.low == 0.0 && n < 0.0 {
             return Self::WHOLE;
         }
-        let Self { low, high } = Self::hull([self.low.powf(n), self.high.powf(n)]);
-        // powf itself is not rounded as well as the basic operations.
+        Self::hull([self.low.powf(n), self.high.powf(n)]).widened()
+    }
+
+    pub(crate) fn exp(self) -> Self {
+        Self::hull([self.low.exp(), self.high.exp()]).widened()
+    }
+
+    /// log x; all numbers where x may have none.
+    pub(crate) fn ln(self) -> Self {
+        if self.low <= 0.0 { Self::WHOLE } else { Self::hull([self.low.ln(), self.high.ln()]).widened() }
+    }
+
+    pub(crate) fn tanh(self) -> Self {
+        Self::hull([self.low.tanh(), self.high.tanh()]).widened()
+    }
+
+    /// Bounds of what the library rounds less well than the basic operations.
+    fn widened(self) -> Self {
+        let Self { low, high } = self;
         Self { low: low - 4.0 * ROUNDING * low.abs(), high: high + 4.0 * ROUNDING * high.abs() }
     }
 }
@@ -172,6 +189,9 @@ mod tests {
                 (a.cos(), x.cos()),
                 (a.powi(n), x.powi(n)),
                 (a.powf(p), x.powf(p)),
+                (a.exp(), x.exp()),
+                (a.ln(), x.ln()),
+                (a.tanh(), x.tanh()),
             ];
             for (k, (bounds, value)) in holds.into_iter().enumerate() {
                 prop_assert!(!value.is_finite() || bounds.contains(value), "{k}: {a:?} {b:?} {bounds:?} {value:e}");

@@ -152,6 +152,9 @@ impl<'a> Parser<'a> {
             self.close()?;
             return Ok(Expression::apply(function, argument));
         }
+        if ["min", "max", "clamp"].contains(&name) {
+            return self.bounded(name);
+        }
         let names = self.names.of_model(name)?;
         if name == RATE {
             let column = self.column();
@@ -175,6 +178,27 @@ impl<'a> Parser<'a> {
         }
         self.close()?;
         names.call(name, &arguments)
+    }
+
+    /// `min(a, b)`, `max(a, b)`, and `clamp(x, low, high)`, which is `max(low, min(x, high))`.
+    fn bounded(&mut self, name: &str) -> Result<Expression, OutputError> {
+        let first = self.sum()?;
+        self.comma()?;
+        let second = self.sum()?;
+        let value = match name {
+            "min" => Expression::extreme(-1.0, first, second),
+            "max" => Expression::extreme(1.0, first, second),
+            _ => {
+                self.comma()?;
+                Expression::extreme(1.0, second, Expression::extreme(-1.0, first, self.sum()?))
+            }
+        };
+        self.close()?;
+        Ok(value)
+    }
+
+    fn comma(&mut self) -> Result<(), OutputError> {
+        if self.take(',') { Ok(()) } else { Err(self.expected("`,`")) }
     }
 
     fn count_operator(&mut self) -> Result<(), OutputError> {

@@ -68,6 +68,9 @@ impl Environment for PointEnvironment<'_> {
             Function::Sqrt if value > 0.0 => 0.5 / value,
             Function::Sqrt => 0.0,
             Function::Tan => 1.0 + value * value,
+            Function::Exp => value,
+            Function::Log => 1.0 / x.value,
+            Function::Tanh => 1.0 - value * value,
         };
         Ok(Rounded::new(value, slope * x.error))
     }

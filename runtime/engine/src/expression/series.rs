@@ -193,7 +193,9 @@ impl Environment for StepEnvironment<'_> {
             Function::Negate => -x,
             Function::Sin => x.sin_cos().0,
             Function::Cos => x.sin_cos().1,
-            Function::Sqrt | Function::Tan | Function::Abs => return Err(NoSeries),
+            Function::Exp => x.exp(),
+            Function::Tanh => x.tanh(),
+            Function::Sqrt | Function::Tan | Function::Abs | Function::Log => return Err(NoSeries),
         }))
     }
 

@@ -154,7 +154,12 @@ impl Measured {
         let SiUnit { kilogram, metre, second, .. } = self.unit;
         match function {
             Function::Negate | Function::Abs => Some(self),
-            Function::Sin | Function::Cos | Function::Tan => {
+            Function::Sin
+            | Function::Cos
+            | Function::Tan
+            | Function::Exp
+            | Function::Log
+            | Function::Tanh => {
                 let number = Self { unit: NUMBER, factor: 1.0 };
                 NUMBER.agrees(self.unit).then_some(number)
             }

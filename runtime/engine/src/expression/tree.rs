@@ -57,15 +57,24 @@ pub enum Function {
     Tan,
     /// |x|.
     Abs,
+    /// eˣ.
+    Exp,
+    /// The natural logarithm.
+    Log,
+    /// tanh x.
+    Tanh,
 }
 
 impl Function {
-    pub(super) const NAMED: [(&'static str, Self); 5] = [
+    pub(super) const NAMED: [(&'static str, Self); 8] = [
         ("sqrt", Self::Sqrt),
         ("sin", Self::Sin),
         ("cos", Self::Cos),
         ("tan", Self::Tan),
         ("abs", Self::Abs),
+        ("exp", Self::Exp),
+        ("log", Self::Log),
+        ("tanh", Self::Tanh),
     ];
 
     pub(super) fn apply(self, x: f64) -> f64 {
@@ -76,6 +85,9 @@ impl Function {
             Self::Cos => x.cos(),
             Self::Tan => x.tan(),
             Self::Abs => x.abs(),
+            Self::Exp => x.exp(),
+            Self::Log => x.ln(),
+            Self::Tanh => x.tanh(),
         }
     }
 }
@@ -178,7 +190,7 @@ impl Expression {
     /// Whether it is made of sums, products, whole powers, sines and cosines of what it reads.
     pub(super) fn is_entire(&self) -> bool {
         match self {
-            Self::Apply(Function::Negate | Function::Sin | Function::Cos, x) => x.is_entire(),
+            Self::Apply(Function::Negate | Function::Sin | Function::Cos | Function::Exp, x) => x.is_entire(),
             Self::Apply(_, x) => x.is_fixed(),
             Self::Join(Operator::Divide, a, b) => a.is_entire() && b.is_fixed(),
             Self::Join(Operator::Power, a, n) => a.is_entire() && is_count(n) || a.is_fixed() && n.is_fixed(),

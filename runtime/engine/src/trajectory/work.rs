@@ -208,7 +208,7 @@ fn change_of_energy(context: &RunContext, point: &PhasePoint, step: f64) -> f64 
 /// What the rounding of the energy makes of such differences over a step; nothing where none is
 /// taken.
 pub(crate) fn blur(context: &RunContext, point: &PhasePoint, step: f64) -> f64 {
-    if !context.is_worked_on() {
+    if !context.is_worked_on() || step == 0.0 {
         return 0.0;
     }
     let energy = context.system().energy(point.state());

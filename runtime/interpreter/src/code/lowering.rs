@@ -126,6 +126,7 @@ impl<'a> Lowering<'a> {
             program::Operation::Neg(a) => (Operation::Neg, vec![at(&a)]),
             program::Operation::MulAdd(a, b, c) => (Operation::MulAdd, vec![at(&a), at(&b), at(&c)]),
             program::Operation::Sqrt(a) => (Operation::Sqrt, vec![at(&a)]),
+            program::Operation::Elementary(function, a) => (Operation::Elementary(function), vec![at(&a)]),
         };
         let register = self.push(operation, &operands);
         self.known.insert(id, register);

@@ -5,6 +5,7 @@
 
 mod lowering;
 
+use liftoff_codegen::elementary::Elementary;
 use liftoff_core::scalar::Real;
 
 use crate::pool::{Lent, Number};
@@ -27,6 +28,7 @@ pub(crate) enum Operation {
     /// a · b + c.
     MulAdd,
     Sqrt,
+    Elementary(Elementary),
     /// The sine of a; its cosine goes to register b.
     SinCos,
 }
@@ -51,6 +53,12 @@ pub(crate) struct Code {
 }
 
 impl Code {
+    /// Whether it calls functions of the library.
+    #[cfg(feature = "jit")]
+    pub fn has_elementary(&self) -> bool {
+        self.instructions.iter().any(|it| matches!(it.operation, Operation::Elementary(_)))
+    }
+
     /// Writes the outputs for these constants and inputs, which follow each other in the registers.
     pub fn evaluate<S: Number>(&self, constants: &[S], inputs: &[&[S]], outputs: &mut [S]) {
         let mut registers = Lent::<S>::new(self.registers);
@@ -84,6 +92,9 @@ pub(crate) fn run<S: Real>(instructions: &[Instruction], ratios: &[[i64; 2]], re
             Operation::Neg => -at(a),
             Operation::MulAdd => at(a).mul_add(at(b), at(c)),
             Operation::Sqrt => at(a).sqrt(),
+            Operation::Elementary(Elementary::Exp) => at(a).exp(),
+            Operation::Elementary(Elementary::Log) => at(a).ln(),
+            Operation::Elementary(Elementary::Tanh) => at(a).tanh(),
             Operation::SinCos => {
                 let (sin, cos) = at(a).sin_cos();
                 registers[b as usize] = cos;

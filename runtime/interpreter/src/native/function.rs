@@ -36,6 +36,9 @@ pub(crate) struct Straight {
 impl Straight {
     /// None where this processor, or what runs on it, does not let programs be compiled.
     pub fn compile(code: &Code) -> Option<Self> {
+        if code.has_elementary() {
+            return None;
+        }
         let pointer = compiled(1, 0, |writer| super::straight::write(writer, code))?;
         // The signature is the one that `compiled` declares for one pointer and no number.
         #[allow(unsafe_code, reason = "the module's proof")]
@@ -61,7 +64,7 @@ pub(crate) struct Order {
 impl Order {
     /// None where it cannot be compiled.
     pub fn compile(code: &SeriesCode) -> Option<Self> {
-        if code.has_magnitudes() {
+        if !code.is_native() {
             return None;
         }
         let pointer = compiled(5, 2, |writer| super::series::write(writer, code))?;

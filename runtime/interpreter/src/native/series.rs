@@ -37,7 +37,8 @@ impl FunctionWriter<'_> {
             SeriesOperation::Constant(_)
             | SeriesOperation::Values(_)
             | SeriesOperation::SinCos { .. }
-            | SeriesOperation::Magnitude(..) => self.number(0.0),
+            | SeriesOperation::Magnitude(..)
+            | SeriesOperation::Elementary(..) => self.number(0.0),
             SeriesOperation::Offset(a, _) | SeriesOperation::OffsetBack(a, _) => self.load_register(a),
             SeriesOperation::Neg(a) | SeriesOperation::Versed(_, a) => {
                 let a = self.load_register(a);

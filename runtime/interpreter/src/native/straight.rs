@@ -27,6 +27,8 @@ pub(super) fn write(writer: &mut FunctionWriter<'_>, code: &Code) {
                 let [a, b, c] = [a, b, c].map(|register| writer.load_register(register));
                 writer.mul_add(a, b, c)
             }
+            // A function of the library: code with one is not compiled.
+            Operation::Elementary(_) => continue,
             Operation::SinCos => {
                 let x = writer.load_register(a);
                 writer.sin_cos(x, [to, b]);

@@ -2,6 +2,7 @@
 
 use liftoff_codegen::Analysis;
 use liftoff_codegen::algebra::Symbol;
+use liftoff_codegen::elementary::Elementary;
 use liftoff_codegen::functions::{PhaseFunctions, SeriesScope};
 use liftoff_codegen::program::Id;
 use liftoff_core::series::SeriesOps;
@@ -35,6 +36,7 @@ pub(crate) enum SeriesOperation {
     /// What does not vary over b.
     Inverse(usize, Register, Register),
     Sqrt(usize, Register),
+    Elementary(Elementary, usize, Register),
     Magnitude(usize, Register),
     /// Of an angle, with these values at order 0.
     SinCos {
@@ -105,10 +107,12 @@ impl SeriesCode {
         self.rates.iter().chain(&self.reactions).chain(gaps).chain(&self.feet).copied()
     }
 
-    /// Whether an operation needs more of the tape than its row.
+    /// Whether each operation has instructions: a magnitude needs more of the tape than its row, an
+    /// exponential is a function of the library.
     #[cfg(feature = "jit")]
-    pub(crate) fn has_magnitudes(&self) -> bool {
-        self.operations().any(|(operation, _)| matches!(operation, SeriesOperation::Magnitude(..)))
+    pub(crate) fn is_native(&self) -> bool {
+        use SeriesOperation::{Elementary, Magnitude};
+        !self.operations().any(|(operation, _)| matches!(operation, Magnitude(..) | Elementary(..)))
     }
 
     /// One order: coefficient n of everything from that of the state, which follows the constants
@@ -135,6 +139,9 @@ impl SeriesCode {
                 SeriesOperation::Quotient(column, a, b) => ops.quotient(column, at(a), at(b)),
                 SeriesOperation::Inverse(column, c, b) => ops.inverse(column, at(c), at(b)),
                 SeriesOperation::Sqrt(column, a) => ops.sqrt(column, at(a)),
+                SeriesOperation::Elementary(Elementary::Exp, column, a) => ops.exp(column, at(a)),
+                SeriesOperation::Elementary(Elementary::Log, column, a) => ops.ln(column, at(a)),
+                SeriesOperation::Elementary(Elementary::Tanh, column, a) => ops.tanh(column, at(a)),
                 SeriesOperation::Magnitude(column, a) => ops.magnitude(column, at(a)),
                 SeriesOperation::SinCos { column, angle, cos: to_cos, values: [s, c] } => {
                     let (sin, cos) = ops.sin_cos(column, at(angle), || (at(s), at(c)));

@@ -167,6 +167,11 @@ impl<'a> SeriesWriter<'a> {
                 let (column, a) = (self.column(), self.term(a));
                 self.push(SeriesOperation::Sqrt(column, a))
             }
+            program::Operation::Elementary(function, a) => {
+                let (column, a) = (self.columns, self.term(a));
+                self.columns += function.columns();
+                self.push(SeriesOperation::Elementary(function, column, a))
+            }
             linear => self.linear(linear),
         }
     }

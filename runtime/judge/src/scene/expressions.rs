@@ -2,7 +2,7 @@
 
 use super::Builder;
 use crate::tape::{Node, Tape};
-use liftoff_codegen::system::{Formula, Function, Operator};
+use liftoff_codegen::system::{Elementary, Formula, Function, Operator};
 use liftoff_core::scalar::Scalar;
 
 impl<S: Scalar> Builder<'_, S> {
@@ -41,6 +41,17 @@ impl<S: Scalar> Builder<'_, S> {
             Function::Tan => {
                 let [sin, cos] = self.tape.sin_cos(argument);
                 self.tape.divide(sin, cos)
+            }
+            Function::Elementary(Elementary::Exp) => self.tape.exponential(argument),
+            Function::Elementary(Elementary::Log) => self.tape.logarithm(argument),
+            // 1 − 2/(e²ˣ + 1).
+            Function::Elementary(Elementary::Tanh) => {
+                let twice = self.tape.add(argument, argument);
+                let power = self.tape.exponential(twice);
+                let [one, two] = [Tape::<S>::ONE, self.tape.number(S::ratio(2, 1))];
+                let below = self.tape.add(power, one);
+                let rest = self.tape.divide(two, below);
+                self.tape.subtract(one, rest)
             }
             Function::Power(k) => {
                 let one = Tape::<S>::ONE;

@@ -55,6 +55,14 @@ impl<S: Scalar> Tape<S> {
                 let twice = self.multiply(two, a);
                 self.divide(dx, twice)
             }
+            Operation::Exponential(x) => {
+                let dx = self.derivative(x, by);
+                self.multiply(dx, a)
+            }
+            Operation::Logarithm(x) => {
+                let dx = self.derivative(x, by);
+                self.divide(dx, x)
+            }
             Operation::Sine(x) => {
                 let dx = self.derivative(x, by);
                 self.multiply(dx, Node(a.0 + 1))

@@ -24,6 +24,8 @@ enum Operation<S> {
     Product(Node, Node),
     Quotient(Node, Node),
     Root(Node),
+    Exponential(Node),
+    Logarithm(Node),
     /// Its cosine is the next value.
     Sine(Node),
     /// Its sine is the value before.
@@ -199,6 +201,22 @@ impl<S: Scalar> Tape<S> {
                 let level = self.level(a);
                 self.push(Operation::Root(a), level)
             }
+        }
+    }
+
+    /// eᵃ.
+    pub fn exponential(&mut self, a: Node) -> Node {
+        match self.fixed(a) {
+            Some(x) => self.number(x.exp()),
+            None => self.push(Operation::Exponential(a), self.level(a)),
+        }
+    }
+
+    /// log a.
+    pub fn logarithm(&mut self, a: Node) -> Node {
+        match self.fixed(a) {
+            Some(x) => self.number(x.ln()),
+            None => self.push(Operation::Logarithm(a), self.level(a)),
         }
     }
 

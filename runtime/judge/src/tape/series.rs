@@ -74,6 +74,14 @@ impl<S: Scalar> Series<S> {
                 let inner = (1..k).fold(S::ZERO, |sum, j| sum + own[j] * own[k - j]);
                 (self.get(a, k) - inner) / (own[0] + own[0])
             }
+            Operation::Exponential(a) if k == 0 => self.get(a, 0).exp(),
+            Operation::Exponential(a) => turned(c(a), own, k),
+            Operation::Logarithm(a) if k == 0 => self.get(a, 0).ln(),
+            Operation::Logarithm(a) => {
+                let inner =
+                    (1..k).fold(S::ZERO, |sum, j| sum + whole::<S>(j as i64) * own[j] * self.get(a, k - j));
+                (self.get(a, k) - inner / whole(k as i64)) / self.get(a, 0)
+            }
             Operation::Sine(a) if k == 0 => self.get(a, 0).sin_cos().0,
             Operation::Cosine(a) if k == 0 => self.get(a, 0).sin_cos().1,
             Operation::Sine(a) => turned(c(a), &self.coefficients[at + 1], k),

@@ -95,6 +95,9 @@ impl Environment for Names<'_> {
             expression::Function::Cos => Function::Cos,
             expression::Function::Tan => Function::Tan,
             expression::Function::Abs => return Err(Beyond("absolute values")),
+            expression::Function::Exp | expression::Function::Log | expression::Function::Tanh => {
+                return Err(Beyond("exponentials and logarithms"));
+            }
         };
         Ok(Expression::Apply(function, Box::new(x)))
     }

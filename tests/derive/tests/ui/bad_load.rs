@@ -5,7 +5,7 @@ use liftoff::BarSystem;
 #[bar(AB, mass = m, length = l)]
 #[pin(A = (0, 0))]
 #[coordinate(phi = angle(AB), from = down)]
-#[force(B = (c * vx(C), exp(t)))]
+#[force(B = (c * vx(C), sinh(t)))]
 #[couple(AB = c * rate(phj))]
 #[drive(phi = c * y(B))]
 struct Pendulum {

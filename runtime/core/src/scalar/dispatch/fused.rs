@@ -67,6 +67,21 @@ impl Real for Fused {
     }
 
     #[inline(always)]
+    fn exp(self) -> Self {
+        Self(Real::exp(self.0))
+    }
+
+    #[inline(always)]
+    fn ln(self) -> Self {
+        Self(Real::ln(self.0))
+    }
+
+    #[inline(always)]
+    fn tanh(self) -> Self {
+        Self(Real::tanh(self.0))
+    }
+
+    #[inline(always)]
     fn is_zero(self) -> bool {
         self.0.is_zero()
     }

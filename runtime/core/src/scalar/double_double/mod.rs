@@ -6,6 +6,7 @@
 //! smallest operations are calls: emitted code for this scalar would else take as long to compile
 //! as it takes digits.
 
+mod exponential;
 mod sin_cos;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -162,6 +163,21 @@ impl Real for DoubleDouble {
     #[inline(never)]
     fn sin_cos(self) -> (Self, Self) {
         sin_cos::sin_cos(self)
+    }
+
+    #[inline(never)]
+    fn exp(self) -> Self {
+        exponential::exp(self)
+    }
+
+    #[inline(never)]
+    fn ln(self) -> Self {
+        exponential::ln(self)
+    }
+
+    #[inline(never)]
+    fn tanh(self) -> Self {
+        exponential::tanh(self)
     }
 
     #[inline(never)]
