@@ -178,12 +178,22 @@ impl FormulaReader<'_, '_, '_> {
             Expr::Path(path) => path.path.get_ident().map(ToString::to_string).unwrap_or_default(),
             _ => String::new(),
         };
-        if matches!((name.as_str(), call.args.len()), ("min" | "max", 2) | ("clamp", 3)) {
-            return self.bounded(&name, call);
-        }
-        let (Some(argument), 1) = (call.args.first(), call.args.len()) else {
+        let count = match name.as_str() {
+            "min" | "max" => 2,
+            "clamp" => 3,
+            _ => 1,
+        };
+        let Some(argument) = call.args.first().filter(|_| call.args.len() == count) else {
+            if count > 1 {
+                self.scope.mention(call);
+                self.scope.report.over(call, format!("`{name}` takes {count} arguments"));
+                return None;
+            }
             return self.refuse(call, call);
         };
+        if count > 1 {
+            return self.bounded(&name, call);
+        }
         let (axis, rate) = match name.as_str() {
             "rate" => {
                 let name = self.plain(argument, "rate(phi)")?;
