@@ -152,7 +152,7 @@ impl<'a> Parser<'a> {
             self.close()?;
             return Ok(Expression::apply(function, argument));
         }
-        if ["min", "max", "clamp"].contains(&name) {
+        if Function::BOUNDED.contains(&name) {
             return self.bounded(name);
         }
         let names = self.names.of_model(name)?;

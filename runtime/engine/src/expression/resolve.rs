@@ -62,10 +62,7 @@ impl Vocabulary<'_> {
     pub(super) fn of_model(self, function: &str) -> Result<Names, OutputError> {
         match self {
             Self::Model(names) => Ok(names),
-            Self::Variables(_) => {
-                Err(NameError::new("function", function, Function::NAMED.iter().map(|(name, _)| *name))
-                    .into())
-            }
+            Self::Variables(_) => Err(NameError::new("function", function, Function::names()).into()),
         }
     }
 }
@@ -122,7 +119,7 @@ impl Names {
         if of_names().any(|known| known == name) {
             return Ok(());
         }
-        let known = of_names().chain(Function::NAMED.iter().map(|(name, _)| *name));
+        let known = of_names().chain(Function::names());
         let quantities = self.layout.quantities.iter().filter_map(Quantity::function);
         Err(NameError::new("function", name, known.chain(quantities)).into())
     }

@@ -66,6 +66,14 @@ pub enum Function {
 }
 
 impl Function {
+    /// What is taken of several numbers.
+    pub(super) const BOUNDED: [&'static str; 3] = ["min", "max", "clamp"];
+
+    /// All names of functions of numbers.
+    pub(super) fn names() -> impl Iterator<Item = &'static str> {
+        Self::NAMED.iter().map(|(name, _)| *name).chain(Self::BOUNDED)
+    }
+
     pub(super) const NAMED: [(&'static str, Self); 8] = [
         ("sqrt", Self::Sqrt),
         ("sin", Self::Sin),
