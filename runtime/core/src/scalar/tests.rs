@@ -170,8 +170,8 @@ fn jets_carry_taylor_coefficients() {
     assert_eq!(single.derivative(4), 24.0 * single.coefficient(4));
 }
 
-/// √(t² + 2t³ + …) = t + t² + …, t/√(t²) = 1 and |t²| beside them, for t ≥ 0.
-/// log eˣ = x, tanh x = (e²ˣ − 1)/(e²ˣ + 1), order by order; the first derivatives are those of duals.
+/// log eˣ = x, tanh x = (e²ˣ − 1)/(e²ˣ + 1), order by order; the first derivatives are those of
+/// duals.
 #[test]
 fn jets_of_exponentials_agree_with_each_other() {
     let x = Jet::<f64, 6>::new([0.3, 1.2, -0.7, 0.4, 0.9, -0.2]);
@@ -190,6 +190,7 @@ fn jets_of_exponentials_agree_with_each_other() {
     }
 }
 
+/// √(t² + 2t³ + …) = t + t² + …, t/√(t²) = 1 and |t²| beside them, for t ≥ 0.
 #[test]
 fn jets_are_one_sided_at_zeros() {
     let of = |coefficients: [f64; 4]| Jet::<f64, 4>::new(coefficients);

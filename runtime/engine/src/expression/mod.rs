@@ -44,15 +44,16 @@ use tree::Expression;
 /// A quantity of a motion.
 ///
 /// Numbers, `+ - * / ^`, parentheses, `sqrt sin cos tan abs exp log tanh min max clamp`, `pi`,
-/// parameters, `t`; coordinates `phi`, rates `phi'`, accelerations `phi''`, also `rate(phi)`; angles may have a unit, `30 deg`;
-/// position, velocity and acceleration of a point `x(P) y(P) vx(P) vy(P) ax(P) ay(P)`, its speed
-/// `speed(P)`; the reaction of a support or tension of a thread `N(A)`, of a whole contact
-/// `N(A, C, E)`; the friction force of a support that has friction or is rough `R(A)`, and
-/// `ratio(A)` = R/N, of a guide R/|N|; of one with friction its slip velocity `v(A)` and the
-/// coefficient `mu(A)` that bounds |R|/N, the static one while it sticks; `gap(A)`; energies `T`,
-/// `V`, `E`, and `D`, what friction, dampers and impacts have taken since the start, of a motion
-/// that was recorded; any of the model's [quantities](crate::model::Layout::quantities): joint
-/// forces `fx(D, AD)`, spring forces `force(AB)`, momenta `px`.
+/// parameters, `t`; coordinates `phi`, rates `phi'`, accelerations `phi''`, also `rate(phi)`;
+/// angles may have a unit, `30 deg`; position, velocity and acceleration of a point `x(P) y(P)
+/// vx(P) vy(P) ax(P) ay(P)`, its speed `speed(P)`; the reaction of a support or tension of a thread
+/// `N(A)`, of a whole contact `N(A, C, E)`; the friction force of a support that has friction or is
+/// rough `R(A)`, and `ratio(A)` = R/N, of a guide R/|N|; of one with friction its slip velocity
+/// `v(A)` and the coefficient `mu(A)` that bounds |R|/N, the static one while it sticks; `gap(A)`;
+/// energies `T`, `V`, `E`, and `D`, what friction, dampers and impacts have taken since the start,
+/// of a motion that was recorded; any of the model's
+/// [quantities](crate::model::Layout::quantities): joint forces `fx(D, AD)`, spring forces
+/// `force(AB)`, momenta `px`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Output {
     text: String,
