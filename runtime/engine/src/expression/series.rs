@@ -193,9 +193,13 @@ impl Environment for StepEnvironment<'_> {
             Function::Negate => -x,
             Function::Sin => x.sin_cos().0,
             Function::Cos => x.sin_cos().1,
-            Function::Exp => x.exp(),
-            Function::Tanh => x.tanh(),
-            Function::Sqrt | Function::Tan | Function::Abs | Function::Log => return Err(NoSeries),
+            // An exponential may begin as small as 0 and grow beyond all terms.
+            Function::Sqrt
+            | Function::Tan
+            | Function::Abs
+            | Function::Exp
+            | Function::Log
+            | Function::Tanh => return Err(NoSeries),
         }))
     }
 

@@ -198,7 +198,7 @@ impl Expression {
     /// Whether it is made of sums, products, whole powers, sines and cosines of what it reads.
     pub(super) fn is_entire(&self) -> bool {
         match self {
-            Self::Apply(Function::Negate | Function::Sin | Function::Cos | Function::Exp, x) => x.is_entire(),
+            Self::Apply(Function::Negate | Function::Sin | Function::Cos, x) => x.is_entire(),
             Self::Apply(_, x) => x.is_fixed(),
             Self::Join(Operator::Divide, a, b) => a.is_entire() && b.is_fixed(),
             Self::Join(Operator::Power, a, n) => a.is_entire() && is_count(n) || a.is_fixed() && n.is_fixed(),

@@ -36,6 +36,17 @@ fn a_part_of_a_step_in_which_a_condition_holds() {
     }
 }
 
+/// An exponential that is 0 to all digits where the step begins.
+#[test]
+fn an_exponential_that_begins_at_zero() {
+    for steep in [1e2, 1e3, 1e4, 1e6] {
+        let [t, _] = end(&format!("exp({steep}*(t-1))>0.5"));
+        assert!((t - 1.0 + 2f64.ln() / steep).abs() < 1e-11, "{steep}: {t}");
+        let [t, _] = end(&format!("tanh({steep}*(t-1))>0.5"));
+        assert!((t - 1.0 - 0.5f64.atanh() / steep).abs() < 1e-11, "{steep}: {t}");
+    }
+}
+
 #[test]
 fn a_spike() {
     for steep in [1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8] {
