@@ -103,8 +103,7 @@ impl FormulaReader<'_, '_, '_> {
                     self.scope.report.over(&binary.op, FORMS);
                     return None;
                 };
-                let result = self.scope.joined_by(operator, left?, right?);
-                self.kept(result, &binary.right)
+                self.join(operator, left?, right?, &binary.right)
             }
             Expr::Path(path) => match path.path.get_ident() {
                 Some(name) => self.name(name),
@@ -268,31 +267,31 @@ impl FormulaReader<'_, '_, '_> {
     /// `min(a, b)`, `max(a, b)`, and `clamp(x, low, high)`, which is `max(low, min(x, high))`.
     fn bounded(&mut self, name: &str, call: &ExprCall) -> Option<Formula> {
         let arguments: Vec<Option<Formula>> = call.args.iter().map(|argument| self.parse(argument)).collect();
-        let arguments: Vec<Formula> = arguments.into_iter().collect::<Option<_>>()?;
-        match (name, <[Formula; 2]>::try_from(arguments)) {
-            ("min", Ok([a, b])) => self.extreme(Operator::Subtract, a, b, call),
-            ("max", Ok([a, b])) => self.extreme(Operator::Add, a, b, call),
-            ("clamp", Err(arguments)) => {
-                let [x, low, high] = <[Formula; 3]>::try_from(arguments).ok()?;
+        let mut arguments = arguments.into_iter().collect::<Option<Vec<_>>>()?.into_iter();
+        let mut next = || arguments.next();
+        match name {
+            "min" => self.extreme(Operator::Subtract, next()?, next()?, call),
+            "max" => self.extreme(Operator::Add, next()?, next()?, call),
+            _ => {
+                let (x, low, high) = (next()?, next()?, next()?);
                 let below = self.extreme(Operator::Subtract, x, high, call)?;
                 self.extreme(Operator::Add, low, below, call)
             }
-            _ => None,
         }
     }
 
     /// ½ (a + b ± |a − b|): the greatest of two with +, the least with −.
     fn extreme(&mut self, sign: Operator, a: Formula, b: Formula, at: &impl ToTokens) -> Option<Formula> {
-        let mut join = |operator, a, b| {
-            let joined = self.scope.joined_by(operator, a, b);
-            self.kept(joined, at)
-        };
-        let (sum, difference) = (join(Operator::Add, a.clone(), b.clone())?, join(Operator::Subtract, a, b)?);
+        let sum = self.join(Operator::Add, a.clone(), b.clone(), at)?;
+        let difference = self.join(Operator::Subtract, a, b, at)?;
         let distance = self.magnitude(difference, at)?;
-        let twice = self.scope.joined_by(sign, sum, distance);
-        let (twice, half) = (self.kept(twice, at)?, Formula::Constant(Series::constant(Rational::HALF)));
-        let extreme = self.scope.joined_by(Operator::Multiply, half, twice);
-        self.kept(extreme, at)
+        let twice = self.join(sign, sum, distance, at)?;
+        self.join(Operator::Multiply, Formula::Constant(Series::constant(Rational::HALF)), twice, at)
+    }
+
+    fn join(&mut self, operator: Operator, a: Formula, b: Formula, at: &impl ToTokens) -> Option<Formula> {
+        let joined = self.scope.joined_by(operator, a, b);
+        self.kept(joined, at)
     }
 
     fn apply(&mut self, function: Function, argument: Formula, at: &impl ToTokens) -> Option<Formula> {

@@ -53,10 +53,10 @@ pub(crate) struct Code {
 }
 
 impl Code {
-    /// Whether it calls functions of the library.
+    /// Whether each operation has instructions: an exponential is a function of the library.
     #[cfg(feature = "jit")]
-    pub fn has_elementary(&self) -> bool {
-        self.instructions.iter().any(|it| matches!(it.operation, Operation::Elementary(_)))
+    pub fn is_native(&self) -> bool {
+        !self.instructions.iter().any(|instruction| matches!(instruction.operation, Operation::Elementary(_)))
     }
 
     /// Writes the outputs for these constants and inputs, which follow each other in the registers.

@@ -36,7 +36,7 @@ pub(crate) struct Straight {
 impl Straight {
     /// None where this processor, or what runs on it, does not let programs be compiled.
     pub fn compile(code: &Code) -> Option<Self> {
-        if code.has_elementary() {
+        if !code.is_native() {
             return None;
         }
         let pointer = compiled(1, 0, |writer| super::straight::write(writer, code))?;
