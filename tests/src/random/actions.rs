@@ -132,12 +132,12 @@ impl Builder<'_> {
             }
             5 => Sqrt(Box::new(Sum(one(), Box::new(Square(a))))),
             6 => Sin(a),
+            9 => Exp(Box::new(Sin(a))),
+            10 => Log(Box::new(Sum(one(), Box::new(Square(a))))),
+            11 => Tanh(a),
+            12 => Min(a, Box::new(self.expression(depth - 1))),
+            13 => Max(a, Box::new(self.expression(depth - 1))),
             7 => Number(self.spec.parameters.positive(self.source, "f")).times(Cos(a)),
-            8 => Exp(Box::new(Sin(a))),
-            9 => Log(Box::new(Sum(one(), Box::new(Square(a))))),
-            10 => Tanh(a),
-            11 => Min(a, Box::new(self.expression(depth - 1))),
-            12 => Max(a, Box::new(self.expression(depth - 1))),
             _ => Tan(Box::new(Product(Box::new(Expression::literal(40)), Box::new(Sin(a))))),
         }
     }
