@@ -129,6 +129,33 @@ fn a_drive_that_breaks_is_refused_by_name() {
     }
 }
 
+/// A disc that is driven, at rest before its kink, and one that it touches.
+#[derive(BarSystem)]
+#[liftoff(dimensionless)]
+#[particle(P, mass = 1)]
+#[particle(Q, mass = 1)]
+#[slider(P = horizontal(0))]
+#[slider(Q = horizontal(0))]
+#[disc(P, radius = 0.5)]
+#[disc(Q, radius = 0.5)]
+#[support(P = disc(Q), restitution = 0.5)]
+#[drive(x(P) = sqrt((t - at) * (t - at)) + t)]
+#[coordinate(x = x(Q))]
+#[figure(P = (1, 0), Q = (2.5, 0))]
+struct Pushing {
+    at: f64,
+}
+
+#[test]
+fn a_kink_of_a_drive_that_pushes_is_refused_by_name() {
+    for method in MethodId::ALL {
+        let run = Simulation::new(&Pushing { at: 1.0 }).unwrap().method(method).start(Pose::new("x", 2.0));
+        let error = run.unwrap().limit(3.0).run().unwrap_err();
+        let RunCause::Drive { t, what, .. } = error.cause() else { panic!("{}: {error}", method.name()) };
+        assert!((t - 1.0).abs() < 1e-6 && *what == "has a kink", "{}: {error}", method.name());
+    }
+}
+
 /// A root of what comes near zero, a quotient.
 #[test]
 fn a_drive_that_only_looks_broken_runs() {

@@ -128,9 +128,9 @@ impl<'a> PhaseRun<'a> {
         Ok(Termination::Horizon)
     }
 
-    /// The break of a drive for which a step has failed.
+    /// The break of a drive for which a step, or the guards over it, have failed.
     pub(super) fn break_near(&self, error: StepError) -> Option<Termination> {
-        let StepError::NotFinite { t } = error else { return None };
+        let (StepError::NotFinite { t } | StepError::Unresolved { t }) = error else { return None };
         self.signals.find_break_near(self.context, t).map(Termination::Drive)
     }
 
