@@ -272,3 +272,39 @@ fn a_foot_without_load_opens_no_other() {
         assert_eq!(opened[0].supports, ["P1", "P2", "P3"]);
     }
 }
+
+/// A body on three rough feet in a line, lifted ever more at its middle, and a block that slides
+/// beside it.
+#[derive(BarSystem)]
+#[liftoff(dimensionless)]
+#[gravity(9.81)]
+#[body(b, points(P0 = (0, 0), P1 = (1, 0), P2 = (2, 0)), mass = 1, inertia = 0.4, centre = (1, 0.01))]
+#[particle(Q, mass = 1)]
+#[support(P0 = floor, rough)]
+#[support(P1 = floor, rough)]
+#[support(P2 = floor, rough)]
+#[support(Q = floor, friction = mu)]
+#[force(lift = (0, 4 * t), at = P1)]
+#[coordinate(phi = angle(b), from = right)]
+#[coordinate(x = x(P0))]
+#[coordinate(y = y(P0))]
+#[figure(P0 = (0, 0), P1 = (1, 0), P2 = (2, 0), Q = (5, 0))]
+struct Unloaded {
+    mu: f64,
+}
+
+/// Feet bear while their shares fall, whatever rubs elsewhere: the middle one as much as the mean of
+/// the outer ones, which bear alike.
+#[test]
+fn rough_feet_bear_falling_shares_beside_friction() {
+    let start = Pose::new("phi", 0.0).with("x", 0.0).with("y", 0.0).with("x_Q", 5.0).with("x_Q'", 1.0);
+    let simulation = Simulation::new(&Unloaded { mu: 0.3 }).unwrap().start(start).unwrap();
+    let run = simulation.limit(2.0).run().unwrap();
+    for t in [0.0, 1e-3, 0.1, 1.0, 1.9] {
+        let load = (9.81 - 4.0 * t) / 3.0;
+        for foot in ["N(P0)", "N(P1)", "N(P2)"] {
+            let found = run.value(&run.output(foot).unwrap(), t);
+            assert!((found - load).abs() < 1e-12, "{foot} at {t}: {found}, not {load}");
+        }
+    }
+}

@@ -282,6 +282,7 @@ impl OrderLadder {
                 if order == 0 && !found.solution.unique {
                     found.solution.reactions = problem.share_with_friction(&question, &found);
                     first_to_bear = problem.order_active_basis(&question, &found.modes, &found.solution);
+                    found.solution = self.keep_bearing(&problem, found.solution);
                 }
                 for ((rubbing, mode), next) in self.rubbing.iter_mut().zip(found.modes).zip(found.next) {
                     rubbing.mode = mode;
@@ -346,13 +347,18 @@ impl OrderLadder {
         }
         let one_sided = |row: usize| found.degenerate.contains(&row) || found.active_basis.contains(&row);
         let reactions = problem.share(found, &one_sided);
+        Some(self.keep_bearing(problem, Solution { reactions, ..found.clone() }))
+    }
+
+    /// The same with the rough contacts that bear a share among those that stay closed.
+    fn keep_bearing(&self, problem: &EquilibratedKkt, mut solution: Solution) -> Solution {
         let bears = |row: &usize| {
-            self.is_rough(*row) && reactions[*row] > problem.scale[problem.n + row] * problem.slack(*row)
+            self.is_rough(*row)
+                && solution.reactions[*row] > problem.scale[problem.n + row] * problem.slack(*row)
         };
-        let (borne, degenerate): (Vec<usize>, Vec<usize>) =
-            found.degenerate.iter().partition(|row| bears(row));
-        let bearing = [&found.active_basis[..], &borne[..]].concat();
-        Some(Solution { reactions, active_basis: bearing, degenerate, ..found.clone() })
+        let (bearing, degenerate): (Vec<_>, Vec<_>) = solution.degenerate.iter().partition(|row| bears(row));
+        solution.active_basis.extend(bearing);
+        Solution { degenerate, ..solution }
     }
 
     /// Pledged contacts whose reaction falls below zero.
