@@ -1,6 +1,7 @@
 //! Loops with more joints than needed: rows that depend on each other wherever the loops are
 //! closed.
 
+use liftoff::method::MethodId;
 use liftoff::prelude::*;
 use liftoff::{LoggedDecision, RunCause, StartError};
 
@@ -251,5 +252,28 @@ fn one_of_three_cranks_is_driven() {
         assert!((value(&run, "phi", t) - phi).abs() < 1e-9, "{t}");
         let couple = 2.5 * m * r * g * phi.sin();
         assert!((value(&run, "drive(phi)", t) - couple).abs() < 1e-8 * couple.abs().max(1.0), "{t}");
+    }
+}
+
+/// Two bars between pins as far apart as they are long, and drawn so: they can only stretch.
+#[derive(BarSystem)]
+#[liftoff(dimensionless)]
+#[gravity(1)]
+#[pin(O = (0, 0))]
+#[pin(B = (2, 0))]
+#[bar(OA, mass = 1, length = 1)]
+#[bar(AB, mass = 1, length = 1)]
+#[figure(A = (1, 0))]
+#[coordinate(phi = angle(OA), from = right)]
+#[coordinate(psi = angle(AB), from = right)]
+struct Stretched;
+
+/// No finite reactions hold them, and no motion satisfies the loop.
+#[test]
+fn stretched_bars_are_a_singular_position() {
+    for method in MethodId::ALL {
+        let run = Simulation::new(&Stretched).unwrap().method(method).limit(1.0);
+        let error = run.start(Pose::new("phi", 0.0).with("psi", 0.0)).unwrap().run().unwrap_err();
+        assert!(matches!(error.cause(), RunCause::Loop { t: 0.0, .. }), "{}: {error}", method.name());
     }
 }

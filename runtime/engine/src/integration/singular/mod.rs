@@ -17,7 +17,7 @@ use nalgebra::DMatrix;
 
 use crate::context::{Numbers, RunContext};
 use crate::model::{ContactSet, Layout};
-use crate::numerics::decomposition::{least_ratio_bound, singular_values, svd};
+use crate::numerics::decomposition::{least_ratio_bound, range, singular_values, svd};
 use crate::numerics::zero::{MARGIN, roundoff};
 use crate::system::Equations;
 pub(crate) use bridge::Bridge;
@@ -116,6 +116,9 @@ impl SingularityMonitor {
         let mut figure = layout.state_at(&[&nominal[..], &vec![0.0; nominal.len()]].concat(), t);
         context.system().project(ContactSet::EMPTY, &mut figure, context.scales.length);
         self.measure(context, &figure);
+        if self.is_obstructed(context, &figure) {
+            self.rank += 1;
+        }
         // The row of a contact that is open there has another length: that of two discs grows with
         // their distance.
         let equations = context.system().equations(&figure);
@@ -137,6 +140,25 @@ impl SingularityMonitor {
             _ if place.sigma >= UNDECIDED => Ok(forecast),
             _ => Err(self.singular(context, state)),
         }
+    }
+
+    /// Whether rows depend on each other in a position and in none beside it: with ν J = 0 and J n =
+    /// J m = 0, ν is that of rows which depend on each other throughout only if ν ∂J/∂n m = 0.
+    fn is_obstructed(&mut self, context: &RunContext, state: &[f64]) -> bool {
+        let jacobian = self.scaled_jacobian(&context.system().equations(state));
+        if self.rank >= self.rows.len() || jacobian.iter().any(|x| !x.is_finite()) {
+            return false;
+        }
+        let [left, right] = [range(&jacobian), range(&jacobian.transpose())];
+        let free = DMatrix::identity(self.unit.len(), self.unit.len()) - &right * right.transpose();
+        free.column_iter().any(|direction| {
+            let moved = |(i, value): (usize, &f64)| {
+                value + direction.get(i).map_or(0.0, |part| PROBE * part * self.unit[i])
+            };
+            let moved: Numbers = state.iter().enumerate().map(moved).collect();
+            let change = (self.scaled_jacobian(&context.system().equations(&moved)) - &jacobian) * &free;
+            (&change - &left * left.tr_mul(&change)).amax() > LOST * PROBE
+        })
     }
 
     /// Takes note of a state at `t`, before a step of about `next`.
