@@ -9,7 +9,7 @@ use proc_macro::TokenStream;
     attributes(
         liftoff, budget, constant, gravity, bar, chain, body, particle, mass, pin, ground, point, weld,
         slider, drive, spring, torsion, force, couple, section, support, thread, equal, figure, coordinate,
-        mirror, disc, value, run, hinge
+        mirror, disc, value, run, hinge, limit
     )
 )]
 pub fn bar_system(input: TokenStream) -> TokenStream {

@@ -112,6 +112,12 @@ impl<'d> DimensionReader<'d> {
             self.friction(&hinge.point, Some(&hinge.friction));
             self.expect_each("the radius of hinge", &hinge.point, [&hinge.radius], LENGTH);
         }
+        for limit in &d.limits {
+            let dimension = self.target(&limit.target);
+            let bounds = limit.low.iter().chain(&limit.high);
+            self.expect_each("the limit of", limit.target.ident(), bounds, dimension);
+            self.contact_law(&limit.name, &limit.contact_law);
+        }
         for thread in &d.threads {
             self.expect_each("the length of thread", &thread.name, [&thread.length], LENGTH);
             self.contact_law(&thread.name, &thread.contact_law);
@@ -181,13 +187,17 @@ impl<'d> DimensionReader<'d> {
             self.switch(&couple.name, &couple.armed);
         }
         for drive in &d.drives {
-            let dimension = match &drive.target {
-                Target::Coordinate(name) => self.coordinate(name).unwrap_or(NONE),
-                Target::Angle(_) | Target::Turn(_) => NONE,
-                Target::Position(..) | Target::Distance(_) | Target::Along(..) => LENGTH,
-            };
+            let dimension = self.target(&drive.target);
             self.expect_each("the drive of", drive.target.ident(), [&drive.value], dimension);
             self.switch(drive.target.ident(), &drive.armed);
+        }
+    }
+
+    fn target(&self, target: &Target) -> Dimension {
+        match target {
+            Target::Coordinate(name) => self.coordinate(name).unwrap_or(NONE),
+            Target::Angle(_) | Target::Turn(_) => NONE,
+            Target::Position(..) | Target::Distance(_) | Target::Along(..) => LENGTH,
         }
     }
 

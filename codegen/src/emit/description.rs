@@ -168,7 +168,8 @@ fn contact_tokens(
             }
             None => quote!(Guide),
         },
-        () if contact.is_turned(&analysis.system) => quote!(Turn),
+        () if contact.is_turned(&analysis.system) && contact.driven => quote!(Turn),
+        () if contact.is_turned(&analysis.system) => quote!(AngleLimit),
         () if contact.driven => quote!(Drive),
         () => quote!(Support),
     };

@@ -90,13 +90,14 @@ fn mentioned(d: &Description) -> Vec<String> {
     let coordinates = d.coordinates.iter().map(|c| plain(&c.name));
     let supports = d.supports.iter().flat_map(|support| support.names());
     let threads = d.threads.iter().map(|thread| plain(&thread.name));
+    let limits = d.limits.iter().flat_map(|limit| limit.bounds().map(|(name, _)| name));
     let places = [&d.figure, &d.pins, &d.ground].into_iter().flatten().map(|(name, _)| plain(name));
     let points = d.points.iter().map(|point| plain(&point.name));
     let particles = d.particles.iter().map(|particle| plain(&particle.point));
     let springs = d.springs.iter().map(|spring| plain(&spring.name));
     let sections = d.sections.iter().map(|section| plain(&section.name));
     let beams = d.beams.iter().flat_map(beam);
-    let contacts = coordinates.chain(supports).chain(threads);
+    let contacts = coordinates.chain(supports).chain(threads).chain(limits);
     let points = places.chain(points).chain(particles).chain(beams);
     contacts.chain(points).chain(springs).chain(sections).chain(d.malformed.iter().cloned()).collect()
 }

@@ -22,6 +22,7 @@ impl GeometryDraft<'_> {
                 | OneSided::Stop { .. }
                 | OneSided::Hinge { .. }
                 | OneSided::Thread { .. }
+                | OneSided::Limit { .. }
                 | OneSided::Drive(_) => continue,
             };
             fixtures.push(Fixture { name: support.name.clone(), at: self.numbers.position(at), shape });
@@ -83,7 +84,7 @@ impl GeometryDraft<'_> {
                     let (along, turns) = (self.axis(*body), if *is_last { 2 } else { 0 });
                     pushes.push(push(Spot::Point(*point), along, turns, 0));
                 }
-                OneSided::Hinge { .. } | OneSided::Drive(_) => {}
+                OneSided::Hinge { .. } | OneSided::Limit { .. } | OneSided::Drive(_) => {}
                 OneSided::Thread { path, .. } => {
                     let last = path.len() - 1;
                     for (end, next) in [(0, 1), (last, last - 1)] {

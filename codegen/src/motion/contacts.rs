@@ -8,7 +8,7 @@ use super::gap::measure;
 use super::measured::{Foot, Measured, is_fixed};
 use super::row::Row;
 use crate::algebra::{Rational, Series};
-use crate::system::{Drive, Support, System};
+use crate::system::{Drive, OneSided, Support, System};
 
 /// Supports that share a gap.
 #[derive(Clone, Debug)]
@@ -82,9 +82,13 @@ impl Contact {
         self.support(system).contact.drive().map(|i| &system.drives[i])
     }
 
-    /// Whether it is a drive of an angle.
+    /// Whether its gap is an angle: of a drive, or a limit.
     pub fn is_turned(&self, system: &System) -> bool {
-        self.drive(system).is_some_and(|drive| system.is_angle(&drive.driven))
+        match &self.support(system).contact {
+            OneSided::Drive(i) => system.is_angle(&system.drives[*i].driven),
+            OneSided::Limit { driven, .. } => system.is_angle(driven),
+            _ => false,
+        }
     }
 
     /// Whether it is a hinge with friction.

@@ -52,7 +52,7 @@ pub(super) fn actions(scene: &Scene, driven: &Driven, lambda: &Series) -> Vec<Ac
 }
 
 /// Forces that push two points apart, by this much of what is between them.
-fn between(scene: &Scene, [a, b]: [usize; 2], push: &Series) -> Vec<Action> {
+pub(super) fn between(scene: &Scene, [a, b]: [usize; 2], push: &Series) -> Vec<Action> {
     let points = &scene.kinematics.points;
     let force = [0, 1].map(|axis| &(&points[b][axis] - &points[a][axis]) * push);
     let back = force.each_ref().map(|part| -part);

@@ -56,6 +56,16 @@ impl Expression {
         }
     }
 
+    /// A value of what is driven, less the constant angle that its series leaves out.
+    pub(super) fn less_constant(self, driven: &Driven, system: &System, kinematics: &Kinematics) -> Self {
+        let (_, constant) = kinematics.driven(system, driven);
+        let value = if constant == Angle::zero() { self } else { self.minus(Self::Angle(constant)) };
+        match driven {
+            Driven::Turn { from, body } => value.plus_turns(-kinematics.lost_turns(*from, *body)),
+            _ => value,
+        }
+    }
+
     /// Full turns more.
     pub fn plus_turns(self, turns: i64) -> Self {
         let half = || Self::Angle(Angle::quarters(2));
@@ -181,7 +191,6 @@ impl OpaqueTerms {
     /// constant angle, of a distance that is always driven `f²/2d₀`.
     pub fn of_drives(system: &System, kinematics: &Kinematics) -> Self {
         let opaque_terms = system.drives.iter().enumerate().map(|(i, drive)| {
-            let (_, constant) = kinematics.driven(system, &drive.driven);
             let value = Expression::from_formula(&drive.value, system, kinematics);
             let value = match &drive.driven {
                 Driven::Distance { inverse, .. } if !drive.switched => {
@@ -190,12 +199,7 @@ impl OpaqueTerms {
                 }
                 _ => value,
             };
-            let value =
-                if constant == Angle::zero() { value } else { value.minus(Expression::Angle(constant)) };
-            let value = match &drive.driven {
-                Driven::Turn { from, body } => value.plus_turns(-kinematics.lost_turns(*from, *body)),
-                _ => value,
-            };
+            let value = value.less_constant(&drive.driven, system, kinematics);
             OpaqueTerm::motion(format!("f{}", i + 1), value)
         });
         Self(opaque_terms.collect())

@@ -9,6 +9,8 @@
 //! | what slides along a bar (first point A) of length l, before its ends | `e · (r − A)`, `l − e · (r − A)` |
 //! | a thread of length ℓ with one moving segment d, the others fixed and k long | `((ℓ − k)² − d²) / 2(ℓ − k)` |
 //! | a thread with two moving segments | `ℓ − k − d₁ − d₂` |
+//! | an angle or a position q before a bound a | `± (q − a)` |
+//! | a distance d before a bound a | `± (d² − a²)/2a` |
 //! | a distance d that is driven while a condition holds | `(d² − f(t)²)/2f(t)` |
 //! | what else a drive prescribes while its condition holds | that of its joint |
 //!
@@ -25,7 +27,7 @@ use super::expression::{Expression, OpaqueTerms};
 use super::feeler::Feeler;
 use super::measured::{Foot, Measured, TangentSlip, slips};
 use super::row::{Row, bias};
-use super::{dot, driving, edge, hinge, stop, thread};
+use super::{dot, driving, edge, hinge, limit, stop, thread};
 use crate::algebra::{Rational, Series, Symbol};
 use crate::kinematics::height;
 use crate::system::{OneSided, Support};
@@ -69,6 +71,9 @@ fn at_rest(scene: &Scene, opaque_terms: &mut OpaqueTerms, support: &Support) -> 
         OneSided::Hinge { body, from, radius, .. } => hinge::measure(scene, *body, *from, radius),
         OneSided::Thread { path, length } => {
             thread::measure(scene, opaque_terms, &support.name, path, length)
+        }
+        OneSided::Limit { driven, bound, is_upper } => {
+            limit::measure(scene, opaque_terms, driven, bound, *is_upper)
         }
         OneSided::Drive(i) => driving::measure(scene, opaque_terms, *i),
     }

@@ -17,6 +17,7 @@ mod feeler;
 mod forces;
 mod gap;
 mod hinge;
+mod limit;
 mod loads;
 mod measured;
 mod parts;

@@ -28,6 +28,16 @@ impl Row {
         }
     }
 
+    /// The same of its gap times a constant.
+    pub(super) fn scaled(&self, factor: &Series) -> Self {
+        Self {
+            gap: &self.gap * factor,
+            jacobian: self.jacobian.iter().map(|slope| slope * factor).collect(),
+            bias: &self.bias * factor,
+            prescribed_gap_rate: &self.prescribed_gap_rate * factor,
+        }
+    }
+
     /// A row of velocities alone.
     pub(super) fn tangential(jacobian: Vec<Series>, bias: Series) -> Self {
         Self { gap: Series::zero(), jacobian, bias, prescribed_gap_rate: Series::zero() }

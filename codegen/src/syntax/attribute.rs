@@ -6,13 +6,13 @@ use syn::{Attribute, Field, Ident, LitBool, Meta, Token};
 
 use super::{
     Beam, Description, bar, body, budget, chain, constant, coordinate, couple, disc, drive, equal, figure,
-    force, gravity, hinge, identifiers, mass, mirror, options, particle, point, run, section, slider, spring,
-    support, thread, torsion, value, weld,
+    force, gravity, hinge, identifiers, joint_limit, mass, mirror, options, particle, point, run, section,
+    slider, spring, support, thread, torsion, value, weld,
 };
 
 type AttributeParser = fn(ParseStream, &mut Description) -> syn::Result<()>;
 
-pub(super) const ATTRIBUTES: [(&str, &str, AttributeParser); 29] = [
+pub(super) const ATTRIBUTES: [(&str, &str, AttributeParser); 30] = [
     ("liftoff", "#[liftoff(crate = path, sets = 16)]", settings),
     ("budget", "#[budget(flops = 120)]", |input, d| {
         budget::parse(input).map(|budget| d.budgets.push(budget))
@@ -60,6 +60,9 @@ pub(super) const ATTRIBUTES: [(&str, &str, AttributeParser); 29] = [
     }),
     ("thread", "#[thread(AB, length = s)]", |input, d| {
         thread::parse(input).map(|thread| d.threads.push(thread))
+    }),
+    ("limit", "#[limit(angle(AB, BC), low = 0, high = pi / 2)]", |input, d| {
+        joint_limit::parse(input).map(|limit| d.limits.push(limit))
     }),
     ("support", "#[support(A = floor)]", |input, d| {
         support::parse(input).map(|support| d.supports.push(support))

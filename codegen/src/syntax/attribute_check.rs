@@ -34,7 +34,7 @@ const STANDARD: [&str; 9] =
     ["Clone", "Copy", "Debug", "Default", "Eq", "Hash", "Ord", "PartialEq", "PartialOrd"];
 
 /// What other programs call the parts of a system, and how these are written here.
-const SYNONYMS: [(&[&str], &str); 19] = [
+const SYNONYMS: [(&[&str], &str); 20] = [
     (
         &["collision", "collide", "collider", "contact", "obstacle", "floor", "wall", "plane", "unilateral"],
         "#[support(A = floor)]",
@@ -55,7 +55,8 @@ const SYNONYMS: [(&[&str], &str); 19] = [
     (&["rigid", "glue", "fix"], "#[weld(AB, BC)]"),
     (&["angle", "dof", "generalised", "generalized"], "#[coordinate(phi = angle(AB), from = right)]"),
     (&["position", "place", "geometry", "pose"], "#[figure(A = (0, 0), B = (l, 0))]"),
-    (&["limit", "until", "start", "initial", "end"], "#[run(start = \"phi = 0.1\", limit = 10)]"),
+    (&["until", "start", "initial", "end"], "#[run(start = \"phi = 0.1\", limit = 10)]"),
+    (&["range", "bounds", "stops", "joint_limit"], "#[limit(angle(AB, BC), low = 0, high = pi / 2)]"),
     (&["symmetry", "symmetric"], "#[mirror(x = 0)]"),
 ];
 

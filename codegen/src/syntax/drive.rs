@@ -70,7 +70,8 @@ pub(super) fn parse(input: ParseStream) -> syn::Result<DriveDeclaration> {
     Ok(DriveDeclaration { target, value, armed })
 }
 
-fn target(input: ParseStream) -> syn::Result<Target> {
+/// Reads what is driven, or bounded.
+pub(super) fn target(input: ParseStream) -> syn::Result<Target> {
     if !input.peek2(syn::token::Paren) {
         return input.parse().map(Target::Coordinate);
     }
@@ -92,7 +93,7 @@ fn target(input: ParseStream) -> syn::Result<Target> {
         ("distance", ..) => wrong("write `distance(POINT, POINT)`"),
         ("along", ..) => wrong("write `along(POINT, BAR)`"),
         _ => wrong(
-            "what is driven is a coordinate, `angle(BAR)`, `angle(BAR, BAR)`, `x(POINT)`, `y(POINT)`, `distance(POINT, POINT)` or \
+            "what is driven or bounded is a coordinate, `angle(BAR)`, `angle(BAR, BAR)`, `x(POINT)`, `y(POINT)`, `distance(POINT, POINT)` or \
              `along(POINT, BAR)`",
         ),
     }

@@ -19,6 +19,7 @@ mod force;
 mod gravity;
 mod hinge;
 mod item;
+mod joint_limit;
 mod mass;
 mod mirror;
 mod options;
@@ -63,6 +64,7 @@ pub use equal::{EqualAngles, Member, Multiple};
 pub use force::Force;
 pub use gravity::Gravity;
 pub use hinge::HingeDeclaration;
+pub use joint_limit::LimitDeclaration;
 pub use mass::PointMass;
 pub use mirror::MirrorLine;
 pub use point::PointOnBar;
@@ -162,6 +164,8 @@ pub struct Description {
     pub sections: Vec<SectionDeclaration>,
     /// `#[thread(…)]`.
     pub threads: Vec<ThreadDeclaration>,
+    /// `#[limit(…)]`.
+    pub limits: Vec<LimitDeclaration>,
     /// `#[support(…)]`.
     pub supports: Vec<SupportDeclaration>,
     /// `#[coordinate(…)]`.
@@ -268,6 +272,7 @@ impl Description {
             couples: Vec::new(),
             sections: Vec::new(),
             threads: Vec::new(),
+            limits: Vec::new(),
             supports: Vec::new(),
             coordinates: Vec::new(),
             equal: Vec::new(),

@@ -46,9 +46,24 @@ fn drive(
 ) -> Option<Drive> {
     let why = "a drive prescribes motion as a function of time: its value may contain `t` and parameters, no motion";
     let value = readable.prescribed(scope, &declared.value, why);
+    if let Target::Distance(ends) = &declared.target {
+        distant(scope, &ends[0], &declared.value, value.as_ref());
+    }
+    let (name, driven) = driven(scope, readable, figure, &declared.target);
+    let (switched, span) = (declared.armed.is_some(), declared.target.ident().span());
+    Some(Drive { name, driven: driven?, value: value?, switched, span })
+}
+
+/// What a drive prescribes, or a limit bounds, with its name.
+pub(super) fn driven(
+    scope: &mut Scope,
+    readable: &Readable,
+    figure: Option<&Figure>,
+    target: &Target,
+) -> (String, Option<Driven>) {
     let structure = readable.structure;
     let read = |reading: Option<Reading>| reading.map(Driven::Reading);
-    let (name, driven) = match &declared.target {
+    match target {
         Target::Coordinate(name) => (plain(name), read(coordinate(scope, readable, name))),
         Target::Angle(bar) => {
             (format!("angle({bar})"), read(structure.body(scope, bar).map(Reading::Direction)))
@@ -58,14 +73,11 @@ fn drive(
             (format!("{}({point})", ["x", "y"][*axis]), read(position))
         }
         Target::Distance(ends) => {
-            distant(scope, &ends[0], &declared.value, value.as_ref());
             (format!("distance({}, {})", ends[0], ends[1]), distance(scope, structure, figure, ends))
         }
         Target::Turn(bars) => (format!("angle({}, {})", bars[0], bars[1]), turn(scope, structure, bars)),
         Target::Along(point, bar) => (format!("along({point}, {bar})"), along(scope, structure, point, bar)),
-    };
-    let (switched, span) = (declared.armed.is_some(), declared.target.ident().span());
-    Some(Drive { name, driven: driven?, value: value?, switched, span })
+    }
 }
 
 /// Reports a drive on a condition in a mirrored model: it and its image would have to take hold as

@@ -22,6 +22,7 @@ mod forces;
 mod formula;
 mod free;
 mod hinges;
+mod joint_limits;
 mod literal;
 mod loads;
 mod mass_properties;

@@ -1,6 +1,7 @@
 //! Names that must differ, and names of parameters in texts.
 
 use std::collections::BTreeMap;
+use std::fmt::Display;
 
 use super::constants::PI;
 use super::scope::Scope;
@@ -25,6 +26,11 @@ pub(super) fn check(scope: &mut Scope) {
     for (kind, name) in supports.chain(threads) {
         if d.coordinates.iter().any(|c| c.name == *name) {
             scope.report.add_message(name.span(), collision(kind, "coordinate", name));
+        }
+    }
+    for limit in &d.limits {
+        for (name, _) in limit.bounds().filter(|(name, _)| d.coordinates.iter().any(|c| c.name == *name)) {
+            scope.report.add_message(limit.name.span(), collision("limit", "coordinate", &name));
         }
     }
     Namespace::default().claim(scope, "slider", d.sliders.iter().map(|slider| &slider.name));
@@ -57,7 +63,7 @@ impl Namespace {
     }
 }
 
-fn collision(kind: &str, other: &str, name: &syn::Ident) -> String {
+fn collision(kind: &str, other: &str, name: &dyn Display) -> String {
     match kind == other {
         true => format!("{kind} `{name}` is declared twice; rename or remove one"),
         false => format!("{kind} `{name}` has the name of a {other}; rename one"),

@@ -3,7 +3,7 @@
 
 use proc_macro2::Span;
 
-use super::{Disc, Formula, Law, System, listed};
+use super::{Disc, Driven, Formula, Law, System, listed};
 use crate::algebra::{Angle, Series};
 
 /// A one-sided constraint: a support or a thread; or a guide with friction, or a drive on a
@@ -122,6 +122,15 @@ pub enum OneSided {
         /// Its length.
         length: Series,
     },
+    /// A bound of what a drive could prescribe.
+    Limit {
+        /// What is bounded.
+        driven: Driven,
+        /// Its value there.
+        bound: Series,
+        /// Whether it is the greatest.
+        is_upper: bool,
+    },
     /// A drive that holds while its condition does, both ways; its index.
     Drive(usize),
 }
@@ -162,6 +171,7 @@ impl OneSided {
             | Self::Stop { .. }
             | Self::Hinge { .. }
             | Self::Thread { .. }
+            | Self::Limit { .. }
             | Self::Drive(_) => None,
         }
     }
@@ -217,6 +227,9 @@ impl Support {
             OneSided::Thread { path, .. } => {
                 format!("Thread `{name}` through {}.", listed(path.iter().map(|&p| point(p))))
             }
+            OneSided::Limit { is_upper, .. } => {
+                format!("Limit `{name}`: a {} bound.", if *is_upper { "upper" } else { "lower" })
+            }
             OneSided::Drive(i) => {
                 format!("Drive `{}`, which may hold while its condition is true.", system.drives[*i].name)
             }
@@ -236,6 +249,7 @@ impl Support {
             | OneSided::Corner { .. }
             | OneSided::Edge { .. }
             | OneSided::Stop { .. }
+            | OneSided::Limit { .. }
             | OneSided::Drive(_) => None,
         }
     }

@@ -9,8 +9,8 @@ use super::mirror_line::Line;
 use super::parts::Parts;
 use super::scope::Scope;
 use super::{
-    System, checks, coordinates, drives, edges, equal, forces, hinges, mirror, names, sections, sliders,
-    springs, supports, threads, welds,
+    System, checks, coordinates, drives, edges, equal, forces, hinges, joint_limits, mirror, names, sections,
+    sliders, springs, supports, threads, welds,
 };
 use crate::syntax::Description;
 
@@ -27,6 +27,7 @@ impl Parts {
         let welds = welds::resolve(scope, structure, figure);
         let sliders = sliders::resolve(scope, structure, &mut contacts);
         let drives = drives::resolve(scope, &readable, figure.as_ref(), &mut contacts);
+        joint_limits::resolve(scope, &readable, figure.as_ref(), &mut contacts);
         hinges::resolve(scope, structure, &mut contacts);
         Self {
             supports: contacts.guides_first(),

@@ -87,8 +87,9 @@ fn others(scope: &mut Scope, images: &Images) {
 fn understood(d: &Description, parts: &Parts) -> bool {
     let supports: usize = d.supports.iter().map(|support| support.names().len()).sum();
     let stops = 2 * d.sliders.iter().filter(|slider| slider.stops.is_some()).count();
+    let limits: usize = d.limits.iter().map(|limit| limit.bounds().count()).sum();
     let counts = [
-        (supports + stops + d.threads.len(), parts.supports.len()),
+        (supports + stops + d.threads.len() + limits, parts.supports.len()),
         (d.welds.len(), parts.welds.len()),
         (d.sliders.len(), parts.sliders.len()),
         (d.drives.len(), parts.drives.len()),

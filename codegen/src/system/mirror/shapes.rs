@@ -107,7 +107,7 @@ fn missing(pairing: &Pairing, support: &Support, image: &OneSided, counterpart: 
                     let names: Vec<_> = path.iter().map(|&point| pairing.name(point)).collect();
                     format!("`{}`", names.join(" -> "))
                 }
-                OneSided::Drive(_) => format!("`{name}`"),
+                OneSided::Drive(_) | OneSided::Limit { .. } => format!("`{name}`"),
                 OneSided::Corner { body, .. } => {
                     let body = &pairing.structure.bodies[body];
                     format!("{} `{}`", body.kind(), body.name)
@@ -186,7 +186,8 @@ fn reflected(pairing: &Pairing, bodies: &[(usize, bool)], contact: &OneSided) ->
             let (image, reversed) = bodies[*body];
             OneSided::Stop { point: pairing.points[*point], body: image, is_last: *is_last != reversed }
         }
-        OneSided::Drive(i) => OneSided::Drive(*i),
+        // Refused where they are declared.
+        OneSided::Drive(_) | OneSided::Limit { .. } => contact.clone(),
         OneSided::Hinge { point, body, from, radius } => OneSided::Hinge {
             point: pairing.points[*point],
             body: bodies[*body].0,

@@ -148,6 +148,8 @@ pub enum ContactKind {
     Drive,
     /// The same of an angle.
     Turn,
+    /// It pushes against an angle: its gap is one, its reaction a couple.
+    AngleLimit,
     /// A hinge with friction, closed always: its reaction is the length of the joint force, its
     /// slip that of the journal.
     Hinge {
@@ -536,7 +538,10 @@ impl Layout {
     /// Whether the gap of a row is an angle, and its multiplier a couple.
     pub fn is_turned(&self, row: usize) -> bool {
         let joint = row.checked_sub(self.contacts.len()).and_then(|joint| self.joints.get(joint));
-        let turns = self.contacts.get(row).is_some_and(|contact| contact.kind == ContactKind::Turn);
+        let turns = self
+            .contacts
+            .get(row)
+            .is_some_and(|contact| matches!(contact.kind, ContactKind::Turn | ContactKind::AngleLimit));
         turns || joint.is_some_and(|joint| joint.is_angle)
     }
 

@@ -197,7 +197,9 @@ impl<'a> AssemblyProblem<'a> {
             ContactKind::Support if foot.is_some() => {
                 StartError::BelowEdge { support: self.contact(contact), name: supports[0], depth: -gap }
             }
-            ContactKind::Support => StartError::Penetrates { support: self.contact(contact), depth: -gap },
+            ContactKind::Support | ContactKind::AngleLimit => {
+                StartError::Penetrates { support: self.contact(contact), depth: -gap }
+            }
             // Of those that hold both ways the gaps are none.
             ContactKind::Guide | ContactKind::Hinge { .. } | ContactKind::Drive | ContactKind::Turn => {
                 StartError::Broken { joint: self.joint(contact), gap }

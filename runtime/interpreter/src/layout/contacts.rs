@@ -33,7 +33,8 @@ fn contact(
         kind: match () {
             () if of.is_thread(system) => ContactKind::Thread,
             () if of.two_sided => of.force.map_or(ContactKind::Guide, |force| ContactKind::Hinge { force }),
-            () if of.is_turned(system) => ContactKind::Turn,
+            () if of.is_turned(system) && of.driven => ContactKind::Turn,
+            () if of.is_turned(system) => ContactKind::AngleLimit,
             () if of.driven => ContactKind::Drive,
             () => ContactKind::Support,
         },

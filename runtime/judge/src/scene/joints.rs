@@ -114,7 +114,7 @@ impl<S: Scalar> Builder<'_, S> {
             .collect()
     }
 
-    fn driven(&mut self, driven: &Driven) -> Node {
+    pub(super) fn driven(&mut self, driven: &Driven) -> Node {
         match *driven {
             Driven::Reading(reading) => self.reading(reading),
             Driven::Distance { ends: [a, b], .. } => {

@@ -30,6 +30,7 @@ mod hinges;
 mod impacts;
 mod impulses;
 mod jacobian;
+mod joint_limits;
 mod jumps;
 mod load_sharing;
 mod low_flights;
