@@ -1,12 +1,14 @@
 //! What goes wrong, as exceptions.
 
 use liftoff::{NameError, OutputError};
+use liftoff_studio::analyses::Failure;
 use liftoff_studio::registry::MotionError;
 use liftoff_studio::source::{Mistake, rendered};
 use liftoff_studio::sweep::SweepError;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
+pyo3::import_exception!(liftoff._errors, AnalysisError);
 pyo3::import_exception!(liftoff._errors, DeclarationError);
 pyo3::import_exception!(liftoff._errors, RunError);
 pyo3::import_exception!(liftoff._errors, UnknownName);
@@ -32,6 +34,15 @@ pub fn expression(error: &OutputError) -> PyErr {
 /// A request of which no motion follows.
 pub fn request(error: &MotionError) -> PyErr {
     invalid(error)
+}
+
+/// An analysis that gives nothing.
+pub fn analysis(failure: Failure) -> PyErr {
+    match failure {
+        Failure::Name(error) => unknown(&error),
+        Failure::Input(text) => invalid(text),
+        Failure::NotFound(text) => AnalysisError::new_err(text),
+    }
 }
 
 /// A sweep that cannot be made.

@@ -1,11 +1,13 @@
 //! The native part of the Python package `liftoff`: models, trajectories and sweeps as Python's objects.
 //!
 //! - `model`: a declaration that runs; `explain`: its equations and its drawing.
+//! - `analyses`: what follows from a model.
 //! - `request`, `options`, `values`: what a call asks for, by the names of the model.
 //! - `trajectory`: a motion as arrays; `event`: what happened; `pictures`: its chart and its page.
 //! - `sweep`: many runs over arrays; `columns`: what was read of them.
 //! - `errors`: exceptions; `interrupt`: Ctrl-C while nothing holds the interpreter.
 
+mod analyses;
 mod columns;
 mod errors;
 mod event;

@@ -2,9 +2,10 @@
 
 use crate::errors::{self, RunError};
 use crate::interrupt::Watch;
-use crate::request::{Request, spec_arguments};
+use crate::options::Options;
+use crate::request::{Request, pose, spec_arguments};
 use crate::trajectory::Trajectory;
-use crate::{explain, sweep};
+use crate::{analyses, explain, sweep};
 use liftoff::NameError;
 use liftoff_studio::file::read_text;
 use liftoff_studio::registry::{Entry, MotionError, RunOptions};
@@ -125,7 +126,9 @@ impl Model {
         options: Option<Bound<'py, PyDict>>,
     ) -> PyResult<Trajectory> {
         let (py, entry) = (this.py(), &this.get().entry);
-        let request = Request::from_options(entry, start, until, options)?;
+        let mut options = Options::new("simulate", options).beside(&["start", "until"]);
+        let request = Request::from_options(entry, start, until, &mut options)?;
+        options.finish()?;
         let made = |run, stopped| Trajectory::new(this.clone().unbind(), request.clone(), run, stopped);
         match run(py, entry, &request)? {
             Ok(run) => Ok(made(run, None)),
@@ -163,6 +166,22 @@ impl Model {
         sweep::run(py, &self.entry, (observe, vary), options)
     }
 
+    /// The equilibria that are found from a start, a list of `Equilibrium`, each with its reactions and the motion nearby.
+    ///
+    /// start, set: as in `simulate`.
+    /// load: a parameter, such as a force, `"F"`, or with the value that it goes towards, `{"F": 0}`: finds how far it may go
+    /// until a contact opens or slides.
+    #[pyo3(signature = (start=None, **options), text_signature = "($self, start=None, *, set=None, load=None)")]
+    fn equilibrium<'py>(
+        &self,
+        py: Python<'py>,
+        start: Option<&Bound<'py, PyAny>>,
+        options: Option<Bound<'py, PyDict>>,
+    ) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        let options = Options::new("equilibrium", options).beside(&["start"]);
+        analyses::rest::equilibria(py, &self.entry, start, options)
+    }
+
     /// The equations that were derived, of the system and of each set of contacts: as `"text"`, `"latex"` or `"html"`.
     #[pyo3(signature = (format="text"))]
     fn explain<'py>(&self, py: Python<'py>, format: &str) -> PyResult<Bound<'py, PyAny>> {
@@ -179,8 +198,8 @@ impl Model {
     ) -> PyResult<Bound<'py, PyAny>> {
         let options = PyDict::new(py);
         options.set_item("set", set)?;
-        let request = Request::from_options(&self.entry, start, None, Some(options))?;
-        crate::pictures::svg(py, explain::drawn(&self.entry, &request.spec, start.is_some())?)
+        let spec = pose(&self.entry, start, &mut Options::new("drawing", Some(options)))?;
+        crate::pictures::svg(py, explain::drawn(&self.entry, &spec, start.is_some())?)
     }
 
     fn _repr_svg_(&self) -> Option<String> {

@@ -25,6 +25,12 @@ impl<'py> Options<'py> {
         Self { function, given, taken: Vec::new() }
     }
 
+    /// The same, beside arguments of these names.
+    pub fn beside(mut self, names: &[&'static str]) -> Self {
+        self.taken.extend(names);
+        self
+    }
+
     /// The value of an argument; none where it was not given, or is `None`.
     pub fn take(&mut self, name: &'static str) -> PyResult<Option<Bound<'py, PyAny>>> {
         self.taken.push(name);

@@ -15,25 +15,18 @@ pub struct Request {
 }
 
 impl Request {
-    /// The default run of a model, overridden by the arguments. A given start drops the default energy level too.
+    /// The default run of a model, overridden by the arguments.
     pub fn from_options(
         entry: &Entry,
         start: Option<&Bound<'_, PyAny>>,
         until: Option<&Bound<'_, PyAny>>,
-        options: Option<Bound<'_, PyDict>>,
+        options: &mut Options<'_>,
     ) -> PyResult<Self> {
         let layout = entry.layout();
-        let mut options = Options::new("simulate", options);
-        let mut spec = options.planned(layout, entry.default_run())?;
+        let spec = pose(entry, start, options)?;
+        let mut spec = options.planned(layout, spec)?;
         if let Some(until) = until {
             spec.until = texts("until", until)?;
-        }
-        if let Some(set) = options.take("set")? {
-            spec.parameters = overridden(spec.parameters, &named(Place::Parameter, layout, &set)?);
-        }
-        if let Some(start) = start {
-            spec.start = named(Place::Start, layout, start)?;
-            spec.energy_of.clear();
         }
         if let Some(level) = options.take("energy_of")? {
             spec.energy_of = named(Place::EnergyOf, layout, &level)?;
@@ -42,7 +35,6 @@ impl Request {
             spec.release = named(Place::Release, layout, &release)?;
         }
         let method = options.method()?;
-        options.finish()?;
         check_conditions(layout, &spec)?;
         Ok(Self { spec, method })
     }
@@ -53,6 +45,19 @@ impl Request {
         arguments.set_item("method", self.method.name())?;
         Ok(arguments)
     }
+}
+
+/// The default run of a model with other parameters, from another start. That drops the default energy level too.
+pub fn pose(entry: &Entry, start: Option<&Bound<'_, PyAny>>, options: &mut Options<'_>) -> PyResult<RunSpec> {
+    let mut spec = entry.default_run();
+    if let Some(set) = options.take("set")? {
+        spec.parameters = overridden(spec.parameters, &named(Place::Parameter, entry.layout(), &set)?);
+    }
+    if let Some(start) = start {
+        spec.start = named(Place::Start, entry.layout(), start)?;
+        spec.energy_of.clear();
+    }
+    Ok(spec)
 }
 
 /// The arguments that ask for a run.

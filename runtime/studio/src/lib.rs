@@ -2,6 +2,7 @@
 //!
 //! - [`registry`]: models by name ([`models!`]), what to run of them ([`RunSpec`], [`DefaultRun`]),
 //!   the dimensions of their parameters.
+//! - [`analyses`]: equilibria, linearised motions.
 //! - [`explain`]: equations for people and as sources of other programs, derived again from the
 //!   declaration; [`source`]: models of a file that need not be compiled.
 //! - [`plot`]: charts as SVG; [`picture`]: drawings of models and motions; [`modes`]: the graph of
@@ -16,6 +17,7 @@
 #[cfg(test)]
 extern crate self as liftoff_studio;
 
+pub mod analyses;
 pub mod animation;
 pub mod checks;
 pub mod explain;

@@ -33,6 +33,7 @@ const FLOORS: [(&str, &[&str]); 15] = [
             "liftoff-core",
             "liftoff",
             "liftoff-interpreter",
+            "liftoff-analysis",
             "liftoff-verification",
             "liftoff-codegen",
             "liftoff-conditions",
@@ -56,7 +57,7 @@ const FLOORS: [(&str, &[&str]); 15] = [
             "liftoff-fmu",
         ],
     ),
-    ("python", &["liftoff-core", "liftoff", "liftoff-studio"]),
+    ("python", &["liftoff-core", "liftoff", "liftoff-analysis", "liftoff-studio"]),
 ];
 
 /// The places above core that name a model's type: the engine asks for its parts and its
@@ -274,7 +275,7 @@ const PACKAGES: [(&str, &[&str], usize); 5] = [
     ("liftoff-dynamics", &["--no-default-features", "--features", "libm"], 13),
     ("liftoff-cli", &[], 111),
     ("liftoff-dynamics-cli", &[], 118),
-    ("liftoff-python", &[], 85),
+    ("liftoff-python", &[], 86),
 ];
 
 #[test]

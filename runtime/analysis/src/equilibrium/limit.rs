@@ -4,6 +4,8 @@
 //! nothing more, or its friction is at its limit, or a mode begins to grow, or what held the system
 //! has a fold.
 
+use core::fmt;
+
 use liftoff_core::model::ContactSet;
 use liftoff_core::scalar::{DoubleDouble, Real};
 
@@ -48,6 +50,18 @@ pub enum LimitEnd {
     Fold,
     /// Nothing that is known: it has not been followed any farther.
     Unfollowed,
+}
+
+impl fmt::Display for LimitEnd {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Opens(contacts) => write!(f, "{} opens", contacts.join(", ")),
+            Self::Slides(contacts) => write!(f, "{} slides", contacts.join(", ")),
+            Self::Unstable => f.write_str("a mode begins to grow"),
+            Self::Fold => f.write_str("there is no equilibrium any more"),
+            Self::Unfollowed => f.write_str("it is not followed any farther"),
+        }
+    }
 }
 
 /// How far the equilibrium of a subject remains, by `subject` the subject with another value of the

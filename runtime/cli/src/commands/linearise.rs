@@ -1,20 +1,17 @@
 //! `liftoff linearise`.
 
 use crate::CommandError;
-use crate::options::pose_args::{self, PoseArgs};
+use crate::options::pose_args::PoseArgs;
 use crate::output::analysis;
 use crate::output::file::{Form, probe_as, tell_written, write_picture};
 use crate::output::notes::note;
 use crate::output::print::print;
 use clap::Args;
-use liftoff_analysis::{BySymmetry, Linearisation, Subject};
-use liftoff_core::model::ContactSet;
+use liftoff_analysis::Subject;
+use liftoff_studio::analyses::{self, LinearHalves, describe_motion, find_contacts, subject};
 use liftoff_studio::animation::{ModeShape, mode_shapes};
 use liftoff_studio::registry::{Entry, Models, MotionError};
 use std::path::{Path, PathBuf};
-
-/// An acceleration above this, in natural units, is none of an equilibrium.
-const AT_REST: f64 = 1e-9;
 
 #[derive(Args, Debug)]
 pub struct Linearise {
@@ -44,12 +41,18 @@ impl Linearise {
             probe_as(path, &[Form::SVG])?;
         }
         let model = models.find(&self.model)?;
-        let subject = self.pose.subject(model)?;
-        let closed = self.closed(&subject)?;
+        let spec = self.pose.spec(model)?;
+        let subject = subject(model, &spec)?;
+        let closed = find_contacts(&subject, self.closed.as_deref())?;
         if self.unfold {
-            return self.tell_unfolded(model, &subject, closed);
+            let unfolded = model.unfolded().map_err(|error| match error {
+                MotionError::Input(text) => CommandError::Usage(format!("--unfold: {text}")),
+                error => error.into(),
+            })?;
+            let halves = analyses::linearise_halves(&unfolded, &spec.parameters, &subject, closed)?;
+            return self.tell_halves(&halves);
         }
-        let linear = Linearisation::compute(&subject, closed)?;
+        let linear = analyses::linearise(&subject, closed)?;
         warn_of_motion(linear.residual());
         match (&self.svg, self.json) {
             (Some(path), _) => self.draw(path, model, &subject, &analysis::mode_shapes(&linear)),
@@ -58,18 +61,12 @@ impl Linearise {
         }
     }
 
-    fn tell_unfolded(
-        &self,
-        model: &Entry,
-        subject: &Subject,
-        closed: ContactSet,
-    ) -> Result<(), CommandError> {
-        let (model, subject, parts) = self.unfolded(model, subject, closed)?;
+    fn tell_halves(&self, LinearHalves { model, subject, parts }: &LinearHalves) -> Result<(), CommandError> {
         warn_of_motion(parts.symmetric.residual().max(parts.antisymmetric.residual()));
         match (&self.svg, self.json) {
-            (Some(path), _) => self.draw(path, &model, &subject, &analysis::mode_shapes_by_symmetry(&parts)),
-            (None, true) => Ok(print(&analysis::by_symmetry_json(subject.layout(), &parts)?)?),
-            (None, false) => Ok(print(&analysis::by_symmetry_text(subject.layout(), &parts))?),
+            (Some(path), _) => self.draw(path, model, subject, &analysis::mode_shapes_by_symmetry(parts)),
+            (None, true) => Ok(print(&analysis::by_symmetry_json(subject.layout(), parts)?)?),
+            (None, false) => Ok(print(&analysis::by_symmetry_text(subject.layout(), parts))?),
         }
     }
 
@@ -88,42 +85,11 @@ impl Linearise {
         tell_written(path);
         Ok(())
     }
-
-    fn closed(&self, subject: &Subject) -> Result<ContactSet, CommandError> {
-        Ok(match self.closed.as_deref() {
-            None => subject.touching(),
-            Some("free") => subject.contacts(&[])?,
-            Some(names) => subject.contacts(&names.split(',').map(str::trim).collect::<Vec<_>>())?,
-        })
-    }
-
-    /// Both halves about the position of the mirrored model, closed where that is.
-    fn unfolded(
-        &self,
-        model: &Entry,
-        mirrored: &Subject,
-        closed: ContactSet,
-    ) -> Result<(Entry, Subject, BySymmetry), CommandError> {
-        let unfolded = model.unfolded().map_err(|error| match error {
-            MotionError::Input(text) => CommandError::Usage(format!("--unfold: {text}")),
-            error => error.into(),
-        })?;
-        let parameters = self.pose.parameters(model)?;
-        let start = unfolded.position(&parameters, &mirrored.positions())?;
-        let whole = pose_args::subject(unfolded.model(), parameters.clone(), start)?;
-        let supports: Vec<&str> =
-            closed.iter().flat_map(|i| mirrored.layout().contacts[i].supports).copied().collect();
-        let linear = Linearisation::compute(&whole, whole.contacts(&supports)?)?;
-        let reflection = unfolded.reflection(&parameters, &whole.positions())?;
-        Ok((unfolded.model().clone(), whole, linear.by_symmetry(&reflection)?))
-    }
 }
 
-/// Says so where the largest acceleration at the start is none of an equilibrium.
+/// Says so where the start is no equilibrium.
 fn warn_of_motion(residual: f64) {
-    if residual > AT_REST {
-        note(&format!(
-            "the start is no equilibrium: it accelerates by {residual:.1e} natural units; `equilibrium` finds one nearby"
-        ));
+    if let Some(text) = describe_motion(residual) {
+        note(&text);
     }
 }

@@ -2,7 +2,8 @@
 
 use crate::errors::interrupted;
 use liftoff::OutputError;
-use liftoff_analysis::{AnalysisError, Ending, FitError, OptimumError, OrbitError};
+use liftoff_analysis::{Ending, FitError, OptimumError, OrbitError};
+use liftoff_studio::analyses::Failure;
 use liftoff_studio::registry::MotionError;
 use liftoff_studio::work_precision::FileError;
 
@@ -61,11 +62,12 @@ impl From<OutputError> for CommandError {
     }
 }
 
-impl From<AnalysisError> for CommandError {
-    fn from(error: AnalysisError) -> Self {
-        match error {
-            AnalysisError::Name(_) | AnalysisError::Open { .. } => Self::Usage(error.to_string()),
-            _ => Self::Failed(error.to_string()),
+impl From<Failure> for CommandError {
+    fn from(failure: Failure) -> Self {
+        match failure {
+            Failure::Name(error) => Self::Usage(error.to_string()),
+            Failure::Input(text) => Self::Usage(text),
+            Failure::NotFound(text) => Self::Failed(text),
         }
     }
 }

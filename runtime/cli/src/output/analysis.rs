@@ -4,8 +4,9 @@ use crate::CommandError;
 use crate::output::json::pretty;
 use core::fmt::Write;
 use liftoff::__private::expression::{significant, unrounded};
-use liftoff_analysis::{BySymmetry, Equilibrium, LimitEnd, Linearisation, Load, LoadLimit, Mode, Stability};
+use liftoff_analysis::{BySymmetry, LimitEnd, Linearisation, Load, LoadLimit, Mode, Stability};
 use liftoff_core::model::Layout;
+use liftoff_studio::analyses::Rest;
 use liftoff_studio::animation::ModeShape;
 use serde_json::{Map, Value, json};
 
@@ -14,12 +15,9 @@ const DIGITS: usize = 6;
 /// Rates below this part of the largest are rounding.
 const ROUNDED: f64 = 1e-9;
 
-/// How far a load may go in each equilibrium, with its name.
-type Limits<'a> = (&'a str, &'a [Option<LoadLimit>]);
-
-/// All equilibria, each with its position, its reactions, its modes, and how far a load may go.
-pub fn equilibria_text(layout: &Layout, found: &[Equilibrium], limits: Option<Limits<'_>>) -> String {
-    let each = found.iter().enumerate().map(|(i, rest)| {
+/// All equilibria, each with its position, its reactions, its modes, and how far a load of this name may go.
+pub fn equilibria_text(layout: &Layout, found: &[Rest], load_name: Option<&str>) -> String {
+    let each = found.iter().enumerate().map(|(i, Rest { equilibrium: rest, limit: end })| {
         let closed =
             if rest.closed.is_empty() { "free".to_owned() } else { rest.closed.join(", ") + " closed" };
         let positions = layout.coordinates.iter().zip(&rest.positions);
@@ -39,9 +37,7 @@ pub fn equilibria_text(layout: &Layout, found: &[Equilibrium], limits: Option<Li
         if !forces.is_empty() {
             let _ = writeln!(text, "  {}", forces.join("  "));
         }
-        let limit = limits.map_or_else(String::new, |(name, limits)| {
-            format!("  {name} {}\n", limit(limits.get(i).and_then(Option::as_ref)))
-        });
+        let limit = load_name.map_or_else(String::new, |name| format!("  {name} {}\n", limit(end.as_ref())));
         text + &modes_text(layout, &rest.linear) + &limit
     });
     each.collect()
@@ -50,20 +46,10 @@ pub fn equilibria_text(layout: &Layout, found: &[Equilibrium], limits: Option<Li
 fn limit(limit: Option<&LoadLimit>) -> String {
     match limit {
         Some(limit) if limit.end == LimitEnd::Unfollowed => {
-            format!("may go to {} at least: {}", number(limit.value), limit_end(&limit.end))
+            format!("may go to {} at least: {}", number(limit.value), limit.end)
         }
-        Some(limit) => format!("may go to {}: there {}", number(limit.value), limit_end(&limit.end)),
+        Some(limit) => format!("may go to {}: there {}", number(limit.value), limit.end),
         None => "may go as far as it is followed".to_owned(),
-    }
-}
-
-fn limit_end(end: &LimitEnd) -> String {
-    match end {
-        LimitEnd::Opens(contacts) => format!("{} opens", contacts.join(", ")),
-        LimitEnd::Slides(contacts) => format!("{} slides", contacts.join(", ")),
-        LimitEnd::Unstable => "a mode begins to grow".to_owned(),
-        LimitEnd::Fold => "there is no equilibrium any more".to_owned(),
-        LimitEnd::Unfollowed => "it is not followed any farther".to_owned(),
     }
 }
 
@@ -172,15 +158,10 @@ fn describe_stability(stability: Stability) -> String {
 }
 
 /// The same with all digits.
-pub fn equilibria_json(
-    layout: &Layout,
-    found: &[Equilibrium],
-    limits: Option<&[Option<LoadLimit>]>,
-) -> Result<String, CommandError> {
+pub fn equilibria_json(layout: &Layout, found: &[Rest], has_load: bool) -> Result<String, CommandError> {
     let each: Vec<Value> = found
         .iter()
-        .enumerate()
-        .map(|(i, rest)| {
+        .map(|Rest { equilibrium: rest, limit }| {
             let loads: Vec<Value> = rest
                 .loads
                 .iter()
@@ -197,9 +178,8 @@ pub fn equilibria_json(
                 let forces = rest.joint_forces.iter().map(|(name, force)| ((*name).to_owned(), json!(force)));
                 told["joint_forces"] = forces.collect::<Map<_, _>>().into();
             }
-            if let Some(limits) = limits {
-                let limit = limits.get(i).and_then(Option::as_ref);
-                told["limit"] = json!(limit.map(|limit| json!({ "value": limit.value, "end": limit_end(&limit.end) })));
+            if has_load {
+                told["limit"] = json!(limit.as_ref().map(|limit| json!({ "value": limit.value, "end": limit.end.to_string() })));
             }
             told
         })

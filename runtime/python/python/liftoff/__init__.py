@@ -7,15 +7,21 @@
 >>> model.sweep("first open phi", start={"phi": [0.1, 0.2, 0.3]})["first open phi"]
 """
 
-from ._errors import DeclarationError, Error, RunError, UnknownName
+from ._analyses import Equilibrium, Linearisation, LoadLimit, Mode
+from ._errors import AnalysisError, DeclarationError, Error, RunError, UnknownName
 from ._liftoff import Event, Model, Trajectory, __version__
 from ._show import Page, Svg
 from ._table import Table
 
 __all__ = [
+    "AnalysisError",
     "DeclarationError",
+    "Equilibrium",
     "Error",
     "Event",
+    "Linearisation",
+    "LoadLimit",
+    "Mode",
     "Model",
     "Page",
     "RunError",

@@ -32,6 +32,10 @@ class RunError(Error, RuntimeError):
     trajectory: Trajectory
 
 
+class AnalysisError(Error, RuntimeError):
+    """An analysis that gives nothing."""
+
+
 class UnknownName(Error, KeyError, ValueError):
     """A name that the model does not have, with the nearest that it has."""
 

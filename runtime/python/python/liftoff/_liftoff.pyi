@@ -5,6 +5,7 @@ from typing import Any, Literal, Optional, Union, overload
 import numpy as np
 import numpy.typing as npt
 
+from ._analyses import Equilibrium
 from ._show import Page, Svg
 from ._table import Table
 
@@ -111,6 +112,13 @@ class Model:
         tolerance: Optional[_Number] = None,
         threads: Optional[int] = None,
     ) -> Table: ...
+    def equilibrium(
+        self,
+        start: Optional[_Numbers] = None,
+        *,
+        set: Optional[_Numbers] = None,
+        load: Union[None, str, _Numbers] = None,
+    ) -> list[Equilibrium]: ...
     @overload
     def explain(self, format: Literal["text", "latex"] = "text") -> str: ...
     @overload

@@ -31,7 +31,7 @@ pub fn run<'py>(
     if observed.is_empty() {
         return Err(invalid("observe: nothing is observed; for example \"end phi\""));
     }
-    let mut options = Options::new("sweep", options);
+    let mut options = Options::new("sweep", options).beside(&["observe", "vary"]);
     let threads = threads(&mut options)?;
     let given = Given::from_options(entry, vary, &mut options)?;
     options.finish()?;

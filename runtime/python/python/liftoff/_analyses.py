@@ -1,0 +1,76 @@
+"""What follows from a model: answers of its analyses, keyed by the names of the declaration."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Literal, Optional
+
+import numpy as np
+import numpy.typing as npt
+
+_Floats = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Mode:
+    """A mode of vibration: δq = shape · exp(rate t), the largest coordinate of the shape being 1 in natural units."""
+
+    rate: complex
+    shape: dict[str, complex]
+
+    @property
+    def frequency(self) -> float:
+        """The frequency without damping, rad/s."""
+        return abs(self.rate)
+
+    @property
+    def growth(self) -> float:
+        """The rate of growth, 1/s; negative where the mode decays."""
+        return self.rate.real
+
+    @property
+    def damping_ratio(self) -> float:
+        """The damping ratio; 1 or −1 where the mode does not vibrate."""
+        return -self.rate.real / abs(self.rate) if self.rate else 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class Linearisation:
+    """The motion about a position at rest: ẋ = A x + B Q with x = (ξ, ξ̇), δq = Z ξ and the generalised forces Q.
+
+    Rows of Z and columns of B are those of the coordinates. `residual` is the acceleration there in natural units: zero at an
+    equilibrium. Modes come with the fastest growing first, then the slowest.
+    """
+
+    modes: list[Mode]
+    A: _Floats
+    B: _Floats
+    Z: _Floats
+    residual: float
+
+
+@dataclass(frozen=True)
+class LoadLimit:
+    """The largest value of a load, or the least where it falls, and what ends the equilibrium there."""
+
+    value: float
+    end: str
+
+
+@dataclass(frozen=True, eq=False)
+class Equilibrium:
+    """A position of rest.
+
+    `reactions` and `friction` have the least and the largest force of each support that touches: they are equal where it is
+    determined. `joint_forces` has what joints and drives transmit. `linear` is the motion nearby, with the supports closed that
+    bear. `limit` is None where no load was asked for, or the load may go as far as it was followed.
+    """
+
+    closed: list[str]
+    stability: Literal["fixed", "stable", "neutral", "unstable"]
+    position: dict[str, float]
+    reactions: dict[str, tuple[float, float]]
+    friction: dict[str, tuple[float, float]]
+    joint_forces: dict[str, float]
+    linear: Linearisation = field(repr=False)
+    limit: Optional[LoadLimit]

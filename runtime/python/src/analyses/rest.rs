@@ -1,0 +1,90 @@
+//! Equilibria and linearised motions.
+
+use super::{answer, matrix};
+use crate::errors::{self, invalid};
+use crate::options::Options;
+use crate::request::pose;
+use crate::values::named;
+use liftoff_analysis::{Linearisation, Load, Mode, Stability};
+use liftoff_core::model::Layout;
+use liftoff_studio::analyses::{Rest, find_equilibria};
+use liftoff_studio::registry::{Entry, Place};
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use pyo3::types::{IntoPyDict, PyComplex, PyMapping, PyString};
+
+/// The equilibria that are found from a start.
+pub fn equilibria<'py>(
+    py: Python<'py>,
+    entry: &Entry,
+    start: Option<&Bound<'py, PyAny>>,
+    mut options: Options<'py>,
+) -> PyResult<Vec<Bound<'py, PyAny>>> {
+    let spec = pose(entry, start, &mut options)?;
+    let load = options.take("load")?.map(|given| load(entry.layout(), &given)).transpose()?;
+    options.finish()?;
+    let load = load.as_ref().map(|(name, to)| (name.as_str(), *to));
+    let found = py.detach(|| find_equilibria(entry, &spec, load)).map_err(errors::analysis)?;
+    found.iter().map(|rest| equilibrium(py, entry.layout(), rest)).collect()
+}
+
+/// A parameter, and the value towards which it goes.
+fn load(layout: &'static Layout, given: &Bound<'_, PyAny>) -> PyResult<(String, f64)> {
+    if let Ok(name) = given.cast::<PyString>() {
+        return Ok((name.to_string(), f64::INFINITY));
+    }
+    if given.cast::<PyMapping>().is_err() {
+        return Err(PyTypeError::new_err(
+            "load: expected a parameter, or a dict with the value that it goes towards",
+        ));
+    }
+    let mut values = named(Place::Parameter, layout, given)?;
+    match values.len() {
+        1 => Ok(values.remove(0)),
+        count => Err(invalid(format!("load: one parameter is a load, not {count}"))),
+    }
+}
+
+fn equilibrium<'py>(py: Python<'py>, layout: &Layout, rest: &Rest) -> PyResult<Bound<'py, PyAny>> {
+    let Rest { equilibrium: rest, limit } = rest;
+    let position = coordinates(layout).zip(rest.positions.iter().copied()).into_py_dict(py)?;
+    let range = |[least, largest]: [f64; 2]| (least, largest);
+    let reactions = rest.loads.iter().map(|load| (load.contact, range(load.normal))).into_py_dict(py)?;
+    let friction = |load: &Load| load.friction.map(|force| (load.contact, range(force)));
+    let friction = rest.loads.iter().filter_map(friction).into_py_dict(py)?;
+    let joint_forces = rest.joint_forces.iter().copied().into_py_dict(py)?;
+    let stability = match rest.stability() {
+        Stability::Fixed => "fixed",
+        Stability::Stable => "stable",
+        Stability::Neutral => "neutral",
+        Stability::Unstable(_) => "unstable",
+    };
+    let limit = limit.as_ref().map(|limit| answer(py, "LoadLimit", (limit.value, limit.end.to_string())));
+    let linear = linearisation(py, layout, &rest.linear)?;
+    let fields =
+        (&rest.closed, stability, position, reactions, friction, joint_forces, linear, limit.transpose()?);
+    answer(py, "Equilibrium", fields)
+}
+
+fn linearisation<'py>(
+    py: Python<'py>,
+    layout: &Layout,
+    linear: &Linearisation,
+) -> PyResult<Bound<'py, PyAny>> {
+    let modes: PyResult<Vec<_>> = linear.modes().iter().map(|found| mode(py, layout, found)).collect();
+    let (a, b, z) = (linear.state_matrix(), linear.input_matrix(), linear.basis());
+    let matrices = [(a.shape(), &a), (b.shape(), &b), (z.shape(), z)];
+    let [a, b, z] = matrices.map(|(shape, entries)| matrix(py, shape, |place| entries[place]));
+    answer(py, "Linearisation", (modes?, a, b, z, linear.residual()))
+}
+
+fn mode<'py>(py: Python<'py>, layout: &Layout, mode: &Mode) -> PyResult<Bound<'py, PyAny>> {
+    let complex = |re: f64, im: f64| PyComplex::from_doubles(py, re, im);
+    let shape = mode.shape.iter().map(|x| complex(x.re, x.im));
+    let shape = coordinates(layout).zip(shape).into_py_dict(py)?;
+    answer(py, "Mode", (complex(mode.rate.re, mode.rate.im), shape))
+}
+
+fn coordinates(layout: &Layout) -> impl Iterator<Item = &'static str> {
+    layout.coordinates.iter().map(|coordinate| coordinate.name)
+}
