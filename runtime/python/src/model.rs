@@ -182,6 +182,25 @@ impl Model {
         analyses::rest::equilibria(py, &self.entry, start, options)
     }
 
+    /// The motion about a start, at rest, a `Linearisation`: its modes of vibration and its matrices.
+    ///
+    /// start, set: as in `simulate`.
+    /// closed: the closed supports, by default all that touch; `"free"` for none.
+    /// unfold: of a mirrored model, the motions that keep its symmetry and those that break it, `LinearHalves`.
+    #[pyo3(
+        signature = (start=None, **options),
+        text_signature = "($self, start=None, *, set=None, closed=None, unfold=False)"
+    )]
+    fn linearise<'py>(
+        &self,
+        py: Python<'py>,
+        start: Option<&Bound<'py, PyAny>>,
+        options: Option<Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let options = Options::new("linearise", options).beside(&["start"]);
+        analyses::rest::linearise(py, &self.entry, start, options)
+    }
+
     /// The equations that were derived, of the system and of each set of contacts: as `"text"`, `"latex"` or `"html"`.
     #[pyo3(signature = (format="text"))]
     fn explain<'py>(&self, py: Python<'py>, format: &str) -> PyResult<Bound<'py, PyAny>> {

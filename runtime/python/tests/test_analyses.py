@@ -88,3 +88,34 @@ def test_what_an_equilibrium_cannot_take_is_told(leaning):
         leaning.equilibrium(load={"F": "1 m"})
     with pytest.raises(liftoff.AnalysisError, match="no equilibrium found"):
         leaning.equilibrium(set={"g": -9.81})
+
+
+def test_a_linearisation_has_the_matrices_of_the_motion(pendulum):
+    linear = pendulum.linearise({"phi": 0}, set=ONE)
+    # θ'' = −(3 g/2 l) θ, with ξ = √(m l²/3) θ.
+    assert linear.A == pytest.approx(np.array([[0, 1], [-1.5 * 9.81, 0]]), rel=1e-12, abs=1e-12)
+    assert linear.B == pytest.approx(np.array([[0], [math.sqrt(3)]]), rel=1e-12)
+    assert linear.Z == pytest.approx(np.array([[math.sqrt(3)]]), rel=1e-12) and linear.residual < 1e-12
+    with pytest.warns(UserWarning, match="the start is no equilibrium"):
+        falling = pendulum.linearise({"phi": 1}, set=ONE)
+    assert falling.modes[0].frequency == pytest.approx(math.sqrt(1.5 * 9.81 * math.cos(1)), rel=1e-9)
+
+
+def test_a_ladder_is_linearised_with_the_supports_that_are_closed(leaning):
+    with pytest.warns(UserWarning):
+        assert [len(leaning.linearise(closed=closed).modes) for closed in (["A", "B"], "A", "free", [])] == [0, 1, 3, 3]
+    with pytest.raises(liftoff.UnknownName, match="no support `C`"):
+        leaning.linearise(closed="C")
+    with pytest.raises(ValueError, match="unfold: "):
+        leaning.linearise(unfold=True)
+
+
+def test_an_unfolded_zigzag_falls_faster_to_one_side(zigzag):
+    upright = {"phi_inner": "90deg", "phi_outer": "90deg"}
+    for share in (0, 0.25, 1):
+        masses = {"m1": 1 - share, "m2": share}
+        halves = zigzag.linearise(upright, set={**masses, "l": 1, "g": 9.81}, unfold=True)
+        # Fig. 1b upright: σₐ/σₛ.
+        ratio = math.sqrt((1 / 3 + 2 * share) / (1 / 12 + share - share**2))
+        assert halves.growth_ratio == pytest.approx(ratio, rel=1e-10)
+        assert "phi_inner_image" in halves.antisymmetric.modes[0].shape

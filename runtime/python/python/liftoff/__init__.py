@@ -7,7 +7,7 @@
 >>> model.sweep("first open phi", start={"phi": [0.1, 0.2, 0.3]})["first open phi"]
 """
 
-from ._analyses import Equilibrium, Linearisation, LoadLimit, Mode
+from ._analyses import Equilibrium, LinearHalves, Linearisation, LoadLimit, Mode
 from ._errors import AnalysisError, DeclarationError, Error, RunError, UnknownName
 from ._liftoff import Event, Model, Trajectory, __version__
 from ._show import Page, Svg
@@ -19,6 +19,7 @@ __all__ = [
     "Equilibrium",
     "Error",
     "Event",
+    "LinearHalves",
     "Linearisation",
     "LoadLimit",
     "Mode",

@@ -49,6 +49,18 @@ class Linearisation:
     residual: float
 
 
+@dataclass(frozen=True, eq=False)
+class LinearHalves:
+    """The motion about a symmetric position: what keeps its symmetry, and what breaks it.
+
+    `growth_ratio` is how many times as fast the antisymmetric motion grows as the symmetric one; None where one does not grow.
+    """
+
+    symmetric: Linearisation
+    antisymmetric: Linearisation
+    growth_ratio: Optional[float]
+
+
 @dataclass(frozen=True)
 class LoadLimit:
     """The largest value of a load, or the least where it falls, and what ends the equilibrium there."""

@@ -5,7 +5,7 @@ from typing import Any, Literal, Optional, Union, overload
 import numpy as np
 import numpy.typing as npt
 
-from ._analyses import Equilibrium
+from ._analyses import Equilibrium, LinearHalves, Linearisation
 from ._show import Page, Svg
 from ._table import Table
 
@@ -119,6 +119,24 @@ class Model:
         set: Optional[_Numbers] = None,
         load: Union[None, str, _Numbers] = None,
     ) -> list[Equilibrium]: ...
+    @overload
+    def linearise(
+        self,
+        start: Optional[_Numbers] = None,
+        *,
+        set: Optional[_Numbers] = None,
+        closed: Optional[_Texts] = None,
+        unfold: Literal[False] = False,
+    ) -> Linearisation: ...
+    @overload
+    def linearise(
+        self,
+        start: Optional[_Numbers] = None,
+        *,
+        set: Optional[_Numbers] = None,
+        closed: Optional[_Texts] = None,
+        unfold: Literal[True],
+    ) -> LinearHalves: ...
     @overload
     def explain(self, format: Literal["text", "latex"] = "text") -> str: ...
     @overload

@@ -4,14 +4,15 @@ use super::{answer, matrix};
 use crate::errors::{self, invalid};
 use crate::options::Options;
 use crate::request::pose;
-use crate::values::named;
+use crate::values::{named, texts};
 use liftoff_analysis::{Linearisation, Load, Mode, Stability};
 use liftoff_core::model::Layout;
-use liftoff_studio::analyses::{Rest, find_equilibria};
+use liftoff_studio::analyses::{self, Failure, Rest, describe_motion, find_contacts, find_equilibria};
 use liftoff_studio::registry::{Entry, Place};
-use pyo3::exceptions::PyTypeError;
+use pyo3::exceptions::{PyTypeError, PyUserWarning};
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyComplex, PyMapping, PyString};
+use std::ffi::CString;
 
 /// The equilibria that are found from a start.
 pub fn equilibria<'py>(
@@ -26,6 +27,42 @@ pub fn equilibria<'py>(
     let load = load.as_ref().map(|(name, to)| (name.as_str(), *to));
     let found = py.detach(|| find_equilibria(entry, &spec, load)).map_err(errors::analysis)?;
     found.iter().map(|rest| equilibrium(py, entry.layout(), rest)).collect()
+}
+
+/// The motion about a start, at rest; of a mirrored model that is unfolded, in two parts.
+pub fn linearise<'py>(
+    py: Python<'py>,
+    entry: &Entry,
+    start: Option<&Bound<'py, PyAny>>,
+    mut options: Options<'py>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let spec = pose(entry, start, &mut options)?;
+    let closed = options.take("closed")?.map(|given| texts("closed", &given)).transpose()?;
+    let closed = closed.map(|names| if names.is_empty() { "free".to_owned() } else { names.join(",") });
+    let unfold = options.take("unfold")?.map_or(Ok(false), |given| given.extract())?;
+    options.finish()?;
+    let subject = analyses::subject(entry, &spec).map_err(errors::analysis)?;
+    let closed = find_contacts(&subject, closed.as_deref()).map_err(errors::analysis)?;
+    if !unfold {
+        let linear = py.detach(|| analyses::linearise(&subject, closed)).map_err(errors::analysis)?;
+        warn_of_motion(py, linear.residual())?;
+        return linearisation(py, entry.layout(), &linear);
+    }
+    let halves = py.detach(|| {
+        let unfolded = entry.unfolded().map_err(|error| Failure::Input(format!("unfold: {error}")))?;
+        analyses::linearise_halves(&unfolded, &spec.parameters, &subject, closed)
+    });
+    let halves = halves.map_err(errors::analysis)?;
+    let (layout, parts) = (halves.model.layout(), &halves.parts);
+    let symmetric = linearisation(py, layout, &parts.symmetric)?;
+    let antisymmetric = linearisation(py, layout, &parts.antisymmetric)?;
+    warn_of_motion(py, parts.symmetric.residual().max(parts.antisymmetric.residual()))?;
+    answer(py, "LinearHalves", (symmetric, antisymmetric, parts.growth_ratio()))
+}
+
+fn warn_of_motion(py: Python<'_>, residual: f64) -> PyResult<()> {
+    let Some(text) = describe_motion(residual) else { return Ok(()) };
+    PyErr::warn(py, &py.get_type::<PyUserWarning>(), &CString::new(text)?, 1)
 }
 
 /// A parameter, and the value towards which it goes.
