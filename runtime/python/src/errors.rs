@@ -1,7 +1,7 @@
 //! What goes wrong, as exceptions.
 
 use liftoff::{NameError, OutputError};
-use liftoff_studio::analyses::Failure;
+use liftoff_studio::analyses::{Failure, VariableError};
 use liftoff_studio::registry::MotionError;
 use liftoff_studio::source::{Mistake, rendered};
 use liftoff_studio::sweep::SweepError;
@@ -40,7 +40,14 @@ pub fn request(error: &MotionError) -> PyErr {
 pub fn analysis(failure: Failure) -> PyErr {
     match failure {
         Failure::Name(error) => unknown(&error),
-        Failure::Input(text) => invalid(text),
+        Failure::Variable(error) => match &error {
+            VariableError::Unknown { name, .. } => {
+                UnknownName::new_err(format!("{error}; start={{\"{name}\": …}} gives it"))
+            }
+            _ => invalid(error),
+        },
+        // What is an option of the command line is an argument here.
+        Failure::Input(text) => invalid(text.replace("--", "")),
         Failure::NotFound(text) => AnalysisError::new_err(text),
     }
 }

@@ -87,7 +87,6 @@ const CIRCLES: &[(&str, &[&str])] = &[
     ("runtime/fmu/library", &["c", "logger"]),
     ("runtime/analysis/fit", &["datum", "trial"]),
     ("runtime/cli", &["commands", "options", "output"]),
-    ("runtime/cli/commands/fit", &["data", "table"]),
     ("runtime/cli/options", &["pose_args", "run_args"]),
     ("runtime/python", &["model", "trajectory"]),
 ];

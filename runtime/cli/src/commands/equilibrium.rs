@@ -6,7 +6,7 @@ use crate::options::values::{Assignment, assignment};
 use crate::output::analysis;
 use crate::output::print::print;
 use clap::Args;
-use liftoff_studio::analyses::{Failure, find_equilibria};
+use liftoff_studio::analyses::find_equilibria;
 use liftoff_studio::registry::{Models, Units};
 
 #[derive(Args, Debug)]
@@ -50,11 +50,8 @@ impl Equilibrium {
         let load = self.load.as_ref();
         let towards =
             load.map(|Load { name, to }| (name.as_str(), to.as_ref().map_or(f64::INFINITY, |to| to.value)));
-        let found =
-            find_equilibria(model, &self.pose.spec(model)?, towards).map_err(|error| match error {
-                Failure::Name(error) => CommandError::Usage(format!("--load {error}")),
-                error => error.into(),
-            })?;
+        let found = find_equilibria(model, &self.pose.spec(model)?, towards)
+            .map_err(|failure| CommandError::with_option("--load", failure))?;
         let (layout, name) = (model.layout(), load.map(|load| load.name.as_str()));
         Ok(print(&match self.json {
             true => analysis::equilibria_json(layout, &found, load.is_some())?,

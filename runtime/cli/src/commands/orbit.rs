@@ -6,12 +6,8 @@ use crate::options::values::{Assignment, assignment};
 use crate::output::orbit;
 use crate::output::print::print;
 use clap::Args;
-use liftoff::{NameError, Simulation};
-use liftoff_analysis::{ReturnMap, Section};
-use liftoff_core::model::Layout;
-use liftoff_core::scalar::Dual4;
-use liftoff_studio::registry::{Entry, Models, Units};
-use liftoff_studio::run_spec::RunSpec;
+use liftoff_studio::analyses::{Failure, Orbits, find_parameter};
+use liftoff_studio::registry::{Models, RunOptions, Units};
 
 #[derive(Args, Debug)]
 pub struct Orbit {
@@ -40,60 +36,23 @@ impl Orbit {
     pub fn execute(&self, models: &Models) -> Result<(), CommandError> {
         let model = models.find(&self.model)?;
         let layout = model.layout();
-        let spec = RunSpec { until: Vec::new(), ..self.run_args.spec(model)? };
-        let start = model.simulation(&spec)?;
-        let state = start.start_state().map_err(|error| CommandError::Usage(error.to_string()))?;
-        let map = ReturnMap {
-            simulate: &|parameters: &[f64], state: &[f64]| simulation(model, &spec, parameters, state),
-            model: &|parameters: &[Dual4]| model.varied(parameters).map_err(|error| error.to_string()),
-            section: Section::parse(layout, &self.section)?,
-            drifting: self.drift.iter().map(|name| coordinate(layout, name)).collect::<Result<_, _>>()?,
-        };
-        let found = map.orbit(&start.model().parameters, layout.public_state(&state))?;
+        let run = (RunOptions::default(), self.run_args.spec(model)?);
+        let orbits = Orbits::new(model, run, &self.section, &self.drift)?;
+        let found = orbits.find()?;
         let Some(to) = &self.to else {
             return Ok(print(&match self.json {
                 true => orbit::json(layout, &found)?,
                 false => orbit::text(layout, &found),
             })?);
         };
-        let place = parameter(layout, &to.name)?;
         Units::from_layout(layout)
             .check(&to.name, to.unit)
             .map_err(|why| CommandError::Usage(format!("--continue {}: {why}", to.name)))?;
-        let branch = map.branch(&found, place, to.value)?;
+        let place = find_parameter(layout, &to.name).map_err(Failure::from)?;
+        let branch = orbits.follow(&found, place, to.value)?;
         Ok(print(&match self.json {
             true => orbit::branch_json(layout, &branch)?,
             false => orbit::branch_text(layout, &branch, place),
         })?)
     }
-}
-
-/// The run with these parameters from a state.
-fn simulation(
-    model: &Entry,
-    spec: &RunSpec,
-    parameters: &[f64],
-    values: &[f64],
-) -> Result<Simulation, String> {
-    let layout = model.layout();
-    let names = layout.parameters.iter().map(|name| (*name).to_owned());
-    let spec = RunSpec {
-        parameters: names.zip(parameters.iter().copied()).collect(),
-        start: layout.names_of_state().zip(values.iter().copied()).collect(),
-        energy_of: Vec::new(),
-        ..spec.clone()
-    };
-    model.simulation(&spec).map_err(|error| error.to_string())
-}
-
-fn coordinate(layout: &Layout, name: &str) -> Result<usize, CommandError> {
-    let names = || layout.coordinates.iter().map(|coordinate| coordinate.name);
-    let place = names().position(|known| known == name);
-    place.ok_or_else(|| CommandError::Usage(NameError::new("coordinate", name, names()).to_string()))
-}
-
-fn parameter(layout: &Layout, name: &str) -> Result<usize, CommandError> {
-    let names = || layout.parameters.iter().copied();
-    let place = names().position(|known| known == name);
-    place.ok_or_else(|| CommandError::Usage(NameError::new("parameter", name, names()).to_string()))
 }

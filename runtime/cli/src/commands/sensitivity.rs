@@ -2,16 +2,12 @@
 
 use crate::CommandError;
 use crate::options::run_args::RunArgs;
-use crate::options::variables::{all, variables, with_value};
 use crate::output::notes::note;
 use crate::output::print::print;
 use crate::output::sensitivity;
 use clap::Args;
-use liftoff::Trajectory;
-use liftoff_analysis::{Sensitivities, SensitivityError, Variable};
-use liftoff_core::scalar::Dual4;
-use liftoff_studio::registry::{Entry, Models};
-use liftoff_studio::run_spec::RunSpec;
+use liftoff_studio::analyses::differentiate;
+use liftoff_studio::registry::{Models, RunOptions};
 
 #[derive(Args, Debug)]
 #[command(after_help = "\
@@ -37,41 +33,12 @@ impl Sensitivity {
     pub fn execute(&self, models: &Models) -> Result<(), CommandError> {
         let model = models.find(&self.model)?;
         let spec = self.run_args.spec(model)?;
-        let simulation = model.simulation(&spec)?;
-        let run = simulation.run().map_err(|error| CommandError::Failed(error.to_string()))?;
-        let names = if self.of.is_empty() { all(&simulation, &spec) } else { self.of.clone() };
-        let variables = variables(&simulation, &spec, "--of", &names)?;
-        let (variables, found) = self.differentiated(model, &spec, &run, variables)?;
+        let found = differentiate(model, RunOptions::default(), &spec, &self.of)
+            .map_err(|failure| CommandError::with_option("--of", failure))?;
+        found.left_out.iter().for_each(|text| note(text));
         Ok(print(&match self.json {
-            true => sensitivity::json(&run, &variables, &found)?,
-            false => sensitivity::text(&run, &variables, &found),
+            true => sensitivity::json(&found)?,
+            false => sensitivity::text(&found),
         })?)
-    }
-
-    /// Of all variables; where none is asked for by name, without those that the start cannot be varied with.
-    fn differentiated(
-        &self,
-        model: &Entry,
-        spec: &RunSpec,
-        run: &Trajectory,
-        mut variables: Vec<Variable>,
-    ) -> Result<(Vec<Variable>, Sensitivities), CommandError> {
-        let equations = |parameters: &[Dual4]| model.varied(parameters).map_err(|error| error.to_string());
-        let start = |variable: &Variable, value: f64| {
-            let simulation = model.simulation(&with_value(spec, variable, value));
-            let simulation = simulation.map_err(|error| error.to_string())?;
-            simulation.start_state().map_err(|error| error.to_string())
-        };
-        loop {
-            match Sensitivities::compute(run, equations, &variables, start) {
-                Ok(found) => return Ok((variables, found)),
-                Err(error @ SensitivityError::Start { .. }) if self.of.is_empty() && variables.len() > 1 => {
-                    note(&error.to_string());
-                    let SensitivityError::Start { variable, .. } = error else { continue };
-                    variables.retain(|of| of.name != variable);
-                }
-                Err(error) => return Err(CommandError::Failed(error.to_string())),
-            }
-        }
     }
 }

@@ -2,8 +2,8 @@
 
 use crate::errors::interrupted;
 use liftoff::OutputError;
-use liftoff_analysis::{Ending, FitError, OptimumError, OrbitError};
-use liftoff_studio::analyses::Failure;
+use liftoff_analysis::Ending;
+use liftoff_studio::analyses::{Failure, VariableError, describe_stop};
 use liftoff_studio::registry::MotionError;
 use liftoff_studio::work_precision::FileError;
 
@@ -36,14 +36,24 @@ impl CommandError {
 }
 
 impl CommandError {
+    /// A failure of what the values of an option ask for.
+    pub fn with_option(option: &str, failure: Failure) -> Self {
+        match failure {
+            Failure::Name(error) => Self::Usage(format!("{option} {error}")),
+            Failure::Variable(error) => Self::Usage(match &error {
+                VariableError::Twice(_) => format!("{option}: {error}"),
+                VariableError::Unknown { name, .. } => {
+                    format!("{option} {error}; --start '{name}=…' gives it")
+                }
+                VariableError::Outside(_) => format!("{option} {error}"),
+            }),
+            failure => failure.into(),
+        }
+    }
+
     /// Fails where a search whose best values have been printed was stopped.
     pub fn unless_converged(ending: &Ending) -> Result<(), Self> {
-        match ending {
-            Ending::Converged => Ok(()),
-            Ending::Stopped(why) => Err(Self::Failed(format!(
-                "the search has not converged; these are the best values so far: {why}"
-            ))),
-        }
+        describe_stop(ending).map_or(Ok(()), |text| Err(Self::Failed(text)))
     }
 }
 
@@ -66,36 +76,9 @@ impl From<Failure> for CommandError {
     fn from(failure: Failure) -> Self {
         match failure {
             Failure::Name(error) => Self::Usage(error.to_string()),
+            Failure::Variable(error) => Self::Usage(error.to_string()),
             Failure::Input(text) => Self::Usage(text),
             Failure::NotFound(text) => Self::Failed(text),
-        }
-    }
-}
-
-impl From<OrbitError> for CommandError {
-    fn from(error: OrbitError) -> Self {
-        match error {
-            OrbitError::Event(_) | OrbitError::Section { .. } => Self::Usage(error.to_string()),
-            _ => Self::Failed(error.to_string()),
-        }
-    }
-}
-
-impl From<FitError> for CommandError {
-    fn from(error: FitError) -> Self {
-        match error {
-            FitError::NoVariable | FitError::TooFew { .. } => Self::Usage(error.to_string()),
-            FitError::Start(_) | FitError::Undetermined(_) => Self::Failed(error.to_string()),
-        }
-    }
-}
-
-impl From<OptimumError> for CommandError {
-    fn from(error: OptimumError) -> Self {
-        match error {
-            OptimumError::Outside { .. } => Self::Usage(format!("--vary {error}")),
-            OptimumError::NoVariable => Self::Usage(error.to_string()),
-            OptimumError::Start(_) => Self::Failed(error.to_string()),
         }
     }
 }

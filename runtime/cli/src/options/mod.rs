@@ -12,4 +12,3 @@ pub mod samples;
 pub mod sampling;
 pub mod sliders;
 pub mod values;
-pub mod variables;

@@ -1,11 +1,11 @@
 //! What `fit` prints.
 
 use crate::CommandError;
-use crate::commands::fit::data::Measured;
 use crate::output::json::pretty;
 use core::fmt::Write;
 use liftoff::__private::expression::significant;
 use liftoff_analysis::{Ending, Fitted};
+use liftoff_studio::analyses::Measured;
 use liftoff_studio::sweep::aligned;
 use serde_json::{Map, Value, json};
 

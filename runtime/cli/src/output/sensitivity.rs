@@ -3,8 +3,8 @@
 use crate::CommandError;
 use crate::output::json::pretty;
 use liftoff::__private::expression::significant;
-use liftoff::Trajectory;
-use liftoff_analysis::{Sensitivities, Variable};
+use liftoff_analysis::Variable;
+use liftoff_studio::analyses::DifferentiatedRun;
 use liftoff_studio::sweep::aligned;
 use serde_json::{Map, Value};
 
@@ -16,7 +16,7 @@ const NAME: usize = 0;
 const ROUNDED: f64 = 1e-11;
 
 /// A row for the time of each event and for each entry of the final state, a column for each variable.
-pub fn text(run: &Trajectory, variables: &[Variable], found: &Sensitivities) -> String {
+pub fn text(DifferentiatedRun { run, variables, sensitivities: found, .. }: &DifferentiatedRun) -> String {
     let mut rows =
         vec![row(["", ""].map(str::to_owned), variables.iter().map(|of| format!("d/d{}", of.name)))];
     for (event, derivatives) in run.events().iter().zip(&found.events).skip(1) {
@@ -37,7 +37,8 @@ pub fn text(run: &Trajectory, variables: &[Variable], found: &Sensitivities) -> 
 }
 
 /// The same with all digits, and with the state behind each event.
-pub fn json(run: &Trajectory, variables: &[Variable], found: &Sensitivities) -> Result<String, CommandError> {
+pub fn json(found: &DifferentiatedRun) -> Result<String, CommandError> {
+    let DifferentiatedRun { run, variables, sensitivities: found, .. } = found;
     let by_variable = |slopes: &[f64]| -> Value {
         let named = variables.iter().zip(slopes).map(|(of, x)| (of.name.clone(), Value::from(*x)));
         Value::Object(named.collect::<Map<_, _>>())

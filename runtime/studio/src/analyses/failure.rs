@@ -1,8 +1,9 @@
 //! Why an analysis of a model by name gives nothing.
 
+use super::VariableError;
 use crate::registry::MotionError;
 use liftoff::NameError;
-use liftoff_analysis::AnalysisError;
+use liftoff_analysis::{AnalysisError, Ending, FitError, OptimumError, OrbitError};
 
 /// Why an analysis of a model by name gives nothing.
 #[derive(thiserror::Error, Debug)]
@@ -10,6 +11,9 @@ pub enum Failure {
     /// A name that the model does not have.
     #[error(transparent)]
     Name(#[from] NameError),
+    /// Something that cannot be varied.
+    #[error(transparent)]
+    Variable(#[from] VariableError),
     /// An invalid request.
     #[error("{0}")]
     Input(String),
@@ -33,6 +37,44 @@ impl From<AnalysisError> for Failure {
             AnalysisError::Name(error) => Self::Name(error),
             AnalysisError::Open { .. } => Self::Input(error.to_string()),
             _ => Self::NotFound(error.to_string()),
+        }
+    }
+}
+
+impl From<OrbitError> for Failure {
+    fn from(error: OrbitError) -> Self {
+        match error {
+            OrbitError::Event(_) | OrbitError::Section { .. } => Self::Input(error.to_string()),
+            _ => Self::NotFound(error.to_string()),
+        }
+    }
+}
+
+impl From<OptimumError> for Failure {
+    fn from(error: OptimumError) -> Self {
+        match error {
+            OptimumError::Outside { .. } => VariableError::Outside(error).into(),
+            OptimumError::NoVariable => Self::Input(error.to_string()),
+            OptimumError::Start(_) => Self::NotFound(error.to_string()),
+        }
+    }
+}
+
+impl From<FitError> for Failure {
+    fn from(error: FitError) -> Self {
+        match error {
+            FitError::NoVariable | FitError::TooFew { .. } => Self::Input(error.to_string()),
+            FitError::Start(_) | FitError::Undetermined(_) => Self::NotFound(error.to_string()),
+        }
+    }
+}
+
+/// What to say of a search that has not converged.
+pub fn describe_stop(ending: &Ending) -> Option<String> {
+    match ending {
+        Ending::Converged => None,
+        Ending::Stopped(why) => {
+            Some(format!("the search has not converged; these are the best values so far: {why}"))
         }
     }
 }

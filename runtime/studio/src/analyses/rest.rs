@@ -1,9 +1,8 @@
 //! Where a model rests.
 
-use super::Failure;
+use super::{Failure, find_parameter};
 use crate::registry::{Entry, input};
 use crate::run_spec::{RunSpec, overridden};
-use liftoff::NameError;
 use liftoff_analysis::{AnalysisError, Equilibrium, LoadLimit, Subject, equilibria, load_limit};
 
 /// An equilibrium, and how far a load may go there.
@@ -35,10 +34,7 @@ pub fn find_equilibria(
     load: Option<(&str, f64)>,
 ) -> Result<Vec<Rest>, Failure> {
     if let Some((name, _)) = load {
-        let names = || model.layout().parameters.iter().copied();
-        if !names().any(|known| known == name) {
-            return Err(NameError::new("parameter", name, names()).into());
-        }
+        find_parameter(model.layout(), name)?;
     }
     let each = equilibria(&subject(model, spec)?)?.into_iter().map(|equilibrium| {
         let limit = load.map(|load| find_limit(model, spec, &equilibrium, load));

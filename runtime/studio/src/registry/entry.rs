@@ -128,6 +128,14 @@ impl Entry {
         simulation(self.model(&spec.parameters)?, spec)
     }
 
+    /// The same with these options.
+    ///
+    /// # Errors
+    /// As for [`Self::simulation`].
+    pub fn simulation_by(&self, options: RunOptions, spec: &RunSpec) -> Result<Simulation, MotionError> {
+        Ok(options.apply(self.simulation(spec)?))
+    }
+
     /// Positions of all points at the start of a run.
     pub fn configuration(&self, spec: &RunSpec) -> Result<Configuration, MotionError> {
         let simulation = self.simulation(spec)?;
@@ -152,7 +160,7 @@ impl Entry {
 
     /// Runs it with these options.
     pub fn run_by(&self, options: RunOptions, spec: &RunSpec) -> Result<Trajectory, MotionError> {
-        options.apply(self.simulation(spec)?).run().map_err(stopped)
+        self.simulation_by(options, spec)?.run().map_err(stopped)
     }
 
     /// Runs it by a method, for a case that the judge follows.
@@ -172,7 +180,7 @@ impl Entry {
         spec: &RunSpec,
         observer: &mut impl Observer,
     ) -> Result<Trajectory, MotionError> {
-        options.apply(self.simulation(spec)?).observe(observer).map_err(stopped)
+        self.simulation_by(options, spec)?.observe(observer).map_err(stopped)
     }
 
     /// Measures all of its error against its run time.

@@ -1,13 +1,31 @@
 //! Parameters, and what is given at the start, as what runs are varied with.
 
-use crate::CommandError;
+use crate::run_spec::RunSpec;
 use liftoff::__private::expression::normalize_rate;
 use liftoff::Simulation;
-use liftoff_analysis::Variable;
-use liftoff_studio::run_spec::RunSpec;
+use liftoff_analysis::{OptimumError, Variable};
+
+/// Why something cannot be varied.
+#[derive(thiserror::Error, Debug)]
+pub enum VariableError {
+    /// It is named more than once.
+    #[error("`{0}` is given twice")]
+    Twice(String),
+    /// It has no value.
+    #[error("{name}: neither a parameter nor given at the start; there are {}", .known.join(", "))]
+    Unknown {
+        /// Its name.
+        name: String,
+        /// What can be varied.
+        known: Vec<String>,
+    },
+    /// It does not begin between its bounds.
+    #[error(transparent)]
+    Outside(OptimumError),
+}
 
 /// The names of all.
-pub fn all(simulation: &Simulation, spec: &RunSpec) -> Vec<String> {
+pub(super) fn all(simulation: &Simulation, spec: &RunSpec) -> Vec<String> {
     let layout = simulation.layout();
     let parameters = layout.parameters.iter().map(|name| (*name).to_owned());
     // `below(P)` is no value.
@@ -15,28 +33,23 @@ pub fn all(simulation: &Simulation, spec: &RunSpec) -> Vec<String> {
     parameters.chain(spec.start.iter().map(|(name, _)| name.clone()).filter(is_value)).collect()
 }
 
-/// Those of these names, which an option has.
-pub fn variables(
+/// Those of these names.
+pub(super) fn variables(
     simulation: &Simulation,
     spec: &RunSpec,
-    option: &str,
     names: &[String],
-) -> Result<Vec<Variable>, CommandError> {
+) -> Result<Vec<Variable>, VariableError> {
     let twice = names.iter().enumerate().find(|(k, name)| names[..*k].contains(name));
     if let Some((_, name)) = twice {
-        return Err(CommandError::Usage(format!("{option}: `{name}` is given twice")));
+        return Err(VariableError::Twice(name.clone()));
     }
     let layout = simulation.layout();
     let variable = |name: &String| {
         let parameter = layout.parameters.iter().position(|parameter| parameter == name);
         let given = spec.start.iter().find(|(given, _)| given == name).map(|(_, value)| *value);
         let value = parameter.map(|i| simulation.model().parameters[i]).or(given);
-        let value = value.ok_or_else(|| {
-            let known = all(simulation, spec).join(", ");
-            CommandError::Usage(format!(
-                "{option} {name}: neither a parameter nor given at the start; there are {known}; --start '{name}=…' gives it"
-            ))
-        })?;
+        let unknown = || VariableError::Unknown { name: name.clone(), known: all(simulation, spec) };
+        let value = value.ok_or_else(unknown)?;
         let unit = match parameter {
             Some(_) if value != 0.0 => value.abs(),
             Some(_) => 1.0,
@@ -63,13 +76,13 @@ fn natural(simulation: &Simulation, name: &str) -> f64 {
 }
 
 /// The run with these values of variables.
-pub fn with_values(spec: &RunSpec, variables: &[Variable], values: &[f64]) -> RunSpec {
+pub(super) fn with_values(spec: &RunSpec, variables: &[Variable], values: &[f64]) -> RunSpec {
     let each = variables.iter().zip(values);
     each.fold(spec.clone(), |spec, (variable, value)| with_value(&spec, variable, *value))
 }
 
 /// The run with another value of a variable.
-pub fn with_value(spec: &RunSpec, variable: &Variable, value: f64) -> RunSpec {
+pub(super) fn with_value(spec: &RunSpec, variable: &Variable, value: f64) -> RunSpec {
     let mut spec = spec.clone();
     let values = if variable.parameter.is_some() { &mut spec.parameters } else { &mut spec.start };
     values.iter_mut().filter(|(name, _)| *name == variable.name).for_each(|(_, old)| *old = value);
