@@ -47,6 +47,7 @@ pub use mode::Mode;
 pub use optimum::{Best, Free, Optimum, OptimumError};
 pub use orbit::{
     Branch, BranchEnd, BranchPoint, Orbit, OrbitError, OrbitStability, ReturnMap, Section, Simulate, Special,
+    describe_events,
 };
 pub use sensitivity::{Derivatives, Differentiated, Sensitivities, Variable};
 pub use subject::Subject;

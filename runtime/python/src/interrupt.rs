@@ -46,8 +46,8 @@ impl Observer for Watch {
 }
 
 /// Does a work on a thread of its own, without the interpreter; on Ctrl-C tells it to stop.
-pub fn watched<T: Send>(py: Python<'_>, work: impl FnOnce(&AtomicBool) -> T + Send) -> PyResult<T> {
-    let stop = AtomicBool::new(false);
+pub fn watched<T: Send>(py: Python<'_>, work: impl FnOnce(&Arc<AtomicBool>) -> T + Send) -> PyResult<T> {
+    let stop = Arc::default();
     py.detach(|| {
         thread::scope(|scope| {
             let (ended, end) = channel::<()>();

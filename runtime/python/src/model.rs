@@ -201,6 +201,49 @@ impl Model {
         analyses::rest::linearise(py, &self.entry, start, options)
     }
 
+    /// The periodic orbit near a run, an `Orbit`; or with `continue_to` the orbits that follow it in a parameter, a `Branch`.
+    ///
+    /// section: what is met once per period, an event, `"impact"` or `"impact A"`, or a condition that becomes true,
+    /// `"phi' > 0"`; for a driven model `"t = T"` with the period of its drive.
+    /// drift: coordinates that need not return, such as the distance walked.
+    /// continue_to: a parameter and its final value, `{"gamma": 0.1}`.
+    /// All others as in `simulate`.
+    #[pyo3(
+        signature = (section, start=None, **options),
+        text_signature = "($self, section, start=None, *, drift=None, continue_to=None, set=None, until=None, energy_of=None, hold=None, release=None, cut=None, \
+                          impulses=None, stop_at_impacts=None, limit=None, tolerance=None, method=None)"
+    )]
+    fn orbit<'py>(
+        &self,
+        py: Python<'py>,
+        section: &str,
+        start: Option<&Bound<'py, PyAny>>,
+        options: Option<Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let options = Options::new("orbit", options).beside(&["section", "start"]);
+        analyses::orbit::orbit(py, &self.entry, section, start, options)
+    }
+
+    /// The derivatives of a run, `Sensitivities`: of the times of its events, of the states there and at its end.
+    ///
+    /// of: parameters, coordinates and rates at the start; by default all.
+    /// All others as in `simulate`.
+    #[pyo3(
+        signature = (of=None, start=None, **options),
+        text_signature = "($self, of=None, start=None, *, set=None, until=None, energy_of=None, hold=None, release=None, cut=None, \
+                          impulses=None, stop_at_impacts=None, limit=None, tolerance=None, method=None)"
+    )]
+    fn sensitivity<'py>(
+        &self,
+        py: Python<'py>,
+        of: Option<&Bound<'py, PyAny>>,
+        start: Option<&Bound<'py, PyAny>>,
+        options: Option<Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let options = Options::new("sensitivity", options).beside(&["of", "start"]);
+        analyses::sensitivity::sensitivities(py, &self.entry, of, start, options)
+    }
+
     /// The equations that were derived, of the system and of each set of contacts: as `"text"`, `"latex"` or `"html"`.
     #[pyo3(signature = (format="text"))]
     fn explain<'py>(&self, py: Python<'py>, format: &str) -> PyResult<Bound<'py, PyAny>> {

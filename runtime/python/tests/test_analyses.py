@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import liftoff
-from conftest import ONE
+from conftest import ONE, ROOT
 
 LEANING = """
 use liftoff::prelude::*;
@@ -119,3 +119,67 @@ def test_an_unfolded_zigzag_falls_faster_to_one_side(zigzag):
         ratio = math.sqrt((1 / 3 + 2 * share) / (1 / 12 + share - share**2))
         assert halves.growth_ratio == pytest.approx(ratio, rel=1e-10)
         assert "phi_inner_image" in halves.antisymmetric.modes[0].shape
+
+
+WHEEL = {"m": 1, "j": 0.1, "l": 1, "gamma": 0.2, "mu": 1.5, "g": 9.81}
+
+
+@pytest.fixture(scope="module")
+def wheel():
+    return liftoff.Model.from_file(ROOT / "models/systems/src/rimless_wheel.rs")
+
+
+@pytest.fixture(scope="module")
+def ball():
+    return liftoff.Model.from_file(ROOT / "models/systems/src/bouncing_ball.rs")
+
+
+def rolling(phi=-0.2, rate=-2.0):
+    # It turns about A: the hub has the velocity of a spoke's end.
+    at = phi - math.pi / 3
+    return {"phi": phi, "phi'": rate, "x'": rate * math.sin(at), "y'": -rate * math.cos(at)}
+
+
+def test_a_rimless_wheel_has_the_multiplier_of_its_impacts(wheel):
+    drift = ["phi", "x", "y"]
+    orbit = wheel.orbit("impact", rolling(), drift=drift, set=WHEEL, limit=5)
+    share = ((0.1 + 0.5) / 1.1) ** 2
+    assert orbit.multipliers == pytest.approx([share], rel=1e-8) and orbit.stability == "stable"
+    assert orbit.shift["phi"] == pytest.approx(-math.pi / 3) and orbit.parameters["gamma"] == 0.2
+    # Half a turn of 60° falls by sin γ: φ'² gains 2 g sin γ m l/(j + m l²), and keeps a share of it.
+    gained = 2 * 9.81 * math.sin(0.2) / 1.1
+    assert orbit.state["phi'"] ** 2 == pytest.approx(share * gained / (1 - share), rel=1e-9)
+    assert ("impact", ["C"]) in orbit.events or ("impact", ["B"]) in orbit.events
+    branch = wheel.orbit("impact", rolling(), drift=drift, set=WHEEL, limit=5, continue_to={"gamma": 0.21})
+    assert branch.end == "followed to the end" and branch.orbits[-1].parameters["gamma"] == pytest.approx(0.21)
+    assert all(point.multipliers == pytest.approx([share], rel=1e-6) for point in branch.orbits)
+
+
+def test_what_an_orbit_cannot_take_is_told(wheel):
+    with pytest.raises(liftoff.UnknownName, match="no coordinate `phj`; did you mean `phi`"):
+        wheel.orbit("impact", rolling(), drift="phj", set=WHEEL)
+    with pytest.raises(ValueError, match="section `impct`"):
+        wheel.orbit("impct", rolling(), set=WHEEL)
+    with pytest.raises(TypeError, match="did you mean `continue_to`"):
+        wheel.orbit("impact", rolling(), set=WHEEL, continue_too={"gamma": 1})
+    with pytest.raises(liftoff.AnalysisError, match="does not reach the section"):
+        wheel.orbit("impact", {"phi": -0.2}, set={**WHEEL, "gamma": 0}, limit=0.1)
+
+
+def test_derivatives_of_a_bouncing_ball_are_those_of_its_closed_form(ball):
+    found = ball.sensitivity(["g", "e", "y"], {"x": 0, "y": 1}, set={"m": 1, "g": 9.81, "e": 0.8}, until="t = 1.5")
+    first, second = (at for at in found.events if at.event.kind == "impact")
+    # t₁ = √(2 y/g), t₂ = (1 + 2 e) t₁
+    t = math.sqrt(2 / 9.81)
+    assert first.time == pytest.approx({"g": -t / (2 * 9.81), "e": 0, "y": t / 2}, rel=1e-9, abs=1e-12)
+    assert second.time == pytest.approx({"g": -2.6 * t / (2 * 9.81), "e": 2 * t, "y": 2.6 * t / 2}, rel=1e-9)
+    assert first.state["y'"]["e"] == pytest.approx(9.81 * t, rel=1e-9)
+    assert list(found.end) == ["x", "y", "x'", "y'"]
+
+
+def test_unknown_variables_are_told(ball):
+    given = {"set": {"m": 1, "g": 9.81, "e": 0.8}, "until": "t = 1"}
+    with pytest.raises(liftoff.UnknownName, match=r"y': neither a parameter nor given .* start={\"y'\": …} gives it"):
+        ball.sensitivity("y'", {"y": 1}, **given)
+    with pytest.raises(ValueError, match="`g` is given twice"):
+        ball.sensitivity(["g", "g"], {"y": 1}, **given)

@@ -20,7 +20,7 @@ use nalgebra::{Complex, DMatrix, DVector};
 use super::newton::{ACCEPTED, Attempt, FOUND};
 use super::surface::{OrbitParameters, solve};
 use super::turn::sequence;
-use super::{Orbit, OrbitError, ReturnMap};
+use super::{Orbit, OrbitError, ReturnMap, describe_events};
 
 /// Steps along the branch, of (x, p) in natural units and p of its first value.
 const FIRST: f64 = 0.01;
@@ -90,6 +90,20 @@ pub enum BranchEnd {
     Lost(OrbitError),
     /// At the largest number of points.
     Long,
+}
+
+impl fmt::Display for BranchEnd {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Reached => f.write_str("followed to the end"),
+            Self::Sequence(events) => {
+                let events = describe_events(events);
+                write!(f, "beyond the last one the sequence of events changes: {events}")
+            }
+            Self::Lost(why) => write!(f, "beyond the last one no orbit is found: {why}"),
+            Self::Long => f.write_str("the branch was ended at the maximum number of orbits"),
+        }
+    }
 }
 
 /// A branch of orbits.

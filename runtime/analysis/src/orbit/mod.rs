@@ -91,3 +91,10 @@ impl Orbit {
         }
     }
 }
+
+/// The events of a turn in a line.
+pub fn describe_events(events: &[(EventKind, Vec<&'static str>)]) -> String {
+    let each =
+        events.iter().map(|(kind, supports)| format!("{} {kind}", supports.join(", ")).trim().to_owned());
+    each.collect::<Vec<_>>().join("; ")
+}

@@ -4,8 +4,7 @@ use crate::CommandError;
 use crate::output::json::pretty;
 use core::fmt::Write;
 use liftoff::__private::expression::significant;
-use liftoff::EventKind;
-use liftoff_analysis::{Branch, BranchEnd, Orbit, OrbitStability};
+use liftoff_analysis::{Branch, Orbit, OrbitStability, describe_events};
 use liftoff_core::model::Layout;
 use liftoff_studio::sweep::aligned;
 use serde_json::{Map, Value, json};
@@ -51,18 +50,7 @@ pub fn branch_text(layout: &Layout, branch: &Branch, parameter: usize) -> String
     });
     let rows: Vec<Vec<String>> = [head].into_iter().chain(rows).collect();
     let lines: String = aligned(&rows, Some(2)).iter().map(|line| format!("{}\n", line.trim_end())).collect();
-    format!("{lines}{}\n", end(branch))
-}
-
-fn end(branch: &Branch) -> String {
-    match &branch.end {
-        BranchEnd::Reached => "followed to the end".to_owned(),
-        BranchEnd::Sequence(events) => {
-            format!("beyond the last one the sequence of events changes: {}", describe_events(events))
-        }
-        BranchEnd::Lost(why) => format!("beyond the last one no orbit is found: {why}"),
-        BranchEnd::Long => "the branch was ended at the maximum number of orbits".to_owned(),
-    }
+    format!("{lines}{}\n", branch.end)
 }
 
 fn multipliers(orbit: &Orbit, digits: usize) -> String {
@@ -73,12 +61,6 @@ fn multipliers(orbit: &Orbit, digits: usize) -> String {
         format!("{}{im}", significant(multiplier.re, digits))
     });
     each.collect::<Vec<_>>().join(", ")
-}
-
-fn describe_events(events: &[(EventKind, Vec<&'static str>)]) -> String {
-    let each =
-        events.iter().map(|(kind, supports)| format!("{} {kind}", supports.join(", ")).trim().to_owned());
-    each.collect::<Vec<_>>().join("; ")
 }
 
 fn number(x: f64) -> String {
@@ -97,7 +79,7 @@ pub fn branch_json(layout: &Layout, branch: &Branch) -> Result<String, CommandEr
         told["special"] = json!(point.special.map(|special| special.to_string()));
         told
     });
-    pretty(&json!({ "orbits": points.collect::<Vec<_>>(), "end": end(branch) }))
+    pretty(&json!({ "orbits": points.collect::<Vec<_>>(), "end": branch.end.to_string() }))
 }
 
 fn value(layout: &Layout, orbit: &Orbit) -> Value {

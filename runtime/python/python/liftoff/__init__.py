@@ -7,7 +7,17 @@
 >>> model.sweep("first open phi", start={"phi": [0.1, 0.2, 0.3]})["first open phi"]
 """
 
-from ._analyses import Equilibrium, LinearHalves, Linearisation, LoadLimit, Mode
+from ._analyses import (
+    Branch,
+    Equilibrium,
+    EventDerivatives,
+    LinearHalves,
+    Linearisation,
+    LoadLimit,
+    Mode,
+    Orbit,
+    Sensitivities,
+)
 from ._errors import AnalysisError, DeclarationError, Error, RunError, UnknownName
 from ._liftoff import Event, Model, Trajectory, __version__
 from ._show import Page, Svg
@@ -15,17 +25,21 @@ from ._table import Table
 
 __all__ = [
     "AnalysisError",
+    "Branch",
     "DeclarationError",
     "Equilibrium",
     "Error",
     "Event",
+    "EventDerivatives",
     "LinearHalves",
     "Linearisation",
     "LoadLimit",
     "Mode",
     "Model",
+    "Orbit",
     "Page",
     "RunError",
+    "Sensitivities",
     "Svg",
     "Table",
     "Trajectory",

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Literal, Optional
+from typing import TYPE_CHECKING, Literal, Optional
 
 import numpy as np
 import numpy.typing as npt
 
+if TYPE_CHECKING:
+    from ._liftoff import Event
+
 _Floats = npt.NDArray[np.float64]
+_Complex = npt.NDArray[np.complex128]
 
 
 @dataclass(frozen=True)
@@ -86,3 +90,49 @@ class Equilibrium:
     joint_forces: dict[str, float]
     linear: Linearisation = field(repr=False)
     limit: Optional[LoadLimit]
+
+
+@dataclass(frozen=True, eq=False)
+class Orbit:
+    """A periodic orbit, by its state on the section.
+
+    `shift` is by how much each coordinate has changed after a period, zero where it does not drift. `events` are the kinds of
+    the events of a period, each with its supports. `multipliers` come with the largest first. `residual` is by how much the state
+    differs from its image, in natural units. `special` is what an orbit of a branch is beside: a fold, a branch point, a flip or
+    a torus.
+    """
+
+    period: float
+    stability: Literal["stable", "neutral", "unstable"]
+    state: dict[str, float]
+    parameters: dict[str, float]
+    shift: dict[str, float]
+    events: list[tuple[str, list[str]]]
+    multipliers: _Complex
+    residual: float
+    special: Optional[str]
+
+
+@dataclass(frozen=True, eq=False)
+class Branch:
+    """Periodic orbits followed in a parameter, and where the branch ends."""
+
+    orbits: list[Orbit]
+    end: str
+
+
+@dataclass(frozen=True, eq=False)
+class EventDerivatives:
+    """Derivatives at an event: `time["m"]` of its time, None of what only touches, `state["phi"]["m"]` of the state after it."""
+
+    event: Event
+    time: Optional[dict[str, float]]
+    state: dict[str, dict[str, float]]
+
+
+@dataclass(frozen=True, eq=False)
+class Sensitivities:
+    """Derivatives of a run: at each of its events, and of the state at its end, `end["phi"]["m"]`."""
+
+    events: list[EventDerivatives]
+    end: dict[str, dict[str, float]]

@@ -5,7 +5,7 @@ from typing import Any, Literal, Optional, Union, overload
 import numpy as np
 import numpy.typing as npt
 
-from ._analyses import Equilibrium, LinearHalves, Linearisation
+from ._analyses import Branch, Equilibrium, LinearHalves, Linearisation, Orbit, Sensitivities
 from ._show import Page, Svg
 from ._table import Table
 
@@ -137,6 +137,63 @@ class Model:
         closed: Optional[_Texts] = None,
         unfold: Literal[True],
     ) -> LinearHalves: ...
+    @overload
+    def orbit(
+        self,
+        section: str,
+        start: Optional[_Numbers] = None,
+        *,
+        drift: Optional[_Texts] = None,
+        continue_to: None = None,
+        set: Optional[_Numbers] = None,
+        until: Optional[_Texts] = None,
+        energy_of: Optional[_Numbers] = None,
+        hold: Optional[_Texts] = None,
+        release: Optional[_Numbers] = None,
+        cut: Optional[Mapping[str, str]] = None,
+        impulses: Optional[_Impulses] = None,
+        stop_at_impacts: Optional[bool] = None,
+        limit: Optional[_Number] = None,
+        tolerance: Optional[_Number] = None,
+        method: Optional[_Method] = None,
+    ) -> Orbit: ...
+    @overload
+    def orbit(
+        self,
+        section: str,
+        start: Optional[_Numbers] = None,
+        *,
+        drift: Optional[_Texts] = None,
+        continue_to: _Numbers,
+        set: Optional[_Numbers] = None,
+        until: Optional[_Texts] = None,
+        energy_of: Optional[_Numbers] = None,
+        hold: Optional[_Texts] = None,
+        release: Optional[_Numbers] = None,
+        cut: Optional[Mapping[str, str]] = None,
+        impulses: Optional[_Impulses] = None,
+        stop_at_impacts: Optional[bool] = None,
+        limit: Optional[_Number] = None,
+        tolerance: Optional[_Number] = None,
+        method: Optional[_Method] = None,
+    ) -> Branch: ...
+    def sensitivity(
+        self,
+        of: Optional[_Texts] = None,
+        start: Optional[_Numbers] = None,
+        *,
+        set: Optional[_Numbers] = None,
+        until: Optional[_Texts] = None,
+        energy_of: Optional[_Numbers] = None,
+        hold: Optional[_Texts] = None,
+        release: Optional[_Numbers] = None,
+        cut: Optional[Mapping[str, str]] = None,
+        impulses: Optional[_Impulses] = None,
+        stop_at_impacts: Optional[bool] = None,
+        limit: Optional[_Number] = None,
+        tolerance: Optional[_Number] = None,
+        method: Optional[_Method] = None,
+    ) -> Sensitivities: ...
     @overload
     def explain(self, format: Literal["text", "latex"] = "text") -> str: ...
     @overload

@@ -1,13 +1,20 @@
 //! What follows from a model, as the dataclasses of `_analyses.py`.
 //!
 //! - `rest`: equilibria and linearised motions.
+//! - `beginning`: the run that a search begins with; `orbit`: periodic ones; `sensitivity`: derivatives.
 
+mod beginning;
+pub mod orbit;
 pub mod rest;
+pub mod sensitivity;
 
+use liftoff_core::model::Layout;
 use numpy::ndarray::Array2;
 use numpy::{IntoPyArray, PyArray2};
 use pyo3::call::PyCallArgs;
+use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
+use std::ffi::CString;
 
 /// An answer: a dataclass with these fields, in their order.
 fn answer<'py>(py: Python<'py>, class: &str, fields: impl PyCallArgs<'py>) -> PyResult<Bound<'py, PyAny>> {
@@ -21,4 +28,13 @@ fn matrix(
     entry: impl Fn((usize, usize)) -> f64,
 ) -> Bound<'_, PyArray2<f64>> {
     Array2::from_shape_fn(shape, entry).into_pyarray(py)
+}
+
+fn coordinates(layout: &Layout) -> impl Iterator<Item = &'static str> {
+    layout.coordinates.iter().map(|coordinate| coordinate.name)
+}
+
+/// Warns of what changes an answer.
+fn warn(py: Python<'_>, text: &str) -> PyResult<()> {
+    PyErr::warn(py, &py.get_type::<PyUserWarning>(), &CString::new(text)?, 1)
 }

@@ -1,6 +1,6 @@
 //! Equilibria and linearised motions.
 
-use super::{answer, matrix};
+use super::{answer, coordinates, matrix, warn};
 use crate::errors::{self, invalid};
 use crate::options::Options;
 use crate::request::pose;
@@ -9,10 +9,9 @@ use liftoff_analysis::{Linearisation, Load, Mode, Stability};
 use liftoff_core::model::Layout;
 use liftoff_studio::analyses::{self, Failure, Rest, describe_motion, find_contacts, find_equilibria};
 use liftoff_studio::registry::{Entry, Place};
-use pyo3::exceptions::{PyTypeError, PyUserWarning};
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyComplex, PyMapping, PyString};
-use std::ffi::CString;
 
 /// The equilibria that are found from a start.
 pub fn equilibria<'py>(
@@ -61,8 +60,7 @@ pub fn linearise<'py>(
 }
 
 fn warn_of_motion(py: Python<'_>, residual: f64) -> PyResult<()> {
-    let Some(text) = describe_motion(residual) else { return Ok(()) };
-    PyErr::warn(py, &py.get_type::<PyUserWarning>(), &CString::new(text)?, 1)
+    describe_motion(residual).map_or(Ok(()), |text| warn(py, &text))
 }
 
 /// A parameter, and the value towards which it goes.
@@ -120,8 +118,4 @@ fn mode<'py>(py: Python<'py>, layout: &Layout, mode: &Mode) -> PyResult<Bound<'p
     let shape = mode.shape.iter().map(|x| complex(x.re, x.im));
     let shape = coordinates(layout).zip(shape).into_py_dict(py)?;
     answer(py, "Mode", (complex(mode.rate.re, mode.rate.im), shape))
-}
-
-fn coordinates(layout: &Layout) -> impl Iterator<Item = &'static str> {
-    layout.coordinates.iter().map(|coordinate| coordinate.name)
 }
