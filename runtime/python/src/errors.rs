@@ -36,6 +36,11 @@ pub fn request(error: &MotionError) -> PyErr {
     invalid(error)
 }
 
+/// The same with arguments in the place of the options of the command line.
+pub fn in_python(text: &str) -> String {
+    text.replace("--", "")
+}
+
 /// An analysis that gives nothing.
 pub fn analysis(failure: Failure) -> PyErr {
     match failure {
@@ -46,9 +51,8 @@ pub fn analysis(failure: Failure) -> PyErr {
             }
             _ => invalid(error),
         },
-        // What is an option of the command line is an argument here.
-        Failure::Input(text) => invalid(text.replace("--", "")),
-        Failure::NotFound(text) => AnalysisError::new_err(text),
+        Failure::Input(text) => invalid(in_python(&text)),
+        Failure::NotFound(text) => AnalysisError::new_err(in_python(&text)),
     }
 }
 

@@ -244,6 +244,55 @@ impl Model {
         analyses::sensitivity::sensitivities(py, &self.entry, of, start, options)
     }
 
+    /// The values of parameters and entries of the start with the least sum of squares, a `Fit`.
+    ///
+    /// vary: the parameters, coordinates and rates to fit; the search begins with their values in the run.
+    /// data: measured series, a dict or a frame with `t` and columns named by outputs, or the path of a file of values separated
+    /// by commas; `"phi ±"` has the standard deviations of `"phi"`; what is no number is left out.
+    /// of: columns to fit, by default all. sd: standard deviations of columns.
+    /// events: measured times of events, `{"first open": 0.4531}`, and outputs after them, `{"2nd impact phi": 0.3}`; a pair has
+    /// the standard deviation too.
+    /// All others as in `simulate`.
+    #[pyo3(
+        signature = (vary, start=None, **options),
+        text_signature = "($self, vary, start=None, *, data=None, of=None, sd=None, events=None, set=None, until=None, energy_of=None, hold=None, release=None, cut=None, \
+                          impulses=None, stop_at_impacts=None, limit=None, tolerance=None, method=None)"
+    )]
+    fn fit<'py>(
+        &self,
+        py: Python<'py>,
+        vary: &Bound<'py, PyAny>,
+        start: Option<&Bound<'py, PyAny>>,
+        options: Option<Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let options = Options::new("fit", options).beside(&["vary", "start"]);
+        analyses::fit::fit(py, &self.entry, vary, start, options)
+    }
+
+    /// The values of parameters and entries of the start with which an output is least or greatest, an `Optimum`.
+    ///
+    /// of: the time of an event, `"first open"`, an output after one, `"first impact x"`, or at the end, `"end phi"`.
+    /// vary: parameters, coordinates and rates, or a dict with their bounds, `{"release": (0.1, 1)}`; the search begins with
+    /// their values in the run.
+    /// greatest: whether the greatest value is sought.
+    /// All others as in `simulate`.
+    #[pyo3(
+        signature = (of, vary, start=None, **options),
+        text_signature = "($self, of, vary, start=None, *, greatest=False, set=None, until=None, energy_of=None, hold=None, release=None, cut=None, \
+                          impulses=None, stop_at_impacts=None, limit=None, tolerance=None, method=None)"
+    )]
+    fn optimise<'py>(
+        &self,
+        py: Python<'py>,
+        of: &str,
+        vary: &Bound<'py, PyAny>,
+        start: Option<&Bound<'py, PyAny>>,
+        options: Option<Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let options = Options::new("optimise", options).beside(&["of", "vary", "start"]);
+        analyses::optimum::optimise(py, &self.entry, (of, vary), start, options)
+    }
+
     /// The equations that were derived, of the system and of each set of contacts: as `"text"`, `"latex"` or `"html"`.
     #[pyo3(signature = (format="text"))]
     fn explain<'py>(&self, py: Python<'py>, format: &str) -> PyResult<Bound<'py, PyAny>> {

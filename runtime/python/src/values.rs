@@ -5,7 +5,7 @@ use liftoff::__private::expression::si_unit::SiUnit;
 use liftoff::__private::expression::{contact_of, unknown_support};
 use liftoff::{NameError, OutputError};
 use liftoff_core::model::Layout;
-use liftoff_studio::registry::{Place, Quantity};
+use liftoff_studio::registry::{Place, Quantity, Units};
 use liftoff_studio::run_spec::Values;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
@@ -20,12 +20,15 @@ pub fn entries<'py>(
     layout: &'static Layout,
     given: &Bound<'py, PyAny>,
 ) -> PyResult<Entries<'py>> {
-    let mapping = given.cast::<PyMapping>().map_err(|_| {
-        PyTypeError::new_err(format!("{}: expected a dict of names and values", keyword(place)))
-    })?;
-    let entries: Entries<'py> = mapping.items()?.extract()?;
+    let entries = items(keyword(place), given)?;
     entries.iter().try_for_each(|(name, _)| check_name(place, layout, name))?;
     Ok(entries)
+}
+
+/// The items of a mapping.
+pub fn items<'py>(what: &str, given: &Bound<'py, PyAny>) -> PyResult<Entries<'py>> {
+    let expected = || PyTypeError::new_err(format!("{what}: expected a dict of names and values"));
+    given.cast::<PyMapping>().map_err(|_| expected())?.items()?.extract()
 }
 
 /// An array of numbers where they may be read: those of a message or a file, as Dask and `memmap` give them, may stand at any
@@ -69,6 +72,12 @@ pub fn number(what: &str, value: &Bound<'_, PyAny>) -> PyResult<(f64, Option<SiU
     let number =
         number.map_err(|_| PyTypeError::new_err(format!("{what}: expected a number or its text")))?;
     Ok((number, None))
+}
+
+/// A number in a unit of what an output, parameter or coordinate of this name measures.
+pub fn measured_as(units: &Units, name: &str, (what, value): (&str, &Bound<'_, PyAny>)) -> PyResult<f64> {
+    let (value, unit) = number(what, value)?;
+    units.check(name, unit).map(|()| value).map_err(|why| invalid(format!("{what}: {why}")))
 }
 
 /// One text or several.

@@ -183,3 +183,96 @@ def test_unknown_variables_are_told(ball):
         ball.sensitivity("y'", {"y": 1}, **given)
     with pytest.raises(ValueError, match="`g` is given twice"):
         ball.sensitivity(["g", "g"], {"y": 1}, **given)
+
+
+BALL = {"m": 1, "g": 9.81, "e": 0.8}
+
+
+def test_a_fit_finds_what_made_the_times_of_impacts(ball):
+    t = math.sqrt(2 * 1.2 / 9.81)
+    times = {"first impact": t, "2nd impact": t * (1 + 2 * 0.7), "3rd impact": (t * (1 + 2 * 0.7 + 2 * 0.49), 1)}
+    events = {name: time if isinstance(time, tuple) else (time, "1 s") for name, time in times.items()}
+    fit = ball.fit(["e", "y"], {"x": 0, "y": 1}, set=BALL, until="t = 5", events=events)
+    assert fit.estimates["e"].value == pytest.approx(0.7, rel=1e-9) and fit.stopped is None
+    assert fit.estimates["y"].value == pytest.approx(1.2, rel=1e-9) and fit.freedom == 1
+    assert fit.data[0] == "the time of first impact" and fit.residuals == pytest.approx(np.zeros(3), abs=1e-9)
+
+
+@pytest.mark.parametrize("kind", ["dict", "frame", "file"])
+def test_a_fit_of_a_series_is_that_of_linear_least_squares(ball, tmp_path, kind):
+    pandas = pytest.importorskip("pandas")
+    t = np.linspace(0, 0.4, 21)
+    measured = 1 - 4.9 * t**2 + 1e-3 * np.cos(57 * np.arange(21))
+    data = {"t": t, "y": np.where(t == t[3], np.nan, measured)}
+    if kind == "frame":
+        data = pandas.DataFrame(data).set_index("t")
+    elif kind == "file":
+        data = tmp_path / "measured.csv"
+        pandas.DataFrame({"t": t, "y": measured}).drop(3).to_csv(data, index=False)
+    given = {"set": BALL, "data": data}
+    if kind == "file":
+        fit = ball.fit(["y", "g"], {"x": 0, "y": 1}, **given)
+    else:
+        with pytest.warns(UserWarning, match="empty cells, which are skipped: 1"):
+            fit = ball.fit(["y", "g"], {"x": 0, "y": 1}, **given)
+    matrix = np.delete(np.stack([np.ones(21), -(t**2) / 2], axis=1), 3, axis=0)
+    exact, square, *_ = np.linalg.lstsq(matrix, np.delete(measured, 3), rcond=None)
+    variances = square[0] / 18 * np.diag(np.linalg.inv(matrix.T @ matrix))
+    estimates = [fit.estimates[name] for name in ("y", "g")]
+    assert [estimate.value for estimate in estimates] == pytest.approx(exact, rel=1e-7)
+    assert [estimate.standard_error for estimate in estimates] == pytest.approx(np.sqrt(variances), rel=1e-5)
+    assert fit.scatter == pytest.approx(math.sqrt(square[0] / 18), rel=1e-5) and fit.freedom == 18
+
+
+@pytest.mark.parametrize(
+    "arguments, told",
+    [
+        ({"events": {"first impct": 1}}, "events: first impct: .*did you mean `impact`"),
+        ({"events": {"first impact": "1 m"}}, "events: first impact: measured in s, not in m"),
+        ({"events": {"first impact": (1, -1)}}, "a standard deviation is a number > 0"),
+        ({"events": {"first impact": 1, "2nd impact y": 1}}, "has no standard deviation"),
+        ({"data": {"y": [1]}}, "data: there is no column `t` among `y`"),
+        ({"data": {"t": [0, 1], "q": [1, 2]}}, "column `q`"),
+        ({"data": {"t": [0, 1], "y": [1]}}, "data: y has 1 values, but t has 2"),
+        ({"data": {"t": [0, 0.2, 0.1], "y": [1, 1, 1]}}, "data, row 2: t = 0.1 does not come after t = 0.2"),
+        ({"data": {"t": [0, 0.2], "y": ["one", 1]}}, "data: y: "),
+        ({"data": {"t": [0, 0.2], "y": [1, 1]}, "sd": {"x": 1}}, "sd: x: no such column is fitted"),
+        ({"sd": {"y": 1}, "events": {"first impact": 1}}, "of, sd: there is no data"),
+        ({"data": {"t": [0, 0.2], "y": [1, 1]}, "limit": 0.1}, "t = 0.2 is after the limit 0.1"),
+        ({}, "0 measured values are too few"),
+    ],
+)
+def test_what_cannot_be_fitted_is_told(ball, arguments, told):
+    with pytest.raises(ValueError, match=told):
+        ball.fit("e", {"x": 0, "y": 1}, set=BALL, until="t = 1", **arguments)
+
+
+def test_an_optimum_is_that_of_its_closed_form(ball):
+    flying = {"set": BALL, "until": "t = 0.1"}
+    # y − y'² after t is greatest for the rate g t + t/2 at first.
+    best = ball.optimise("end y - y'*y'", "y'", {"x": 0, "y": 1, "y'": 0}, greatest=True, **flying)
+    rate = 9.81 * 0.1 + 0.05
+    assert best.values["y'"] == pytest.approx(rate, rel=1e-6) and best.stopped is None and best.at_bounds == []
+    assert best.value == pytest.approx(1 + rate * 0.1 - 9.81 * 0.005 - 0.0025, rel=1e-9)
+    falling = {"set": BALL, "limit": 5}
+    soonest = ball.optimise("first impact", {"y": (0.5, "2 m")}, {"x": 0, "y": 1}, **falling)
+    assert soonest.at_bounds == ["y"] and soonest.value == pytest.approx(math.sqrt(1 / 9.81), rel=1e-4)
+    with pytest.warns(UserWarning, match="the output improves without bound .*: vary g="):
+        assert "without bound" in ball.optimise("first impact", "g", {"x": 0, "y": 1}, **falling).stopped
+
+
+@pytest.mark.parametrize(
+    "of, vary, told",
+    [
+        ("first impct", "y", "of: `first impct`: .*did you mean `impact`"),
+        ("max y", "y", "expected an event"),
+        ("first impact", "q", "q: neither a parameter nor given at the start"),
+        ("first impact", {"y": (2, 1)}, "expected a lower and a greater bound"),
+        ("first impact", {"y": 3}, "expected a lower and a greater bound"),
+        ("first impact", {"y": (2, 3)}, "y = 1 is not between its bounds, 2 and 3"),
+        ("first impact", {"y": ("0 s", 3)}, "vary: y: measured in m, not in s"),
+    ],
+)
+def test_what_cannot_be_optimised_is_told(ball, of, vary, told):
+    with pytest.raises(ValueError, match=told):
+        ball.optimise(of, vary, {"x": 0, "y": 1}, set=BALL, limit=1)

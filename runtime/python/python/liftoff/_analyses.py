@@ -136,3 +136,49 @@ class Sensitivities:
 
     events: list[EventDerivatives]
     end: dict[str, dict[str, float]]
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A fitted value with its standard error and its 95 % interval, which need more values than variables."""
+
+    value: float
+    standard_error: Optional[float]
+    interval: Optional[tuple[float, float]]
+
+
+@dataclass(frozen=True, eq=False)
+class Fit:
+    """What the data say of the varied names, `estimates["m"].value`.
+
+    `correlations` has a row and a column for each of them. `residuals` are computed less measured values, in the order of
+    `data`, and `norm` is that of the residuals in standard deviations. `scatter` is by how much they scatter, with `freedom`
+    degrees of freedom. `stopped` is why the search has not converged, or None.
+    """
+
+    estimates: dict[str, Estimate]
+    correlations: _Floats
+    data: list[str]
+    residuals: _Floats
+    norm: float
+    freedom: int
+    scatter: Optional[float]
+    runs: int
+    stopped: Optional[str]
+
+
+@dataclass(frozen=True)
+class Optimum:
+    """The least or the greatest value of an output, and the values of the varied names with which it has it.
+
+    `slopes` are the derivatives of the output there, `at_bounds` the names that are at a bound, `first` the output where the
+    search began. `stopped` is why the search has not converged, or None.
+    """
+
+    value: float
+    values: dict[str, float]
+    slopes: dict[str, float]
+    at_bounds: list[str]
+    first: float
+    runs: int
+    stopped: Optional[str]

@@ -5,7 +5,7 @@ from typing import Any, Literal, Optional, Union, overload
 import numpy as np
 import numpy.typing as npt
 
-from ._analyses import Branch, Equilibrium, LinearHalves, Linearisation, Orbit, Sensitivities
+from ._analyses import Branch, Equilibrium, Fit, LinearHalves, Linearisation, Optimum, Orbit, Sensitivities
 from ._show import Page, Svg
 from ._table import Table
 
@@ -194,6 +194,46 @@ class Model:
         tolerance: Optional[_Number] = None,
         method: Optional[_Method] = None,
     ) -> Sensitivities: ...
+    def fit(
+        self,
+        vary: _Texts,
+        start: Optional[_Numbers] = None,
+        *,
+        data: Any = None,
+        of: Optional[_Texts] = None,
+        sd: Optional[_Numbers] = None,
+        events: Optional[Mapping[str, Union[_Number, tuple[_Number, _Number]]]] = None,
+        set: Optional[_Numbers] = None,
+        until: Optional[_Texts] = None,
+        energy_of: Optional[_Numbers] = None,
+        hold: Optional[_Texts] = None,
+        release: Optional[_Numbers] = None,
+        cut: Optional[Mapping[str, str]] = None,
+        impulses: Optional[_Impulses] = None,
+        stop_at_impacts: Optional[bool] = None,
+        limit: Optional[_Number] = None,
+        tolerance: Optional[_Number] = None,
+        method: Optional[_Method] = None,
+    ) -> Fit: ...
+    def optimise(
+        self,
+        of: str,
+        vary: Union[_Texts, Mapping[str, Optional[tuple[_Number, _Number]]]],
+        start: Optional[_Numbers] = None,
+        *,
+        greatest: bool = False,
+        set: Optional[_Numbers] = None,
+        until: Optional[_Texts] = None,
+        energy_of: Optional[_Numbers] = None,
+        hold: Optional[_Texts] = None,
+        release: Optional[_Numbers] = None,
+        cut: Optional[Mapping[str, str]] = None,
+        impulses: Optional[_Impulses] = None,
+        stop_at_impacts: Optional[bool] = None,
+        limit: Optional[_Number] = None,
+        tolerance: Optional[_Number] = None,
+        method: Optional[_Method] = None,
+    ) -> Optimum: ...
     @overload
     def explain(self, format: Literal["text", "latex"] = "text") -> str: ...
     @overload

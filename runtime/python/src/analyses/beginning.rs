@@ -15,6 +15,8 @@ pub struct Beginning {
     pub request: Request,
     /// Whether an end is given.
     pub has_until: bool,
+    /// The latest end, where one is given.
+    pub limit: Option<f64>,
 }
 
 impl Beginning {
@@ -26,7 +28,8 @@ impl Beginning {
     ) -> PyResult<Self> {
         let until = options.take("until")?;
         let request = Request::from_options(entry, start, until.as_ref(), options)?;
-        Ok(Self { request, has_until: until.is_some() })
+        let limit = options.take("limit")?.and(request.spec.limit);
+        Ok(Self { request, has_until: until.is_some(), limit })
     }
 
     /// Does a work with it without the interpreter; Ctrl-C stops its runs.

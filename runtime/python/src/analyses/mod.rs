@@ -1,13 +1,17 @@
 //! What follows from a model, as the dataclasses of `_analyses.py`.
 //!
 //! - `rest`: equilibria and linearised motions.
-//! - `beginning`: the run that a search begins with; `orbit`: periodic ones; `sensitivity`: derivatives.
+//! - `beginning`: the run that a search begins with; `orbit`: periodic ones; `sensitivity`:
+//!   derivatives; `fit`, `optimum`: what values of parameters and starts are best.
 
 mod beginning;
+pub mod fit;
+pub mod optimum;
 pub mod orbit;
 pub mod rest;
 pub mod sensitivity;
 
+use crate::errors::in_python;
 use liftoff_core::model::Layout;
 use numpy::ndarray::Array2;
 use numpy::{IntoPyArray, PyArray2};
@@ -36,5 +40,5 @@ fn coordinates(layout: &Layout) -> impl Iterator<Item = &'static str> {
 
 /// Warns of what changes an answer.
 fn warn(py: Python<'_>, text: &str) -> PyResult<()> {
-    PyErr::warn(py, &py.get_type::<PyUserWarning>(), &CString::new(text)?, 1)
+    PyErr::warn(py, &py.get_type::<PyUserWarning>(), &CString::new(in_python(text))?, 1)
 }

@@ -4,12 +4,12 @@ use super::beginning::Beginning;
 use super::{answer, coordinates};
 use crate::errors::{invalid, unknown};
 use crate::options::Options;
-use crate::values::{named, texts};
+use crate::values::{items, measured_as, texts};
 use liftoff::EventKind;
 use liftoff_analysis::{Orbit, OrbitStability};
 use liftoff_core::model::Layout;
 use liftoff_studio::analyses::{Orbits, find_parameter};
-use liftoff_studio::registry::{Entry, Place};
+use liftoff_studio::registry::{Entry, Units};
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::IntoPyDict;
@@ -43,8 +43,12 @@ pub fn orbit<'py>(
 
 /// The place of a parameter, and its final value.
 fn parameter(layout: &'static Layout, given: &Bound<'_, PyAny>) -> PyResult<(usize, f64)> {
-    match &named(Place::Parameter, layout, given)?[..] {
-        [(name, to)] => Ok((find_parameter(layout, name).map_err(|error| unknown(&error))?, *to)),
+    match &items("continue_to", given)?[..] {
+        [(name, to)] => {
+            let place = find_parameter(layout, name).map_err(|error| unknown(&error))?;
+            let what = format!("continue_to: {name}");
+            Ok((place, measured_as(&Units::from_layout(layout), name, (&what, to))?))
+        }
         several => Err(invalid(format!("continue_to: one parameter is followed, not {}", several.len()))),
     }
 }

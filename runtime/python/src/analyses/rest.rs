@@ -4,14 +4,13 @@ use super::{answer, coordinates, matrix, warn};
 use crate::errors::{self, invalid};
 use crate::options::Options;
 use crate::request::pose;
-use crate::values::{named, texts};
+use crate::values::{items, measured_as, texts};
 use liftoff_analysis::{Linearisation, Load, Mode, Stability};
 use liftoff_core::model::Layout;
 use liftoff_studio::analyses::{self, Failure, Rest, describe_motion, find_contacts, find_equilibria};
-use liftoff_studio::registry::{Entry, Place};
-use pyo3::exceptions::PyTypeError;
+use liftoff_studio::registry::{Entry, Units};
 use pyo3::prelude::*;
-use pyo3::types::{IntoPyDict, PyComplex, PyMapping, PyString};
+use pyo3::types::{IntoPyDict, PyComplex, PyString};
 
 /// The equilibria that are found from a start.
 pub fn equilibria<'py>(
@@ -68,15 +67,12 @@ fn load(layout: &'static Layout, given: &Bound<'_, PyAny>) -> PyResult<(String, 
     if let Ok(name) = given.cast::<PyString>() {
         return Ok((name.to_string(), f64::INFINITY));
     }
-    if given.cast::<PyMapping>().is_err() {
-        return Err(PyTypeError::new_err(
-            "load: expected a parameter, or a dict with the value that it goes towards",
-        ));
-    }
-    let mut values = named(Place::Parameter, layout, given)?;
-    match values.len() {
-        1 => Ok(values.remove(0)),
-        count => Err(invalid(format!("load: one parameter is a load, not {count}"))),
+    match &items("load", given)?[..] {
+        [(name, to)] => {
+            let what = format!("load: {name}");
+            Ok((name.clone(), measured_as(&Units::from_layout(layout), name, (&what, to))?))
+        }
+        several => Err(invalid(format!("load: one parameter is a load, not {}", several.len()))),
     }
 }
 
