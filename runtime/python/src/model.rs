@@ -293,6 +293,30 @@ impl Model {
         analyses::optimum::optimise(py, &self.entry, (of, vary), start, options)
     }
 
+    /// The curves in the plane of two names across which what is observed changes, a list of `Boundary`.
+    ///
+    /// vary: two parameters, coordinates or rates at the start, or names that settings use, with their ranges:
+    /// `{"phi": (0.5, 1.5)}`; a third number is the size of the grid on which curves are found.
+    /// observe: what changes, `"first open"`, `"last impact"`, `"end"`, or a number that reaches a value,
+    /// `"first open phi = 0.4"`.
+    /// start, set, energy_of, release: as in `simulate`, or texts: expressions of the varied names.
+    /// accuracy: of the curves, in parts of the ranges; by default 1e-10.
+    /// All others as in `sweep`.
+    #[pyo3(
+        signature = (vary, **options),
+        text_signature = "($self, vary, *, observe='first open', start=None, set=None, energy_of=None, release=None, \
+                          accuracy=1e-10, until=None, hold=None, cut=None, \
+                          impulses=None, stop_at_impacts=None, limit=None, tolerance=None, threads=None)"
+    )]
+    fn boundary<'py>(
+        &self,
+        py: Python<'py>,
+        vary: &Bound<'py, PyAny>,
+        options: Option<Bound<'py, PyDict>>,
+    ) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        sweep::boundary::boundaries(py, &self.entry, vary, options)
+    }
+
     /// The equations that were derived, of the system and of each set of contacts: as `"text"`, `"latex"` or `"html"`.
     #[pyo3(signature = (format="text"))]
     fn explain<'py>(&self, py: Python<'py>, format: &str) -> PyResult<Bound<'py, PyAny>> {

@@ -276,3 +276,33 @@ def test_an_optimum_is_that_of_its_closed_form(ball):
 def test_what_cannot_be_optimised_is_told(ball, of, vary, told):
     with pytest.raises(ValueError, match=told):
         ball.optimise(of, vary, {"x": 0, "y": 1}, set=BALL, limit=1)
+
+
+def test_a_boundary_is_where_what_is_observed_changes(ball):
+    # At t the height is y − g t²/2.
+    given = {"observe": "end y = 0.4", "start": {"x": 0}, "set": BALL, "until": "t = 0.3"}
+    [curve] = ball.boundary({"y": (0.5, 1.5), "g": ("1 m/s^2", 10, 9)}, **given)
+    assert list(curve.points) == ["y", "g"] and curve.ends == ("the edge", "the edge")
+    assert curve.points["y"] == pytest.approx(0.4 + curve.points["g"] * 0.045, abs=1e-8)
+    is_upward = curve.points["g"][-1] > curve.points["g"][0]
+    assert (curve.left, curve.right) == (("< 0.4", "> 0.4") if is_upward else ("> 0.4", "< 0.4"))
+    named = {"start": {"x": 0, "y": "h + 0.1"}, "set": BALL, "until": "t = 0.3", "observe": "end y = 0.4"}
+    [curve] = ball.boundary({"h": (0.5, 1.5), "m": (1, 2)}, threads=1, accuracy=1e-8, **named)
+    assert curve.points["h"] == pytest.approx(0.3 + 9.81 * 0.045, abs=1e-5)
+
+
+@pytest.mark.parametrize(
+    "vary, options, told",
+    [
+        ({"y": (0.5, 1.5)}, {}, "two"),
+        ({"y": (1.5, 0.5), "g": (1, 2)}, {}, "vary: y: "),
+        ({"y": 3, "g": (1, 2)}, {}, "vary: y: expected a pair"),
+        ({"y": (1, 2), "q": (1, 2)}, {}, "q"),
+        ({"y": (1, 2), "g": (1, 2)}, {"observe": "first impct"}, "did you mean `impact`"),
+        ({"y": (1, 2), "g": (1, 2)}, {"set": {"e": [0.1, 0.2]}}, "e: an array"),
+        ({"y": (1, 2), "g": (1, 2)}, {"accuracy": -1}, "a width above zero"),
+    ],
+)
+def test_what_has_no_boundary_is_told(ball, vary, options, told):
+    with pytest.raises(ValueError, match=told):
+        ball.boundary(vary, **{"start": {"x": 0}, "set": BALL, "until": "t = 0.1", **options})

@@ -11,7 +11,7 @@ use clap::Args;
 use core::fmt::Write;
 use liftoff::__private::expression::significant;
 use liftoff_studio::registry::Models;
-use liftoff_studio::sweep::{Boundary as Curve, BoundaryEnd};
+use liftoff_studio::sweep::Boundary as Curve;
 use serde_json::json;
 
 /// How closely a curve is known, in parts of the ranges.
@@ -79,7 +79,7 @@ fn describe_curves(names: &[&str], curves: &[Curve]) -> String {
         let Curve { left, right, points, ends } = curve;
         let head =
             format!("{}: {left} | {right}, {} points along ({})", k + 1, points.len(), names.join(", "));
-        let _ = writeln!(text, "{head}, from {} to {}", end(&ends[0]), end(&ends[1]));
+        let _ = writeln!(text, "{head}, from {} to {}", ends[0], ends[1]);
         for point in points {
             let [x, y] = point.map(|x| significant(x, DIGITS));
             let _ = writeln!(text, "  {x}  {y}");
@@ -91,16 +91,6 @@ fn describe_curves(names: &[&str], curves: &[Curve]) -> String {
     text
 }
 
-fn end(end: &BoundaryEnd) -> String {
-    match end {
-        BoundaryEnd::Edge => "the edge".to_owned(),
-        BoundaryEnd::Closed => "its start".to_owned(),
-        BoundaryEnd::Meets(third) => format!("where `{third}` begins"),
-        BoundaryEnd::Corner => "a corner".to_owned(),
-        BoundaryEnd::Long => "where it becomes too long".to_owned(),
-    }
-}
-
 fn format_json(names: &[&str], curves: &[Curve]) -> Result<String, CommandError> {
     let each = curves.iter().map(|curve| {
         json!({
@@ -108,7 +98,7 @@ fn format_json(names: &[&str], curves: &[Curve]) -> Result<String, CommandError>
             "right": curve.right,
             "names": names,
             "points": curve.points,
-            "ends": [end(&curve.ends[0]), end(&curve.ends[1])],
+            "ends": [curve.ends[0].to_string(), curve.ends[1].to_string()],
         })
     });
     pretty(&each.collect::<Vec<_>>())

@@ -8,6 +8,7 @@
 """
 
 from ._analyses import (
+    Boundary,
     Branch,
     Equilibrium,
     Estimate,
@@ -28,6 +29,7 @@ from ._table import Table
 
 __all__ = [
     "AnalysisError",
+    "Boundary",
     "Branch",
     "DeclarationError",
     "Equilibrium",

@@ -182,3 +182,16 @@ class Optimum:
     first: float
     runs: int
     stopped: Optional[str]
+
+
+@dataclass(frozen=True, eq=False)
+class Boundary:
+    """A curve in the plane of two varied names, `points["phi"]`, across which what is observed changes.
+
+    Along the points `left` is observed to the left, and `right` to the right. `ends` is where it ends at the first point and at the last.
+    """
+
+    left: str
+    right: str
+    points: dict[str, _Floats]
+    ends: tuple[str, str]

@@ -5,7 +5,17 @@ from typing import Any, Literal, Optional, Union, overload
 import numpy as np
 import numpy.typing as npt
 
-from ._analyses import Branch, Equilibrium, Fit, LinearHalves, Linearisation, Optimum, Orbit, Sensitivities
+from ._analyses import (
+    Boundary,
+    Branch,
+    Equilibrium,
+    Fit,
+    LinearHalves,
+    Linearisation,
+    Optimum,
+    Orbit,
+    Sensitivities,
+)
 from ._show import Page, Svg
 from ._table import Table
 
@@ -112,6 +122,25 @@ class Model:
         tolerance: Optional[_Number] = None,
         threads: Optional[int] = None,
     ) -> Table: ...
+    def boundary(
+        self,
+        vary: Mapping[str, Union[tuple[_Number, _Number], tuple[_Number, _Number, int]]],
+        *,
+        observe: str = "first open",
+        start: Optional[_Numbers] = None,
+        set: Optional[_Numbers] = None,
+        energy_of: Optional[_Numbers] = None,
+        release: Optional[_Numbers] = None,
+        accuracy: _Number = 1e-10,
+        until: Optional[_Texts] = None,
+        hold: Optional[_Texts] = None,
+        cut: Optional[Mapping[str, str]] = None,
+        impulses: Optional[_Impulses] = None,
+        stop_at_impacts: Optional[bool] = None,
+        limit: Optional[_Number] = None,
+        tolerance: Optional[_Number] = None,
+        threads: Optional[int] = None,
+    ) -> list[Boundary]: ...
     def equilibrium(
         self,
         start: Optional[_Numbers] = None,

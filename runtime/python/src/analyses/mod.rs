@@ -21,7 +21,11 @@ use pyo3::prelude::*;
 use std::ffi::CString;
 
 /// An answer: a dataclass with these fields, in their order.
-fn answer<'py>(py: Python<'py>, class: &str, fields: impl PyCallArgs<'py>) -> PyResult<Bound<'py, PyAny>> {
+pub fn answer<'py>(
+    py: Python<'py>,
+    class: &str,
+    fields: impl PyCallArgs<'py>,
+) -> PyResult<Bound<'py, PyAny>> {
     py.import("liftoff._analyses")?.getattr(class)?.call1(fields)
 }
 

@@ -16,36 +16,43 @@ pub struct Given<'py> {
 }
 
 impl<'py> Given<'py> {
-    /// Of the arguments of a call.
+    /// Of the arguments of a sweep.
     pub fn from_options(
         entry: &Entry,
         vary: Option<&Bound<'py, PyAny>>,
         options: &mut Options<'py>,
     ) -> PyResult<Self> {
-        let layout = entry.layout();
-        let spec = options.planned(layout, entry.default_run())?;
+        let mut arrays = Vec::new();
+        if let Some(vary) = vary {
+            let expected = || invalid("vary: expected a dict of names and arrays");
+            let items = vary.cast::<PyMapping>().map_err(|_| expected())?.items()?;
+            arrays = items.extract().map_err(|_| expected())?;
+        }
+        let mut given = Self::take(entry, options)?;
+        arrays.append(&mut given.arrays);
+        if arrays.is_empty() {
+            return Err(invalid("nothing is varied: give an array or a list in place of a number"));
+        }
+        Ok(Self { arrays, ..given })
+    }
+
+    /// Of arguments that are given by name.
+    pub fn take(entry: &Entry, options: &mut Options<'py>) -> PyResult<Self> {
+        let spec = options.planned(entry.layout(), entry.default_run())?;
         let mut given = Self { spec, arrays: Vec::new(), formulas: Vec::new() };
         if let Some(until) = options.take("until")? {
             given.spec.until = texts("until", &until)?;
         }
-        if let Some(vary) = vary {
-            let expected = || invalid("vary: expected a dict of names and arrays");
-            let items = vary.cast::<PyMapping>().map_err(|_| expected())?.items()?;
-            given.arrays = items.extract().map_err(|_| expected())?;
-        }
         for place in [Place::Parameter, Place::Start, Place::EnergyOf, Place::Release] {
             if let Some(values) = options.take(keyword(place))? {
-                given.take(entry, place, &values)?;
+                given.add(entry, place, &values)?;
             }
-        }
-        if given.arrays.is_empty() {
-            return Err(invalid("nothing is varied: give an array or a list in place of a number"));
         }
         Ok(given)
     }
 
     /// Texts are expressions, what has a length is varied, all else is a number of the run.
-    fn take(&mut self, entry: &Entry, place: Place, given: &Bound<'py, PyAny>) -> PyResult<()> {
+    fn add(&mut self, entry: &Entry, place: Place, given: &Bound<'py, PyAny>) -> PyResult<()> {
         let mut numbers = Values::new();
         for (name, value) in entries(place, entry.layout(), given)? {
             if let Ok(text) = value.cast::<PyString>() {

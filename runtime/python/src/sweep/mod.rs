@@ -1,7 +1,8 @@
 //! Many runs over arrays.
 //!
-//! - `given`: what is given by names; `inputs`: arrays of one shape.
+//! - `given`: what is given by names; `inputs`: arrays of one shape; `boundary`: curves in a plane.
 
+pub mod boundary;
 mod given;
 mod inputs;
 

@@ -10,6 +10,8 @@
 //! or to where a third outcome meets the two. No derivative is taken: a contact that touches and
 //! one that is first are found alike.
 
+use core::fmt;
+
 use super::criterion::Criterion;
 use super::plan::Plan;
 use super::{Range, Spread, SweepError, Varied};
@@ -62,6 +64,18 @@ pub enum BoundaryEnd {
     Corner,
     /// It is longer than it is followed.
     Long,
+}
+
+impl fmt::Display for BoundaryEnd {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Edge => f.write_str("the edge"),
+            Self::Closed => f.write_str("its start"),
+            Self::Meets(third) => write!(f, "where `{third}` begins"),
+            Self::Corner => f.write_str("a corner"),
+            Self::Long => f.write_str("where it becomes too long"),
+        }
+    }
 }
 
 /// A place in parts of the ranges.
