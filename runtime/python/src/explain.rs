@@ -1,24 +1,95 @@
-//! Equations and the drawing of a model.
+//! Equations, conditions and the drawing of a model.
 
-use crate::errors::{invalid, request};
+use crate::errors::{AnalysisError, invalid, request};
+use crate::options::Options;
+use crate::request::pose;
+use crate::values::named;
 use liftoff_studio::equations;
-use liftoff_studio::explain::{Drawings, latex as document, latex_display, page, part};
+use liftoff_studio::explain::{Drawings, conditions, export, latex as document, latex_display, page, part};
 use liftoff_studio::picture::{clearest_pose, drawing};
-use liftoff_studio::registry::Entry;
+use liftoff_studio::registry::{Entry, Place};
 use liftoff_studio::run_spec::RunSpec;
 use pyo3::prelude::*;
+use pyo3::types::IntoPyDict;
+
+/// A text for people, in which formulas are set.
+enum Format {
+    Text,
+    Latex,
+    Html,
+}
+
+impl Format {
+    fn parse(text: &str) -> PyResult<Self> {
+        match text {
+            "text" => Ok(Self::Text),
+            "latex" => Ok(Self::Latex),
+            "html" => Ok(Self::Html),
+            other => Err(invalid(format!("format: `{other}`; known: text, latex, html"))),
+        }
+    }
+
+    fn show(self, py: Python<'_>, text: String) -> PyResult<Bound<'_, PyAny>> {
+        match self {
+            Self::Html => crate::pictures::html(py, text),
+            _ => Ok(text.into_pyobject(py)?.into_any()),
+        }
+    }
+}
 
 /// The equations in a format.
 pub fn explained<'py>(py: Python<'py>, entry: &Entry, format: &str) -> PyResult<Bound<'py, PyAny>> {
-    let equations = || equations(entry.layout());
-    match format {
-        "text" => Ok(py.detach(|| equations().to_string()).into_pyobject(py)?.into_any()),
-        "latex" => Ok(py.detach(|| document(&equations())).into_pyobject(py)?.into_any()),
-        "html" => {
+    let (format, equations) = (Format::parse(format)?, || equations(entry.layout()));
+    let text = py.detach(|| match format {
+        Format::Text => equations().to_string(),
+        Format::Latex => document(&equations()),
+        Format::Html => {
             let drawings = Drawings { model: drawn(entry, &entry.default_run(), false).ok(), modes: None };
-            crate::pictures::html(py, py.detach(|| page(&equations(), &drawings)))
+            page(&equations(), &drawings)
         }
-        other => Err(invalid(format!("format: `{other}`; known: text, latex, html"))),
+    });
+    format.show(py, text)
+}
+
+/// When reactions vanish and what stays constant, in a format.
+pub fn conditions<'py>(
+    py: Python<'py>,
+    entry: &Entry,
+    phase: Option<&str>,
+    start: Option<&Bound<'py, PyAny>>,
+    mut options: Options<'py>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let layout = entry.layout();
+    let format = options.take("format")?.map_or(Ok("text".to_owned()), |given| given.extract::<String>())?;
+    let format = Format::parse(&format)?;
+    let parameters = pose(entry, None, &mut options)?.parameters;
+    options.finish()?;
+    // Without a start the motion starts at rest anywhere.
+    let start = start.map_or(Ok(Vec::new()), |start| named(Place::Start, layout, start))?;
+    let text = py.detach(|| {
+        let sections = conditions::conditions(layout, phase, &conditions::Request { start, parameters })?;
+        Ok(match format {
+            Format::Text => conditions::text(layout.name, &sections),
+            Format::Latex => conditions::latex(layout.name, &sections),
+            Format::Html => conditions::page(layout.name, &sections),
+        })
+    });
+    format.show(py, text.map_err(|error: String| invalid(error))?)
+}
+
+/// The equations as source text for other programs: a module of Python, or the files of a library of C.
+pub fn exported<'py>(py: Python<'py>, entry: &Entry, target: &str) -> PyResult<Bound<'py, PyAny>> {
+    let layout = entry.layout();
+    match target {
+        "sympy" => {
+            let text = py.detach(|| export::sympy(layout)).map_err(AnalysisError::new_err)?;
+            Ok(text.into_pyobject(py)?.into_any())
+        }
+        "c" => {
+            let files = py.detach(|| export::c(layout)).map_err(AnalysisError::new_err)?;
+            Ok(files.into_iter().map(|file| (file.name, file.text)).into_py_dict(py)?.into_any())
+        }
+        other => Err(invalid(format!("target: `{other}`; known: sympy, c"))),
     }
 }
 

@@ -323,6 +323,32 @@ impl Model {
         explain::explained(py, &self.entry, format)
     }
 
+    /// When each reaction vanishes, as a formula, and what stays constant: as `"text"`, `"latex"` or `"html"`.
+    ///
+    /// phase: only the phase with these supports closed, `"A, E"`, or `"free"`.
+    /// start: coordinates and rates at the start, for its energy; without it the motion starts at rest anywhere.
+    /// set: values of parameters.
+    #[pyo3(
+        signature = (phase=None, start=None, **options),
+        text_signature = "($self, phase=None, start=None, *, set=None, format='text')"
+    )]
+    fn conditions<'py>(
+        &self,
+        py: Python<'py>,
+        phase: Option<&str>,
+        start: Option<&Bound<'py, PyAny>>,
+        options: Option<Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let options = Options::new("conditions", options).beside(&["phase", "start"]);
+        explain::conditions(py, &self.entry, phase, start, options)
+    }
+
+    /// The equations as source text for other programs: `"sympy"`, a module of Python, or `"c"`, a dict of the files of a library.
+    #[pyo3(signature = (target="sympy"))]
+    fn export<'py>(&self, py: Python<'py>, target: &str) -> PyResult<Bound<'py, PyAny>> {
+        explain::exported(py, &self.entry, target)
+    }
+
     /// The model as a drawing, SVG: at a start, with values of its parameters.
     #[pyo3(signature = (start=None, set=None))]
     fn drawing<'py>(

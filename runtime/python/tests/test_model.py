@@ -1,5 +1,7 @@
 """What a model tells of itself."""
 
+import math
+
 import numpy as np
 import pytest
 
@@ -39,6 +41,33 @@ def test_equations_are_those_of_the_command_line(ladder):
     assert html.startswith("<!doctype html>") and isinstance(html, liftoff.Page)
     with pytest.raises(ValueError, match="known: text, latex, html"):
         ladder.explain("pdf")
+
+
+def test_conditions_are_those_of_the_command_line(ladder):
+    told = ladder.conditions("A, B", {"phi": 1.3})
+    assert told.startswith("Ladder\n") and "on A, B" in told and "on A\n" in ladder.conditions()
+    # sin φ = ⅔ sin φ₀
+    assert f"B opens first, at φ = {math.asin(2 / 3 * math.sin(1.3)):.10f}"[:-2] in told
+    assert ladder.conditions(format="latex").startswith("\\documentclass")
+    assert isinstance(ladder.conditions(format="html"), liftoff.Page)
+    with pytest.raises(ValueError, match="known: text, latex, html"):
+        ladder.conditions(format="pdf")
+    with pytest.raises(ValueError, match="C"):
+        ladder.conditions("C")
+    with pytest.raises(TypeError, match="did you mean `phase`"):
+        ladder.conditions(phas="A")
+
+
+def test_equations_are_exported(pendulum):
+    sources = pendulum.export("c")
+    assert any(name.endswith(".h") for name in sources) and any(name.endswith(".c") for name in sources)
+    module = {}
+    exec(pendulum.export(), module)
+    m, l, g, phi = (module[name] for name in ("m", "l", "g", "phi"))
+    assert module["mass_matrix"][0, 0] == m * l**2 / 3
+    assert module["forces"][0].equals(-m * g * l * module["sin"](phi) / 2)
+    with pytest.raises(ValueError, match="known: sympy, c"):
+        pendulum.export("fortran")
 
 
 def test_a_notebook_shows_drawing_and_equations(ladder, pendulum):
