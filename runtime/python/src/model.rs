@@ -13,7 +13,7 @@ use liftoff_studio::source;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple, PyType};
 use std::io::Error;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Bytes of a source file.
@@ -31,9 +31,7 @@ pub struct Model {
 
 impl Model {
     fn parse(py: Python<'_>, path: &str, text: String, name: Option<&str>) -> PyResult<Self> {
-        let found = py.detach(|| source::models(&text));
-        let found = found.map_err(|mistakes| errors::declaration(path, &text, &mistakes))?;
-        let entry = chosen(path, found, name)?;
+        let entry = chosen(path, declared(py, path, &text)?, name)?;
         Ok(Self { text, entry })
     }
 }
@@ -50,10 +48,16 @@ impl Model {
     #[classmethod]
     #[pyo3(signature = (path, model=None))]
     fn from_file(class: &Bound<'_, PyType>, path: PathBuf, model: Option<&str>) -> PyResult<Self> {
-        let told =
-            |error: Error| Error::new(error.kind(), format!("cannot read {}: {error}", path.display()));
-        let text = read_text(&path, LARGEST).map_err(told)?;
-        Self::parse(class.py(), &path.display().to_string(), text, model)
+        Self::parse(class.py(), &path.display().to_string(), file_text(&path)?, model)
+    }
+
+    /// All models that a file declares.
+    #[classmethod]
+    #[pyo3(signature = (path))]
+    fn list_file(class: &Bound<'_, PyType>, path: PathBuf) -> PyResult<Vec<Self>> {
+        let text = file_text(&path)?;
+        let found = declared(class.py(), &path.display().to_string(), &text)?;
+        Ok(found.into_iter().map(|entry| Self { text: text.clone(), entry }).collect())
     }
 
     /// The text that declares it.
@@ -349,6 +353,18 @@ impl Model {
         explain::exported(py, &self.entry, target)
     }
 
+    /// M(q) a + h(q, v) = Q(q, v, t) of the motion without contacts as functions of numbers, `Functions`; needs SymPy.
+    #[pyo3(signature = (set=None))]
+    fn functions<'py>(&self, py: Python<'py>, set: Option<Bound<'py, PyAny>>) -> PyResult<Bound<'py, PyAny>> {
+        let options = PyDict::new(py);
+        options.set_item("set", set)?;
+        let spec = pose(&self.entry, None, &mut Options::new("functions", Some(options)))?;
+        let model = self.entry.model(&spec.parameters).map_err(|error| errors::request(&error))?;
+        let source = explain::exported(py, &self.entry, "sympy")?;
+        let compiled = py.import("liftoff._functions")?.getattr("compiled")?;
+        compiled.call1((source, self.coordinates(), model.parameters))
+    }
+
     /// The model as a drawing, SVG: at a start, with values of its parameters.
     #[pyo3(signature = (start=None, set=None))]
     fn drawing<'py>(
@@ -409,6 +425,17 @@ fn run(
     let options = RunOptions::by(request.method).cancel(stop);
     let motion = py.detach(|| entry.observe_by(options, &request.spec, &mut watch));
     watch.signal().map_or(Ok(motion), Err)
+}
+
+fn file_text(path: &Path) -> PyResult<String> {
+    let told = |error: Error| Error::new(error.kind(), format!("cannot read {}: {error}", path.display()));
+    Ok(read_text(path, LARGEST).map_err(told)?)
+}
+
+/// The models of a text.
+fn declared(py: Python<'_>, path: &str, text: &str) -> PyResult<Vec<Entry>> {
+    let found = py.detach(|| source::models(text));
+    found.map_err(|mistakes| errors::declaration(path, text, &mistakes))
 }
 
 fn chosen(path: &str, mut found: Vec<Entry>, name: Option<&str>) -> PyResult<Entry> {

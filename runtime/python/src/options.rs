@@ -96,7 +96,7 @@ pub fn check_conditions(layout: &'static Layout, spec: &RunSpec) -> PyResult<()>
 }
 
 /// A time.
-fn seconds(what: &str, value: &Bound<'_, PyAny>) -> PyResult<f64> {
+pub fn seconds(what: &str, value: &Bound<'_, PyAny>) -> PyResult<f64> {
     let (value, unit) = number(what, value)?;
     match unit.filter(|unit| !unit.agrees(SECOND)) {
         Some(unit) => Err(invalid(format!("{what}: measured in s, not in {}", unit.symbol()))),

@@ -3,6 +3,7 @@
 use crate::errors::{self, invalid};
 use crate::event::Event;
 use crate::model::Model;
+use crate::options::seconds;
 use crate::pictures;
 use crate::request::Request;
 use crate::values::numbers;
@@ -14,6 +15,9 @@ use numpy::{
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyDict, PyList, PySlice, PyTuple};
+
+/// Rows of a frame at even times.
+const MOST_ROWS: f64 = 1e7;
 
 /// A motion from its start to the event that ended it.
 ///
@@ -167,19 +171,29 @@ impl Trajectory {
         Ok(found.into_iter().map(|extremum| (extremum.t, extremum.value, extremum.minimum)).collect())
     }
 
-    /// A frame of pandas over the times `t`: coordinates and rates, and what else is named.
-    #[pyo3(signature = (*outputs, t=None))]
+    /// A frame of pandas over the times `t`, or over all multiples of a time `every`: coordinates and rates, and what else is
+    /// named.
+    #[pyo3(signature = (*outputs, t=None, every=None))]
     fn to_frame<'py>(
         &self,
         py: Python<'py>,
         outputs: Vec<String>,
-        t: Option<&Bound<'py, PyAny>>,
+        t: Option<Bound<'py, PyAny>>,
+        every: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
+        let t = match (t, every) {
+            (Some(_), Some(_)) => return Err(invalid("every: the times are given by `t` already")),
+            (None, Some(every)) => {
+                let times = multiples(seconds("every", every)?, self.motion.end_time())?;
+                Some(times.into_pyarray(py).into_any())
+            }
+            (t, None) => t,
+        };
         let columns = PyDict::new(py);
         for name in self.names().into_iter().chain(outputs) {
-            columns.set_item(&name, self.output(py, &name, t)?)?;
+            columns.set_item(&name, self.output(py, &name, t.as_ref())?)?;
         }
-        let times = t.map_or_else(|| self.t(py).map(Bound::into_any), |t| Ok(t.clone()))?;
+        let times = t.map_or_else(|| self.t(py).map(Bound::into_any), Ok)?;
         py.import("liftoff._show")?.getattr("frame")?.call1((columns, times))
     }
 
@@ -225,6 +239,19 @@ impl Trajectory {
         let again = py.import("liftoff._restore")?.getattr("trajectory")?;
         let arguments = (self.model.clone_ref(py), self.request.arguments(py)?);
         Ok((again, arguments.into_pyobject(py)?))
+    }
+}
+
+/// The multiples of a time up to the end of a run.
+fn multiples(every: f64, end: f64) -> PyResult<Vec<f64>> {
+    if !(every > 0.0 && every.is_finite()) {
+        return Err(invalid(format!("every: {every}: expected a time > 0")));
+    }
+    match end / every {
+        rows if rows > MOST_ROWS => {
+            Err(invalid(format!("every {every} would be {rows:.0e} rows: {MOST_ROWS:.0e} are the most")))
+        }
+        _ => Ok((0..).map(|k| f64::from(k) * every).take_while(|t| *t <= end).collect()),
     }
 }
 

@@ -28,6 +28,9 @@ def test_a_file_of_several_models_has_to_be_told_which(tmp_path):
     path.write_text(LADDER + PENDULUM)
     assert liftoff.Model.from_file(path, model="Pendulum").name == "Pendulum"
     assert liftoff.Model.from_file(str(path), "ladder").name == "Ladder"
+    both = liftoff.Model.list_file(path)
+    assert [(model.name, model.parameters) for model in both] == [("Ladder", ["m", "l", "g"]), ("Pendulum", ["m", "l", "g"])]
+    assert both[0].simulate().events[1].kind == "open" and both[1] == liftoff.Model.from_file(path, model="Pendulum")
     with pytest.raises(ValueError, match='several models; choose one: model="Ladder", "Pendulum"'):
         liftoff.Model.from_file(path)
     with pytest.raises(KeyError, match="did you mean `Ladder`"):
@@ -90,3 +93,18 @@ def test_all_models_of_the_gallery_are_read():
     files = [path for path in (ROOT / "models/systems/src").glob("*.rs") if "#[derive(BarSystem" in path.read_text()]
     assert len(files) > 30
     assert all(liftoff.Model.from_file(path).explain() for path in files)
+
+
+def test_functions_are_the_equations_of_the_motion(ladder, zigzag):
+    functions = zigzag.functions(set={"m1": 0.5, "m2": 0.5, "l": 1, "g": 9.81})
+    assert functions.coordinates == zigzag.coordinates
+    run = zigzag.simulate({"phi_inner": 1, "phi_outer": 1.2, "y": 1}, set={"m1": 0.5, "m2": 0.5, "l": 1, "g": 9.81}, limit=0.1)
+    n, span = 3, 1e-4
+    before, now, after = run.at([0.05 - span, 0.05, 0.05 + span])
+    q, v, a = now[:n], now[n:], (after[n:] - before[n:]) / (2 * span)
+    mass, terms, forces = (f(q, v, 0.05) for f in (functions.mass_matrix, functions.velocity_terms, functions.forces))
+    assert mass.shape == (3, 3) and np.array_equal(mass, mass.T)
+    assert mass @ a + terms == pytest.approx(forces, abs=1e-6)
+    assert ladder.functions().forces([0, 0, 0], [0, 0, 0]) == pytest.approx([-9.81, 0, -9.81])
+    with pytest.raises(ValueError, match="parameter `l` is not given"):
+        zigzag.functions(set={"m1": 1, "m2": 1})

@@ -91,6 +91,14 @@ def test_frames_have_the_same(run):
     assert list(frame.columns) == [*run.names, "N(A)"] and frame.index.name == "t"
     assert np.array_equal(frame["N(A)"], run["N(A)"])
     assert list(run.to_frame(t=[0.0, 0.5]).index) == [0.0, 0.5]
+    even = run.to_frame("N(A)", every="10 ms")
+    assert list(even.index) == [k * 0.01 for k in range(len(even))] and even.index[-1] <= run.t[-1] < even.index[-1] + 0.01
+    assert np.array_equal(even["N(A)"], run.output("N(A)", even.index))
+    for wrong, told in [(0, "a time > 0"), (-1, "a time > 0"), (math.nan, "a time > 0"), ("1 m", "measured in s"), (1e-12, "rows")]:
+        with pytest.raises(ValueError, match=told):
+            run.to_frame(every=wrong)
+    with pytest.raises(ValueError, match="given by `t` already"):
+        run.to_frame(t=[0.0], every=0.1)
 
 
 def test_pictures_and_pages_are_whole(run, tmp_path):

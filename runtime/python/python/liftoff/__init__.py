@@ -23,6 +23,7 @@ from ._analyses import (
     Sensitivities,
 )
 from ._errors import AnalysisError, DeclarationError, Error, RunError, UnknownName
+from ._functions import Functions
 from ._liftoff import Event, Model, Trajectory, __version__
 from ._show import Page, Svg
 from ._table import Table
@@ -38,6 +39,7 @@ __all__ = [
     "Event",
     "EventDerivatives",
     "Fit",
+    "Functions",
     "LinearHalves",
     "Linearisation",
     "LoadLimit",
