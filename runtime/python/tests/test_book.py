@@ -21,6 +21,8 @@ def test_the_page_of_the_book_is_true(tmp_path, monkeypatch):
     assert (leaves.kind, leaves.names) == ("open", ["B"])
     assert f"{leaves['phi']:.4f}".startswith("0.697") and math.isclose(leaves.reactions["A"], 2.4525)
     assert names["fit"].freedom == 1 and names["best"].at_bounds == ["y"]
+    assert names["built"].model().explain() == names["ladder"].explain()
+    assert names["acceleration"] == pytest.approx(-1.5 * 9.81 * math.sin(0.3))
     assert names["rest"].stability == "unstable" and names["rest"].reactions["A"] == pytest.approx((9.81, 9.81))
     assert table["t of first open"].shape == (2, 101) and not table.failed
     assert (tmp_path / "ladder.svg").stat().st_size > 1000 and (tmp_path / "ladder.html").stat().st_size > 10_000

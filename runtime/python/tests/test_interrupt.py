@@ -45,3 +45,15 @@ def test_a_long_sweep_stops_on_ctrl_c(pendulum):
     assert interrupted(lambda: pendulum.sweep("end t", start={"phi": starts}, set=ONE, limit=10)) < 5
     # And the next one runs.
     assert pendulum.sweep("end t", start={"phi": [1]}, set=ONE, limit=1)["end t"].tolist() == [1]
+
+
+@pytest.mark.parametrize("ask", ["orbit", "sensitivity", "fit", "optimise"])
+def test_a_long_search_stops_on_ctrl_c(pendulum, ask):
+    arguments = {
+        "orbit": {"section": "phi > 10"},
+        "sensitivity": {},
+        "fit": {"vary": "g", "events": {"first stop": 1}},
+        "optimise": {"of": "end phi", "vary": "g"},
+    }
+    search = getattr(pendulum, ask)
+    assert interrupted(lambda: search(start={"phi": 1}, set=ONE, limit=1e6, **arguments[ask])) < 5

@@ -22,6 +22,7 @@ from ._analyses import (
     Orbit,
     Sensitivities,
 )
+from ._declaration import Declaration
 from ._errors import AnalysisError, DeclarationError, Error, RunError, UnknownName
 from ._functions import Functions
 from ._liftoff import Event, Model, Trajectory, __version__
@@ -32,6 +33,7 @@ __all__ = [
     "AnalysisError",
     "Boundary",
     "Branch",
+    "Declaration",
     "DeclarationError",
     "Equilibrium",
     "Error",
