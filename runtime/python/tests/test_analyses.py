@@ -232,7 +232,7 @@ def test_a_fit_of_a_series_is_that_of_linear_least_squares(ball, tmp_path, kind)
         ({"events": {"first impact": (1, -1)}}, "a standard deviation is a number > 0"),
         ({"events": {"first impact": 1, "2nd impact y": 1}}, "has no standard deviation"),
         ({"data": {"y": [1]}}, "data: there is no column `t` among `y`"),
-        ({"data": {"t": [0, 1], "q": [1, 2]}}, "column `q`"),
+        ({"data": {"t": [0, 1], "q": [1, 2]}}, "data: column `q`: .*; of COLUMN leaves others out"),
         ({"data": {"t": [0, 1], "y": [1]}}, "data: y has 1 values, but t has 2"),
         ({"data": {"t": [0, 0.2, 0.1], "y": [1, 1, 1]}}, "data, row 2: t = 0.1 does not come after t = 0.2"),
         ({"data": {"t": [0, 0.2], "y": ["one", 1]}}, "data: y: "),

@@ -2,7 +2,7 @@
 
 use super::beginning::Beginning;
 use super::{answer, matrix, warn};
-use crate::errors::{self, invalid};
+use crate::errors::{self, in_python, invalid};
 use crate::options::Options;
 use crate::values::{items, measured_as, numbers, texts};
 use liftoff_core::model::Layout;
@@ -127,7 +127,7 @@ fn table(layout: &'static Layout, data: &Bound<'_, PyAny>, of: &[String]) -> PyR
         let first = names[0];
         return Err(invalid(format!("data: {name} has {} values, but {first} has {rows}", values.len())));
     }
-    let wrong = |why: String| invalid(format!("data: {why}"));
+    let wrong = |why: String| invalid(format!("data: {}", in_python(&why)));
     let mut table = MeasuredTable::new(layout, &names, of).map_err(wrong)?;
     for row in 0..rows {
         // What is no number was not measured.
