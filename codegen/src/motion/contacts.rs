@@ -147,6 +147,9 @@ pub(super) fn merge(scene: &Scene, opaque_terms: &mut OpaqueTerms) -> syn::Resul
                 None if support.two_sided => {
                     format!("slider `{name}` has no effect: the guided point cannot move")
                 }
+                None if matches!(support.contact, OneSided::Limit { .. }) => {
+                    format!("limit `{name}` has no effect: what it bounds cannot move")
+                }
                 None => format!("support `{name}` has no effect: the supported point cannot move"),
             };
             super::combine(&mut errors, syn::Error::new(support.span, text));

@@ -49,7 +49,7 @@ fn drive(
     if let Target::Distance(ends) = &declared.target {
         distant(scope, &ends[0], &declared.value, value.as_ref());
     }
-    let (name, driven) = driven(scope, readable, figure, &declared.target);
+    let (name, driven) = driven(scope, readable, figure, ("drive", &declared.target));
     let (switched, span) = (declared.armed.is_some(), declared.target.ident().span());
     Some(Drive { name, driven: driven?, value: value?, switched, span })
 }
@@ -59,7 +59,7 @@ pub(super) fn driven(
     scope: &mut Scope,
     readable: &Readable,
     figure: Option<&Figure>,
-    target: &Target,
+    (kind, target): (&str, &Target),
 ) -> (String, Option<Driven>) {
     let structure = readable.structure;
     let read = |reading: Option<Reading>| reading.map(Driven::Reading);
@@ -72,9 +72,10 @@ pub(super) fn driven(
             let position = structure.moving(scope, point).map(|point| Reading::Position(point, *axis));
             (format!("{}({point})", ["x", "y"][*axis]), read(position))
         }
-        Target::Distance(ends) => {
-            (format!("distance({}, {})", ends[0], ends[1]), distance(scope, structure, figure, ends))
-        }
+        Target::Distance(ends) => (
+            format!("distance({}, {})", ends[0], ends[1]),
+            distance(scope, (structure, figure), (kind, ends)),
+        ),
         Target::Turn(bars) => (format!("angle({}, {})", bars[0], bars[1]), turn(scope, structure, bars)),
         Target::Along(point, bar) => (format!("along({point}, {bar})"), along(scope, structure, point, bar)),
     }
@@ -114,15 +115,14 @@ fn distant(scope: &mut Scope, owner: &Ident, expr: &Expr, value: Option<&Formula
 
 fn distance(
     scope: &mut Scope,
-    structure: &Structure,
-    figure: Option<&Figure>,
-    ends: &[Ident; 2],
+    (structure, figure): (&Structure, Option<&Figure>),
+    (kind, ends): (&str, &[Ident; 2]),
 ) -> Option<Driven> {
     let [a, b] = ends.each_ref().map(|end| structure.point(scope, end));
     let (a, b) = (a?, b?);
     if a == b || structure.rigid(a, b) {
         let name = format!("distance({}, {})", ends[0], ends[1]);
-        scope.report.add_message(ends[0].span(), nothing_moves("drive", &name, ends.each_ref()));
+        scope.report.add_message(ends[0].span(), nothing_moves(kind, &name, ends.each_ref()));
         return None;
     }
     let figure = figure?;
@@ -135,7 +135,7 @@ fn distance(
     let inverse = scope.constants.divide(&Series::one(), &nominal);
     if inverse.is_none() || figure.samples.iter().any(near) {
         let text = format!(
-            "the figure shows `{}` and `{}` at one place, so the drive of their distance has no direction; draw them apart",
+            "the figure shows `{}` and `{}` at one place, so the {kind} of their distance has no direction; draw them apart",
             ends[0], ends[1]
         );
         scope.report.add_message(ends[0].span(), text);

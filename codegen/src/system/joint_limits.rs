@@ -26,7 +26,7 @@ pub(super) fn resolve(
             );
             scope.report.add_message(name.span(), text);
         }
-        let (_, driven) = drives::driven(scope, readable, figure, &declared.target);
+        let (_, driven) = drives::driven(scope, readable, figure, ("limit", &declared.target));
         let restitution = restitution(scope, name, &declared.contact_law);
         let bounds: Vec<_> = declared.bounds().map(|(_, bound)| number(scope, declared, bound)).collect();
         if let [Some(low), Some(high)] = &bounds[..] {

@@ -169,7 +169,7 @@ fn drives_follow_time() {
         ("#[drive(phi = t)] #[drive(phi = 2 * t)]", "`phi` is driven twice; remove one drive"),
         (
             "#[drive(z(C) = t)]",
-            "what is driven is a coordinate, `angle(BAR)`, `angle(BAR, BAR)`, `x(POINT)`, `y(POINT)`, `distance(POINT, POINT)` or `along(POINT, BAR)` (for example `#[drive(phi = omega * t)]`)",
+            "what is driven or bounded is a coordinate, `angle(BAR)`, `angle(BAR, BAR)`, `x(POINT)`, `y(POINT)`, `distance(POINT, POINT)` or `along(POINT, BAR)` (for example `#[drive(phi = omega * t)]`)",
         ),
     ];
     for (attributes, expected) in cases {
@@ -275,6 +275,37 @@ fn threads_follow_supports() {
     assert_eq!(path, &["B", "O", "A", "C"].map(|name| point(&system, name)));
     assert_eq!(text(&system, length), "3 l");
     assert!(system.supports[2].stop && system.supports[1].restitution.is_some());
+}
+
+#[test]
+fn mistakes_in_limits_are_reported() {
+    let cases = [
+        (
+            "#[limit(angle(AB, BC), restitution = 0)]",
+            "a limit has a bound: `low = …`, `high = …` or both (for example `#[limit(angle(AB, BC), low = 0, high = pi / 2)]`)",
+        ),
+        (
+            "#[limit(angle(AB, BC), low = 1, high = 0.5)]",
+            "limit `AB_BC` leaves no motion: its bounds are 1 and 0.5",
+        ),
+        ("#[limit(distance(A, C), low = -1)]", "the limit of `A_C` is -1; it must be positive"),
+        (
+            "#[limit(distance(A, B), high = l)]",
+            "limit `distance(A, B)` has no effect: the distance of `A` and `B` never changes",
+        ),
+        ("#[limit(stop = phi, low = 0)]", "there is no coordinate `phi`; no coordinate is declared"),
+        (
+            "#[limit(x(C), low = -l)] #[limit(x_C = y(C), low = -l)]",
+            "limit `x_C_low` is declared twice; give one another name: `other = …`",
+        ),
+        (
+            "#[coordinate(x_C_low = y(C))] #[limit(x(C), low = -l)]",
+            "limit `x_C_low` has the name of a coordinate; rename one",
+        ),
+    ];
+    for (attributes, expected) in cases {
+        assert_eq!(find_mistakes(attributes), [expected], "{attributes}");
+    }
 }
 
 #[test]
