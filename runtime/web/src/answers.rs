@@ -24,6 +24,11 @@ pub enum Answer {
         /// Why it came no further.
         stopped: Option<String>,
     },
+    /// A motion as comma-separated values, a row for each end of the integration's steps.
+    Table {
+        /// The lines.
+        csv: String,
+    },
     /// Mistakes of a text, at their places.
     Mistakes {
         /// One by one.

@@ -20,6 +20,8 @@ pub enum Request {
     Equations,
     /// Its motion.
     Run(Box<Run>),
+    /// Its motion as a table.
+    Table(Box<Run>),
 }
 
 /// The run of a model; what is not given is as in its `spec`.

@@ -3,7 +3,7 @@
 use liftoff_studio::animation::live::Sliders;
 use liftoff_studio::animation::{About, played};
 use liftoff_studio::picture::drawing;
-use liftoff_studio::registry::{Entry, MotionError, as_far};
+use liftoff_studio::registry::{Entry, MotionError, Units, as_far, motion_columns};
 use liftoff_studio::run_spec::{RunSpec, Values, overridden};
 use liftoff_studio::source;
 use std::collections::BTreeMap;
@@ -26,6 +26,9 @@ impl Session {
             Request::Equations => self.model.as_ref().map_or_else(nothing, equations),
             Request::Run(run) => self.model.as_ref().map_or_else(nothing, |model| {
                 motion(model, *run).unwrap_or_else(|error| Answer::refused(error.to_string()))
+            }),
+            Request::Table(run) => self.model.as_ref().map_or_else(nothing, |model| {
+                table(model, *run).unwrap_or_else(|error| Answer::refused(error.to_string()))
             }),
         }
     }
@@ -85,6 +88,21 @@ fn motion(model: &Entry, run: Run) -> Result<Answer, MotionError> {
     };
     let events = record.events().iter().map(ToString::to_string).collect();
     Ok(Answer::Motion { played: Box::new(played(&record, &about)?), events, stopped })
+}
+
+/// The rows of a motion, as far as it came; both sides of a jump.
+fn table(model: &Entry, run: Run) -> Result<Answer, MotionError> {
+    let (layout, units) = (model.layout(), Units::from_layout(model.layout()));
+    let (record, _) = as_far(model.run(&spec(model, run)))?;
+    let columns = motion_columns(layout);
+    let outputs = columns.iter().map(|column| record.output(column)).collect::<Result<Vec<_>, _>>()?;
+    let heads: Vec<_> = columns.iter().map(|column| units.head(column)).collect();
+    let rows = record.instants().into_iter().map(|instant| {
+        let values = outputs.iter().map(|output| record.value_at(output, instant).to_string());
+        values.collect::<Vec<_>>().join(",")
+    });
+    let lines = [heads.join(",")].into_iter().chain(rows).map(|line| line + "\n");
+    Ok(Answer::Table { csv: lines.collect() })
 }
 
 /// The given run, or the declared one, with what is chosen in place of its own.

@@ -42,6 +42,30 @@ fn a_text_is_derived_and_run_with_what_is_chosen() {
     );
 }
 
+#[test]
+fn a_table_has_the_motion_with_units_and_both_sides_of_an_impact() {
+    let mut state = State::default();
+    let text = include_str!("../gallery/bouncing_bar.rs");
+    let model = ask(&mut state, &json!({ "ask": "derive", "text": text }));
+    let units = |k: usize| model["start"][k]["unit"].clone();
+    assert_eq!([0, 1, 3, 4].map(units), ["rad", "m", "rad/s", "m/s"]);
+    let table = ask(&mut state, &json!({ "ask": "table", "start": { "phi": 0.25 } }));
+    let csv = table["csv"].as_str().expect("text");
+    let (head, rows) = csv.split_once('\n').expect("a head");
+    assert_eq!(
+        head,
+        "t [s],phi [rad],x [m],y [m],phi' [rad/s],x' [m/s],y' [m/s],N(A) [N],N(B) [N],gap(A) [m],gap(B) [m],T [J],V [J],E [J]"
+    );
+    let rows: Vec<Vec<f64>> = rows
+        .lines()
+        .map(|row| row.split(',').map(|cell| cell.parse().expect("a number")).collect())
+        .collect();
+    assert_eq!(rows[0][..4], [0.0, 0.25, 0.0, 1.0]);
+    assert_eq!(rows.last().expect("rows")[0], 2.0);
+    let struck = rows.windows(2).find(|pair| pair[0][0] == pair[1][0]).expect("an impact");
+    assert!(struck[0][6] < 0.0 && struck[1][13] < struck[0][13], "{struck:?}");
+}
+
 /// Browsers count UTF-16 units: — and φ are one each, and three and two bytes.
 #[test]
 fn mistakes_stand_where_a_browser_counts() {

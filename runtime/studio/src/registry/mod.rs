@@ -32,4 +32,4 @@ pub use place::Place;
 pub use quantity::{Quantity, QuantityError};
 pub use run_options::RunOptions;
 pub use unfolded::Unfolded;
-pub use units::Units;
+pub use units::{Units, motion_columns};

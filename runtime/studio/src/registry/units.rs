@@ -43,6 +43,14 @@ impl Units {
         }
     }
 
+    /// What stands over a column: the output with its unit, `phi [rad]`, where it has one.
+    pub fn head(&self, output: &str) -> String {
+        match self.unit(output) {
+            Some(unit) if !unit.is_empty() => format!("{output} [{unit}]"),
+            _ => output.to_owned(),
+        }
+    }
+
     /// The same with `1` for a number.
     pub fn symbol(&self, output: &str) -> Option<String> {
         self.unit(output).map(|unit| if unit.is_empty() { "1".to_owned() } else { unit })
@@ -54,4 +62,27 @@ fn whole(dimension: model::Dimension) -> Option<SiUnit> {
     let whole = |n: i8| (n % dimension.denominator == 0).then(|| n / dimension.denominator);
     let [length, time, mass] = dimension.numerators.map(whole);
     Some(SiUnit::new(mass?, length?, time?, 0))
+}
+
+/// The columns of a motion's table, each of them an output: time, state, reactions, slip velocities,
+/// gaps, energies.
+pub fn motion_columns(layout: &Layout) -> Vec<String> {
+    let mut columns = vec!["t".to_owned()];
+    columns.extend(layout.names_of_motion());
+    for contact in layout.contacts {
+        let functions = if contact.has_friction_force() { &["N", "R"][..] } else { &["N"] };
+        for function in functions {
+            match contact.shared {
+                true => {
+                    columns.extend(contact.supports.iter().map(|support| format!("{function}({support})")))
+                }
+                false => columns.push(format!("{function}({})", contact.label)),
+            }
+        }
+        columns.extend(contact.friction.map(|_| format!("v({})", contact.supports[0])));
+    }
+    let gaps = layout.contacts.iter().filter_map(|contact| contact.supports.first());
+    columns.extend(gaps.map(|support| format!("gap({support})")));
+    columns.extend(["T", "V", "E"].map(str::to_owned));
+    columns
 }

@@ -18,7 +18,7 @@ const STYLE: &str = include_str!("../../page/style.css");
 const APP: &str = include_str!("../../page/app.js");
 
 /// Declarations to start from.
-const GALLERY: [(&str, &str); 7] = [
+const GALLERY: [(&str, &str); 8] = [
     ("Four bars on a floor (Fig. 1b)", include_str!("../../gallery/fig_1b.rs")),
     ("Two bars over a gap (Fig. 1a)", include_str!("../../gallery/fig_1a.rs")),
     ("Ladder", include_str!("../../gallery/ladder.rs")),
@@ -26,6 +26,7 @@ const GALLERY: [(&str, &str); 7] = [
     ("Four-bar linkage", include_str!("../../gallery/four_bar.rs")),
     ("Bouncing bar", include_str!("../../gallery/bouncing_bar.rs")),
     ("Stick and slip", include_str!("../../gallery/belt.rs")),
+    ("Blank: one bar", include_str!("../../gallery/blank.rs")),
 ];
 
 /// The declarations that a reader can start from, by their names.
@@ -112,7 +113,9 @@ fn body(engine: &Packed) -> String {
     // The player may be there before the engine is read.
     let [listens, scripts @ ..] = live::SCRIPTS;
     let (scripts, engine) = (scripts.concat(), Engine::Within(engine).html());
-    let seen = BODY.replace("PLAYER", &escaped(&empty_page()));
+    // Name, summary and values stand around the motion.
+    let player = empty_page() + "<style>header { display: none; }</style>";
+    let seen = BODY.replace("PLAYER", &escaped(&player));
     format!(
         "<script>\n\"use strict\";\n{listens}</script>\n{seen}{engine}\
          <script type=\"application/json\" id=texts>{texts}</script>\n\

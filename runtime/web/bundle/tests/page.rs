@@ -68,14 +68,11 @@ fn every_model_of_the_gallery_moves() {
     let browser = opened(Screen::Desk);
     for (k, (name, _)) in gallery().iter().enumerate().skip(1) {
         let before = browser.number(MOTIONS).unwrap();
-        let body = format!(
-            "const list = document.querySelector('#gallery'); list.value = {name:?}; list.dispatchEvent(new Event('change'));"
-        );
-        browser.script(&body).unwrap();
+        choose(&browser, name);
         moved(&browser, before as u32 + 1);
         assert_eq!(browser.text("document.querySelector('#wrong').textContent").unwrap(), "", "{k} {name}");
     }
-    browser.script("document.querySelector('#derived').open = true").unwrap();
+    browser.script("document.querySelector('[aria-controls=derived]').click()").unwrap();
     browser.wait("document.querySelector('#equations math')").unwrap();
     assert_eq!(browser.complaints().unwrap(), [""; 0]);
 }
@@ -126,12 +123,148 @@ fn what_takes_long_can_be_stopped() {
     moved(&browser, before as u32 + 1);
 }
 
+/// Chooses a model, as its list does.
+fn choose(browser: &Browser, name: &str) {
+    let body = format!(
+        "const list = document.querySelector('#gallery'); list.value = {name:?}; list.dispatchEvent(new Event('change'));"
+    );
+    browser.script(&body).unwrap();
+}
+
+/// Whatever scrolls, nothing around it does, and the page itself stands still.
 #[test]
 #[ignore = "needs chromium, chromedriver and the page"]
-fn it_fits_a_phone() {
-    let browser = opened(Screen::Phone);
-    let wide = browser.number("document.documentElement.scrollWidth - innerWidth").unwrap();
-    assert!(wide <= 0.0, "{wide} too wide");
+fn it_fits_its_screen_and_nothing_scrolls_within_what_scrolls() {
+    for screen in [Screen::Desk, Screen::Phone] {
+        let browser = opened(screen);
+        for view in ["text", "moving", "happened", "derived", "drawing"] {
+            browser.script(&format!("document.querySelector('[aria-controls={view}]').click()")).unwrap();
+            let excess = browser.text(
+                "[document.documentElement.scrollWidth - innerWidth, document.documentElement.scrollHeight - innerHeight]",
+            );
+            assert_eq!(excess.unwrap(), "0,0", "{view} on a {screen:?}");
+            let nested = browser.text(
+                "[...document.querySelectorAll('body *')].filter((node) => {
+                   const scrolls = (box) => box && box !== document.documentElement
+                     && (/auto|scroll/.test(getComputedStyle(box).overflowY) && box.scrollHeight > box.clientHeight + 1 || scrolls(box.parentElement) === true);
+                   const frame = node.tagName === 'IFRAME', own = getComputedStyle(node).overflowY;
+                   return (frame || /auto|scroll/.test(own) && node.scrollHeight > node.clientHeight + 1) && scrolls(node.parentElement);
+                 }).map((node) => node.id || node.tagName).join()",
+            );
+            assert_eq!(nested.unwrap(), "", "{view} on a {screen:?}");
+            let seen = format!("getComputedStyle(document.querySelector('#{view}')).visibility");
+            assert_eq!(browser.text(&seen).unwrap(), "visible", "{view} on a {screen:?}");
+        }
+    }
+}
+
+#[test]
+#[ignore = "needs chromium, chromedriver and the page"]
+fn what_is_typed_outlives_a_reload_and_is_undone_and_done_again() {
+    let browser = opened(Screen::Desk);
+    let text = || browser.text("editor.text()").unwrap();
+    let lambda =
+        || browser.text("document.querySelector('input[type=range][data-name=lambda]')?.value").unwrap();
+    let first = text();
+    slide(&browser, "lambda", 0.25);
+    browser.script("document.querySelector('#sliders').dispatchEvent(new Event('change'))").unwrap();
+    browser.script("editor.replace(`// mine\n${editor.text()}`)").unwrap();
+    browser.script("location.reload()").unwrap();
+    browser.wait("document.querySelector('#undo')?.disabled === false").unwrap();
+    moved(&browser, 1);
+    assert_eq!((text(), lambda()), (format!("// mine\n{first}"), "0.25".to_owned()));
+    assert_eq!(
+        browser.text("document.querySelector('#gallery').selectedOptions[0].label").unwrap(),
+        "(your text)"
+    );
+    choose(&browser, "Ladder");
+    browser.wait("editor.text().includes('struct Ladder')").unwrap();
+    moved(&browser, 2);
+    browser.click("#undo").unwrap();
+    assert_eq!(text(), format!("// mine\n{first}"));
+    browser.wait("document.querySelector('input[type=range][data-name=lambda]')?.value === '0.25'").unwrap();
+    browser.click("#undo").unwrap();
+    assert_eq!(text(), first);
+    browser.click("#undo").unwrap();
+    browser.wait("document.querySelector('input[type=range][data-name=lambda]')?.value === '0.5'").unwrap();
+    assert_eq!(browser.text("document.querySelector('#undo').disabled").unwrap(), "true");
+    for _ in 0..3 {
+        browser.click("#redo").unwrap();
+    }
+    browser.wait("editor.text().includes('struct Ladder')").unwrap();
+    assert_eq!(browser.complaints().unwrap(), [""; 0]);
+}
+
+#[test]
+#[ignore = "needs chromium, chromedriver and the page"]
+fn angles_are_in_degrees_and_values_are_reset() {
+    let browser = opened(Screen::Desk);
+    let number = |name: &str| {
+        browser
+            .text(&format!("document.querySelector('input[type=number][data-name={name}]').value"))
+            .unwrap()
+    };
+    assert_eq!([number("phi_inner"), number("lambda"), number("y")], ["85", "0.5", ""]);
+    assert_eq!(browser.text("document.querySelector('#reset').hidden").unwrap(), "true");
+    for (name, value) in [("phi_inner", 60.0), ("phi_outer", 60.0), ("lambda", 0.25)] {
+        slide(&browser, name, value);
+    }
+    assert_eq!(browser.number("chosen.start.phi_inner").unwrap(), 60_f64.to_radians());
+    browser.wait(&format!("{EVENTS}.includes('start at t = 0, phi_inner = 1.047')")).unwrap();
+    browser.click("#reset").unwrap();
+    browser.wait(&format!("{EVENTS}.includes('start at t = 0, phi_inner = 1.484')")).unwrap();
+    assert_eq!([number("phi_inner"), number("lambda"), number("y")], ["85", "0.5", ""]);
+    assert_eq!(browser.text("document.querySelector('#reset').hidden").unwrap(), "true");
+}
+
+#[test]
+#[ignore = "needs chromium, chromedriver and the page"]
+fn the_motion_is_downloaded_as_it_is_shown() {
+    let browser = opened(Screen::Desk);
+    slide(&browser, "lambda", 0.25);
+    browser
+        .script(
+            "URL.createObjectURL = (blob) => (blob.text().then((text) => (window.saved = text)), 'blob:none')",
+        )
+        .unwrap();
+    browser.script("document.querySelector('#csv').click()").unwrap();
+    browser.wait("window.saved").unwrap();
+    let csv = browser.text("window.saved").unwrap();
+    let [head, first, ..] = csv.lines().collect::<Vec<_>>()[..] else { panic!("{csv}") };
+    assert!(head.starts_with("t [s],phi_inner [rad],"), "{head}");
+    assert!(first.starts_with(&format!("0,{},", 85_f64.to_radians())), "{first}");
+}
+
+/// The picture stays in sight beside its graphs: at a desk in a column, on a phone above them.
+#[test]
+#[ignore = "needs chromium, chromedriver and the page"]
+fn the_motion_is_beside_its_graphs() {
+    for (screen, columns) in [(Screen::Desk, 2), (Screen::Phone, 1)] {
+        let browser = opened(screen);
+        // The frame is sealed: its own page in a frame of that size.
+        let boxes = browser.script(
+            "const sealed = document.querySelector('#player iframe'), open = sealed.cloneNode();
+             open.removeAttribute('sandbox'); const loaded = new Promise((done) => (open.onload = done));
+             sealed.after(open); sealed.style.display = 'none'; await loaded;
+             const told = await ask({ ask: 'run', ...chosen });
+             open.contentWindow.postMessage(told.played, '*');
+             const page = open.contentDocument, box = (id) => page.querySelector(id).getBoundingClientRect();
+             while (!page.querySelector('#panels figure')) await new Promise(requestAnimationFrame);
+             await new Promise((done) => setTimeout(done, 100));
+             open.contentWindow.scrollBy(0, page.querySelectorAll('#panels figure')[1].getBoundingClientRect().top - box('.stage').height - 20);
+             await new Promise((done) => setTimeout(done, 100));
+             const [stage, graph] = [box('.stage'), page.querySelectorAll('#panels figure')[1].getBoundingClientRect()];
+             return [stage.top, stage.bottom, graph.top, graph.bottom, open.clientHeight, stage.right, graph.left];",
+        );
+        let boxes = boxes.unwrap();
+        let at = |k: usize| boxes[k].as_f64().expect("a place");
+        assert!(at(0) >= 0.0 && at(1) <= at(4), "the picture is out of sight on a {screen:?}: {boxes}");
+        assert!(at(2) >= 0.0 && at(3) <= at(4) + 1.0, "the graph is out of sight on a {screen:?}: {boxes}");
+        match columns {
+            2 => assert!(at(6) >= at(5), "{boxes}"),
+            _ => assert!(at(2) >= at(1), "{boxes}"),
+        }
+    }
 }
 
 /// The page of a motion with sliders; the engine in it or in a script beside it.

@@ -1,6 +1,6 @@
 //! What can be changed of a run.
 
-use crate::registry::Entry;
+use crate::registry::{Entry, Units};
 use crate::run_spec::{RunSpec, Values};
 use serde::Serialize;
 
@@ -33,10 +33,10 @@ impl Sliders {
             .iter()
             .enumerate()
             .map(|(i, name)| slider((*name).to_owned(), layout.defaults.unit(i), &spec.parameters));
-        let unit = |name: &str| if layout.is_angle(name) { "rad" } else { "" };
+        let units = Units::from_layout(layout);
         let start = layout.names_of_motion().map(|name| {
-            let unit = unit(&name);
-            slider(name, unit, &spec.start)
+            let unit = units.unit(&name).unwrap_or_default();
+            slider(name, &unit, &spec.start)
         });
         Self { parameters: parameters.collect(), start: start.collect() }
     }
