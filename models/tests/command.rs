@@ -44,7 +44,7 @@ fn friction_forces_stand_beside_the_reactions() {
     assert!((slip["friction"]["P"].as_f64().expect("a number") - 1.962).abs() < 1e-9);
     let table = String::from_utf8(liftoff(&["run", "belt", "--csv", "-"]).stdout).expect("text");
     let heads: Vec<&str> = table.lines().next().expect("heads").split(',').collect();
-    assert_eq!(heads[5..9], ["N(P)", "R(P)", "v(P)", "gap(P)"]);
+    assert_eq!(heads[5..9], ["N(P) [N]", "R(P) [N]", "v(P) [m/s]", "gap(P) [m]"]);
     let last: Vec<f64> = table.lines().last().expect("rows").split(',').map(|x| x.parse().unwrap()).collect();
     assert!((last[6] + 0.2 * last[5] * last[7].signum()).abs() < 1e-9, "{last:?}");
     assert!(json(&["run", "ladder", "--json"])["events"][0].get("friction").is_none());
@@ -215,7 +215,10 @@ fn a_run_that_stops_short_shows_what_it_has_with_code_1() {
     std::fs::remove_file(&file).expect("removed");
     assert_eq!(output.status.code(), Some(1));
     assert!(String::from_utf8_lossy(&output.stdout).contains("C open at t = "));
-    assert!(written.starts_with("t,phi_inner,phi_outer,y,phi_inner',"), "{written}");
+    assert!(
+        written.starts_with("t [s],phi_inner [rad],phi_outer [rad],y [m],phi_inner' [rad/s],"),
+        "{written}"
+    );
     assert!(written.lines().count() > 1000);
 }
 

@@ -43,7 +43,8 @@ pub struct Run {
     /// Print JSON
     #[arg(long, conflicts_with_all = ["csv", "parquet", "arrow", "npz"])]
     json: bool,
-    /// Write the motion to a file; `-` is the standard output, and the events go to the standard error output
+    /// Write the motion to a file, with units in the head, `phi [rad]`; `-` is the standard output, and the events go to the
+    /// standard error output
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
     #[command(flatten)]

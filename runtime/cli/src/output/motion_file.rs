@@ -10,7 +10,7 @@ use liftoff::{Observer, Output};
 use liftoff_columnar::{Column, Format, Heading, Kind, Table, Value};
 use liftoff_core::model::Layout;
 use liftoff_studio::file::replace;
-use liftoff_studio::registry::Units;
+use liftoff_studio::registry::{Units, motion_columns};
 use liftoff_studio::run_spec::RunSpec;
 use std::io::{self, Write};
 use std::path::Path;
@@ -51,7 +51,7 @@ impl MotionFile<'_> {
         let written = replace(self.path, |out| {
             let mut table = match self.format {
                 Some(format) => Rows::Columnar(Table::begin(format, &heading, out)?),
-                None => Rows::separated(&columns, out)?,
+                None => Rows::separated(&subject.heads(&columns), out)?,
             };
             let mut failure = Ok(());
             let mut write = |row: &Row| {
@@ -84,9 +84,9 @@ impl MotionFile<'_> {
 }
 
 impl<'a> Rows<'a> {
-    fn separated(columns: &[String], out: &'a mut (dyn Write + Send)) -> io::Result<Self> {
+    fn separated(heads: &[String], out: &'a mut (dyn Write + Send)) -> io::Result<Self> {
         let mut table = csv::Writer::from_writer(out);
-        table.write_record(columns)?;
+        table.write_record(heads)?;
         Ok(Self::Separated(Box::new(table)))
     }
 
@@ -108,7 +108,7 @@ impl<'a> Rows<'a> {
 impl Subject<'_> {
     /// The outputs that stand in the columns, each once.
     fn columns(&self) -> Vec<String> {
-        let mut columns = columns(self.layout);
+        let mut columns = motion_columns(self.layout);
         for output in self.sampling.outputs() {
             if !columns.contains(output) {
                 columns.push(output.clone());
@@ -126,6 +126,12 @@ impl Subject<'_> {
         Ok(Samples::new(outputs?, clock))
     }
 
+    /// What stands over the columns of comma-separated values.
+    fn heads(&self, columns: &[String]) -> Vec<String> {
+        let units = Units::from_layout(self.layout);
+        columns.iter().map(|name| units.head(name)).collect()
+    }
+
     /// Columns with units; what is said of the run.
     fn heading(&self, columns: &[String]) -> Result<Heading, CommandError> {
         let units = Units::from_layout(self.layout);
@@ -140,26 +146,4 @@ impl Subject<'_> {
             .hashed("declaration", self.layout.declaration)
             .hashed("run", spec))
     }
-}
-
-/// Every column is an output that `--until` understands too.
-fn columns(layout: &Layout) -> Vec<String> {
-    let mut columns = vec!["t".to_owned()];
-    columns.extend(layout.names_of_motion());
-    for contact in layout.contacts {
-        let functions = if contact.has_friction_force() { &["N", "R"][..] } else { &["N"] };
-        for function in functions {
-            match contact.shared {
-                true => {
-                    columns.extend(contact.supports.iter().map(|support| format!("{function}({support})")))
-                }
-                false => columns.push(format!("{function}({})", contact.label)),
-            }
-        }
-        columns.extend(contact.friction.map(|_| format!("v({})", contact.supports[0])));
-    }
-    let gaps = layout.contacts.iter().filter_map(|contact| contact.supports.first());
-    columns.extend(gaps.map(|support| format!("gap({support})")));
-    columns.extend(["T", "V", "E"].map(str::to_owned));
-    columns
 }

@@ -4,6 +4,7 @@ import csv
 import hashlib
 import json
 import math
+import re
 import struct
 import sys
 
@@ -32,7 +33,9 @@ def separated(path, schema):
             return None
         return text if kind == pyarrow.string() else int(text) if kind == pyarrow.int64() else float(text)
     with open(path, newline="") as file:
-        names, *rows = csv.reader(file)
+        heads, *rows = csv.reader(file)
+    # A motion's heads have units, which the schema has beside the names.
+    names = [re.sub(r" \[.*\]$", "", head) for head in heads]
     assert names == schema.names, (names, schema.names)
     return [[value(text, kind) for text in column] for column, kind in zip(zip(*rows), schema.types)]
 

@@ -3,6 +3,7 @@ files FILE.csv and FILE.npz without their ends)."""
 import csv
 import hashlib
 import json
+import re
 import sys
 
 import numpy
@@ -14,7 +15,8 @@ UNITS = {
 
 kind, stem = sys.argv[1:]
 with open(f"{stem}.csv", newline="") as file:
-    names, *rows = csv.reader(file)
+    heads, *rows = csv.reader(file)
+names = [re.sub(r" \[.*\]$", "", head) for head in heads]
 arrays = numpy.load(f"{stem}.npz", allow_pickle=False)
 said = json.loads(arrays["liftoff.metadata"].item())
 assert sorted(arrays) == sorted([*names, "liftoff.metadata"]), list(arrays)

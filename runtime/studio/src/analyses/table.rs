@@ -1,6 +1,7 @@
 //! A table of measured series.
 
 use super::Failure;
+use crate::registry::{Quantity, Units};
 use liftoff::Output;
 use liftoff_core::model::Layout;
 use std::path::Path;
@@ -12,8 +13,8 @@ const DEVIATION: &str = " ±";
 pub struct MeasuredTable {
     pub(super) columns: Vec<Column>,
     pub(super) rows: Vec<DataRow>,
-    /// The place of the times.
-    time: usize,
+    /// The place of the times, and their unit in SI units.
+    time: (usize, f64),
     /// The last time that is there twice.
     jumped: Option<f64>,
 }
@@ -23,8 +24,10 @@ pub(super) struct Column {
     pub name: String,
     pub output: Output,
     place: usize,
-    /// The place of its standard deviations.
-    deviations: Option<usize>,
+    /// Its unit in SI units.
+    factor: f64,
+    /// The place of its standard deviations, and their unit in SI units.
+    deviations: Option<(usize, f64)>,
 }
 
 /// Values at a time.
@@ -42,11 +45,13 @@ impl MeasuredTable {
     /// # Errors
     /// There are no times; a column is no output, or is not there.
     pub fn new(layout: &'static Layout, head: &[&str], of: &[String]) -> Result<Self, String> {
-        let time = head.iter().position(|name| *name == "t").ok_or_else(|| {
-            let names: Vec<String> = head.iter().map(|name| format!("`{name}`")).collect();
+        let head = Head::parse(layout, head);
+        let time = head.find_place("t").ok_or_else(|| {
+            let names: Vec<String> = head.names.iter().map(|name| format!("`{name}`")).collect();
             format!("there is no column `t` among {}", names.join(", "))
         })?;
-        Ok(Self { columns: columns(layout, head, of)?, rows: Vec::new(), time, jumped: None })
+        let time = (time, head.factor(time, "t")?);
+        Ok(Self { columns: head.select(layout, of)?, rows: Vec::new(), time, jumped: None })
     }
 
     /// Adds a row, by the cells at the places of its columns; none of an empty one.
@@ -63,17 +68,19 @@ impl MeasuredTable {
             value => Ok(value),
         };
         let missing = |name: &str| format!("{name}: `` is no number");
-        let t = number(self.time, "t")?.ok_or_else(|| missing("t"))?;
+        let (time, second) = self.time;
+        let t = second * number(time, "t")?.ok_or_else(|| missing("t"))?;
         if t < 0.0 {
             return Err(format!("t = {t} is before the start, at t = 0"));
         }
         let cell = |column: &Column| {
             let Some(value) = number(column.place, &column.name)? else { return Ok(None) };
-            let Some(place) = column.deviations else { return Ok(Some((value, None))) };
+            let value = value * column.factor;
+            let Some((place, factor)) = column.deviations else { return Ok(Some((value, None))) };
             let name = format!("{}{DEVIATION}", column.name);
             let deviation = number(place, &name)?.ok_or_else(|| missing(&name))?;
             check_deviation(deviation).map_err(|why| format!("{name}: {why}"))?;
-            Ok(Some((value, Some(deviation))))
+            Ok(Some((value, Some(deviation * factor))))
         };
         let cells = self.columns.iter().map(cell).collect::<Result<_, String>>()?;
         // The side before an impact, as `run --csv` has it: a series has the side after.
@@ -104,7 +111,8 @@ impl MeasuredTable {
             return Err(usage(why.to_owned()));
         }
         let names: Vec<&str> = head.iter().collect();
-        let commas = if names.contains(&"t") { "" } else { ", separated by commas" };
+        let commas =
+            if Head::parse(layout, &names).find_place("t").is_some() { "" } else { ", separated by commas" };
         let table = Self::new(layout, &names, of).map_err(|why| usage(format!(": {why}{commas}")));
         let mut table = table?;
         for record in reader.records() {
@@ -128,35 +136,78 @@ fn parse(text: &str) -> Result<Option<f64>, String> {
     }
 }
 
-fn columns(layout: &'static Layout, head: &[&str], of: &[String]) -> Result<Vec<Column>, String> {
-    let place = |name: &str| head.iter().position(|known| *known == name);
-    let twice = head.iter().enumerate().find(|(k, name)| place(name) != Some(*k));
-    if let Some((_, name)) = twice {
-        return Err(format!("the column `{name}` is there twice"));
+/// The head of a table: outputs, each with its unit where one is given, `phi [deg]`, `phi [deg] ±`.
+struct Head {
+    units: Units,
+    names: Vec<String>,
+    given: Vec<Option<String>>,
+}
+
+impl Head {
+    fn parse(layout: &'static Layout, head: &[&str]) -> Self {
+        let split = |text: &&str| {
+            let (text, sign) = text.strip_suffix(DEVIATION).map_or((*text, ""), |text| (text, DEVIATION));
+            let parts = text.strip_suffix(']').and_then(|text| text.rsplit_once(" ["));
+            let (name, unit) = parts.map_or((text, None), |(name, unit)| (name, Some(unit.to_owned())));
+            (format!("{}{sign}", name.trim_end()), unit)
+        };
+        let (names, given) = head.iter().map(split).unzip();
+        Self { units: Units::from_layout(layout), names, given }
     }
-    let is_measured = |name: &&str| *name != "t" && !name.ends_with(DEVIATION);
-    let all: Vec<&str> = head.iter().copied().filter(is_measured).collect();
-    if let Some(name) = of.iter().enumerate().find_map(|(k, name)| of[..k].contains(name).then_some(name)) {
-        return Err(format!("--of {name} is given twice"));
+
+    fn find_place(&self, name: &str) -> Option<usize> {
+        self.names.iter().position(|known| known == name)
     }
-    let of_none = |name: &&str| name.strip_suffix(DEVIATION).is_some_and(|of| !all.contains(&of));
-    if let Some(name) = head.iter().copied().find(of_none) {
-        return Err(format!("column `{name}`: there is no column with values for these standard deviations"));
+
+    /// The unit of the column at a place in SI units, of which the output of this name is measured;
+    /// 1 where none is given.
+    fn factor(&self, place: usize, name: &str) -> Result<f64, String> {
+        let given = self.given[place].as_ref().filter(|given| self.units.unit(name).as_ref() != Some(given));
+        let Some(given) = given else { return Ok(1.0) };
+        let wrong = |why: String| format!("column `{}`: {why}", self.names[place]);
+        let one = Quantity::parse(&format!("1 {given}"), &[]);
+        let one = one.map_err(|error| wrong(format!("`1 {given}` is no number: {error}")))?;
+        self.units.check(name, one.unit()).map(|()| one.value(&[])).map_err(wrong)
     }
-    let names = if of.is_empty() { all.clone() } else { of.iter().map(String::as_str).collect() };
-    let column = |name: &str| {
-        let found = place(name).filter(|_| all.contains(&name));
-        let found = found.ok_or_else(|| format!("no column `{name}`; there are {}", all.join(", ")))?;
-        let output = Output::parse(layout, name);
-        let output =
-            output.map_err(|why| format!("column `{name}`: {why}; --of COLUMN leaves others out"))?;
-        let deviations = place(&format!("{name}{DEVIATION}"));
-        Ok(Column { name: name.to_owned(), output, place: found, deviations })
-    };
-    if names.is_empty() {
-        return Err("there is no column beside `t`".to_owned());
+
+    /// The columns of these names, by default all.
+    fn select(&self, layout: &'static Layout, of: &[String]) -> Result<Vec<Column>, String> {
+        let twice = self.names.iter().enumerate().find(|(k, name)| self.find_place(name) != Some(*k));
+        if let Some((_, name)) = twice {
+            return Err(format!("the column `{name}` is there twice"));
+        }
+        let is_measured = |name: &&str| *name != "t" && !name.ends_with(DEVIATION);
+        let all: Vec<&str> = self.names.iter().map(String::as_str).filter(is_measured).collect();
+        let is_repeated = |k: usize, name: &String| of[..k].contains(name);
+        if let Some((_, name)) = of.iter().enumerate().find(|(k, name)| is_repeated(*k, name)) {
+            return Err(format!("--of {name} is given twice"));
+        }
+        let of_none = |name: &&String| name.strip_suffix(DEVIATION).is_some_and(|of| !all.contains(&of));
+        if let Some(name) = self.names.iter().find(of_none) {
+            let why = "there is no column with values for these standard deviations";
+            return Err(format!("column `{name}`: {why}"));
+        }
+        let names = if of.is_empty() { all.clone() } else { of.iter().map(String::as_str).collect() };
+        let column = |name: &str| {
+            let found = self.find_place(name).filter(|_| all.contains(&name));
+            let place = found.ok_or_else(|| format!("no column `{name}`; there are {}", all.join(", ")))?;
+            let output = Output::parse(layout, name);
+            let output =
+                output.map_err(|why| format!("column `{name}`: {why}; --of COLUMN leaves others out"))?;
+            let factor = self.factor(place, name)?;
+            let deviations = self.find_place(&format!("{name}{DEVIATION}"));
+            let deviations = deviations.map(|of| {
+                let is_given = self.given[of].is_some();
+                Ok::<_, String>((of, if is_given { self.factor(of, name)? } else { factor }))
+            });
+            let deviations = deviations.transpose()?;
+            Ok(Column { name: name.to_owned(), output, place, factor, deviations })
+        };
+        if names.is_empty() {
+            return Err("there is no column beside `t`".to_owned());
+        }
+        names.into_iter().map(column).collect()
     }
-    names.into_iter().map(column).collect()
 }
 
 /// Refuses what is no standard deviation.

@@ -107,7 +107,7 @@ fn a_table_on_the_standard_output_stands_beside_what_is_printed() {
     let mut command = command(&["run", MODEL, "--limit", "0.1", "--csv", "/dev/stdout"]);
     assert!(command.stdout(file).status().expect("the program starts").success());
     let both = fs::read_to_string(folder.join("both")).expect("both");
-    assert!(both.starts_with("t,alpha,beta,") && both.contains("\nstart at t = 0"), "{both}");
+    assert!(both.starts_with("t [s],alpha [rad],beta [rad],") && both.contains("\nstart at t = 0"), "{both}");
     fs::remove_dir_all(folder).expect("removed");
 }
 
@@ -196,7 +196,8 @@ fn a_dash_is_the_standard_output() {
     let folder = folder("dash");
     let swept = [&["sweep", MODEL, "--limit", "0.1"], &SWEPT[..], &["--csv", "-"]].concat();
     let run = [&["run", MODEL], &SHORT[..], &["--csv", "-"]].concat();
-    for (arguments, head, beside) in [(run, "t,alpha,", "start at t = 0"), (swept, "member,p,", "3 members")]
+    for (arguments, head, beside) in
+        [(run, "t [s],alpha [rad],", "start at t = 0"), (swept, "member,p,", "3 members")]
     {
         let output = command(&arguments).current_dir(&folder).output().expect("the program starts");
         let table = String::from_utf8(output.stdout.clone()).expect("UTF-8");

@@ -101,6 +101,35 @@ fn parameters_and_starts_are_found_from_a_table() {
     }
 }
 
+/// The same measurements in other units, and the table that a run writes.
+#[test]
+fn heads_of_tables_have_units() {
+    let vary = ["--vary", "e", "--vary", "g", "--vary", "y", "--of", "y"];
+    let plain = Files::new("plain", &heights()).json(&vary);
+    let in_units = |head: &str| heights().replacen("t,y,y ±,y',", head, 1);
+    let named = Files::new("named", &in_units("t [s],y [m],y [m] ±,y' [m/s],")).json(&vary);
+    assert_eq!(named["estimates"], plain["estimates"]);
+    let thousandfold = |row: &str| {
+        let cells = row.split(',').take(3).map(|cell| 1e3 * cell.parse::<f64>().expect("a number"));
+        cells.map(|cell| cell.to_string()).collect::<Vec<_>>().join(",") + "\n"
+    };
+    let rows: String = heights().lines().skip(1).map(thousandfold).collect();
+    for head in ["t [ms],y [mm],y [mm] ±\n", "t [ms],y [mm],y ±\n"] {
+        let small = Files::new("small", &(head.to_owned() + &rows)).json(&vary);
+        for name in ["e", "g", "y"] {
+            assert!((value(&small, name) - value(&plain, name)).abs() < 1e-8, "{head}: {small}");
+        }
+    }
+    let files = Files::new("written", "");
+    let written = files.table.to_str().expect("a name").to_owned();
+    let until = ["--until", "t = 1", "--limit", "1", "--every", "0.1"];
+    run_program(&[&["run", files.model.to_str().expect("a name"), "--csv", &written], &until[..]].concat());
+    let head = std::fs::read_to_string(&written).expect("a table");
+    assert!(head.starts_with("t [s],") && head.contains(",y [m],"), "{head}");
+    let found = files.json(&["--vary", "e", "--of", "y"]);
+    assert!((value(&found, "e") - 0.5).abs() < 1e-6, "{found}");
+}
+
 /// t₁ = √(2h/g), t₂ = t₁ (1 + 2e).
 #[test]
 fn event_times_alone_give_as_many_values() {
@@ -140,6 +169,9 @@ fn tables_that_are_none_are_refused_in_a_line() {
         ("gaps", "t,y\n0.1,\n0.2,\n", "has no values"),
         ("unknown", "t,yy\n0.1,1\n", "column `yy`: no name `yy`"),
         ("twice", "t,y,y\n0.1,1,1\n", "the column `y` is there twice"),
+        ("unit", "t,y [s]\n0.1,1\n", "column `y`: measured in m, not in s"),
+        ("no_unit", "t,y [mm\n0.1,1\n", "column `y [mm`"),
+        ("same", "t,y,y [mm]\n0.1,1,1\n", "the column `y` is there twice"),
         ("word", "t,y\n0.1,one\n", ", line 2: y: `one` is no number"),
         ("nan", "t,y\n0.1,1\n0.2,NaN\n", ", line 3: y: NaN is not finite"),
         ("infinite", "t,y\ninf,1\n", ", line 2: t: inf is not finite"),

@@ -71,7 +71,9 @@ fn a_table_has_the_outputs_and_times_asked_for() {
     std::fs::remove_file(&file).expect("removed");
     let mut lines = written.lines();
     assert!(
-        lines.next().is_some_and(|head| head.starts_with("t,alpha,") && head.ends_with(",E,E/p")),
+        lines.next().is_some_and(
+            |head| head.starts_with("t [s],alpha [rad],") && head.ends_with(",E [J],E/p [m² s⁻²]")
+        ),
         "{written}"
     );
     let times: Vec<f64> = lines.filter_map(|line| line.split(',').next()?.parse().ok()).collect();
