@@ -5,6 +5,7 @@ mod documentation;
 mod equations;
 mod gears;
 mod numbers;
+mod outlines;
 pub(crate) mod scenes;
 mod useless;
 mod values;

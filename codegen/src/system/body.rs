@@ -2,7 +2,9 @@
 //! the mean of its corners and the moment of inertia I = m (a² + b² + c²)/36 about it.
 
 use super::bodies::Structure;
+use super::figure::SAMPLES;
 use super::mass_properties::{MassValues, not_negative};
+use super::outline::describe_crossing;
 use super::scope::Scope;
 use crate::algebra::{Rational, Series};
 use crate::syntax::{RigidBody, plain};
@@ -38,10 +40,28 @@ impl Structure {
                 .report
                 .add_message(b.span(), format!("points `{a}` and `{b}` of body `{name}` are at one place"));
         }
+        if let Some(crossing) = find_crossing(scope, declared, &places).filter(|_| scope.placed) {
+            let text = format!(
+                "body `{name}`: {crossing}; a point within it is declared by `#[point(P = {name}, at = (x, y))]`"
+            );
+            scope.report.add_message(name.span(), text);
+        }
         let values = values(scope, declared, &places);
         let points: Vec<_> = declared.points.iter().map(|(name, _)| name).zip(places).collect();
         self.body_through(name, &points, &values, false);
     }
+}
+
+/// Which sides cross, where the same do with all sample values of the parameters.
+fn find_crossing(scope: &Scope, declared: &RigidBody, places: &[Place]) -> Option<String> {
+    let names: Vec<String> = declared.points.iter().map(|(name, _)| plain(name)).collect();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let mut samples = scope.candidates().take(SAMPLES).map(|values| {
+        let corners: Vec<_> = places.iter().map(|place| values.pair(place)).collect();
+        describe_crossing(&names, &corners)
+    });
+    let first = samples.next()??;
+    samples.all(|sides| sides.is_some()).then_some(first)
 }
 
 fn coincident(places: &[Place]) -> Option<(usize, usize)> {

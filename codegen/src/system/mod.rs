@@ -31,6 +31,7 @@ mod mirror;
 mod mirror_line;
 mod names;
 mod one_sided;
+mod outline;
 mod particles;
 mod parts;
 mod resolve;
@@ -62,6 +63,7 @@ pub use constraints::{Drive, Driven, Guide, Slider, Weld};
 pub use loads::{Formula, Function, Load, LoadKind, Operator, Reading, Section, Spring, Switch, Torsion};
 pub use names::ParameterNames;
 pub use one_sided::{Centre, Edge, Friction, OneSided, Support};
+pub use outline::describe_crossing;
 pub use signals::Signal;
 pub use value::ParameterValues;
 

@@ -156,12 +156,7 @@ impl Run {
             return;
         };
         line_violation(&start, &nominal).iter().for_each(|behind| note(&behind.to_string()));
-        if let Some(corners) = crossed_outline(&start) {
-            note(&format!(
-                "the outline {} crosses itself: list the corners of a body in order around it",
-                corners.join("–")
-            ));
-        }
+        crossed_outline(&start).iter().for_each(|crossed| note(crossed));
     }
 
     /// What a start that is given in part has been completed to.

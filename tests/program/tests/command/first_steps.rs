@@ -154,19 +154,26 @@ fn the_reaction_of_two_supports_is_told_as_their_sum() {
     [file, page].into_iter().for_each(|path| std::fs::remove_file(path).expect("removed"));
 }
 
+/// Sides that cross whatever the parameters are refused, those that cross with the values of a run told.
 #[test]
-fn an_outline_that_crosses_itself_is_told() {
+fn an_outline_that_crosses_itself_is_refused_or_told() {
     let file = temporary_path("plate.rs");
-    let notes = |points: &str| {
+    let said = |points: &str, more: &[&str]| {
         let text = format!(
             "#[derive(BarSystem)] #[body(plate, points({points}), mass = 1, inertia = 0.2, centre = (0.5, 0.5))]
-             #[pin(A = (0, 0))] #[run(start = \"theta_plate' = 1\", limit = 0.1)] struct Plate {{}}"
+             #[pin(A = (0, 0))] #[run(start = \"theta_plate' = 1\", limit = 0.1)]
+             struct Plate {{ #[value(1)] b: f64 }}"
         );
         std::fs::write(&file, text).expect("a file");
-        errors(&run(&["run", file.to_str().expect("UTF-8")]))
+        let output = run(&[&["run", file.to_str().expect("UTF-8")], more].concat());
+        (output.status.success(), errors(&output))
     };
-    let crossed = notes("A = (0, 0), B = (1, 1), C = (1, 0), D = (0, 1)");
-    assert!(crossed.contains("the outline A–B–C–D crosses itself"), "{crossed}");
-    assert_eq!(notes("A = (0, 0), C = (1, 0), B = (1, 1), D = (0, 1)"), "");
+    let (runs, crossed) = said("A = (0, 0), B = (b, 1), C = (b, 0), D = (0, 1)", &[]);
+    let cure = "sides A–B and C–D cross; list the corners in order around it, A, C, B, D";
+    assert!(!runs && crossed.contains(cure) && crossed.contains("body `plate`"), "{crossed}");
+    let around = "A = (0, 0), C = (1, 0), B = (b, 1), D = (0, 1)";
+    assert_eq!(said(around, &[]), (true, String::new()));
+    let (runs, crossed) = said(around, &["--set", "b=-2"]);
+    assert!(runs && crossed.contains("the outline A–C–B–D: sides"), "{crossed}");
     std::fs::remove_file(file).expect("removed");
 }
