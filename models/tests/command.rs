@@ -269,3 +269,32 @@ fn missing_features_are_reported() {
         );
     }
 }
+
+/// Long results begin with what fits a screen, and say how to have the rest.
+#[test]
+fn long_results_fit_a_screen_unless_all_is_asked_for() {
+    let vary = ["--vary", "lambda=0.05:0.75", "--vary", "phi=0.45:1.5", "--set", "m1=1-lambda"];
+    let start = ["--set", "m2=lambda", "--start", "phi_inner=phi", "--start", "phi_outer=phi"];
+    let folder = std::env::temp_dir().join(format!("liftoff-screen-{}", std::process::id()));
+    let folder = folder.to_str().expect("a path in UTF-8");
+    let begin =
+        ["precision", "falling-pair", "--start", "phi=0.1", "--until", "phi=pi/2", "--measuring", "0"];
+    let cases = ["stability", "--short", "starts", "--out", folder];
+    for (command, whole, shown) in [
+        (vec!["equilibrium", "walker"], 30, "damping ratio 0.736544; decays at 97.1866 1/s"),
+        ([&["boundary", "zigzag"], &vary[..], &start[..]].concat(), 90, "  0.05000000000  0.7792378930"),
+        (begin.to_vec(), 75, "gauss                      1e-14"),
+        (cases.to_vec(), 28, "degenerate equilibrium: 26 of 26 cases pass"),
+    ] {
+        let print = |command: &[&str]| {
+            let output = liftoff(command);
+            assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+            String::from_utf8(output.stdout).expect("text")
+        };
+        let (brief, all) = (print(&command), print(&[&command[..], &["--all"]].concat()));
+        assert!(brief.lines().count() <= 24 && brief.contains(shown), "{brief}");
+        assert!(brief.lines().last().is_some_and(|line| line.contains("--all prints ")), "{brief}");
+        assert!(all.lines().count() >= whole && !all.contains("--all"), "{all}");
+    }
+    std::fs::remove_dir_all(folder).expect("removed");
+}

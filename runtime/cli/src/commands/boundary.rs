@@ -3,6 +3,7 @@
 use crate::CommandError;
 use crate::commands::sweep::options::Options;
 use crate::errors::interrupted::interrupted;
+use crate::options::length::{Length, thin};
 use crate::options::run_args::EventArgs;
 use crate::options::values::width;
 use crate::output::json::pretty;
@@ -45,6 +46,8 @@ pub struct Boundary {
     /// Accuracy of the curves, as a fraction of the ranges
     #[arg(long, value_name = "WIDTH", value_parser = width, default_value_t = WIDTH, allow_negative_numbers = true)]
     to: f64,
+    #[command(flatten)]
+    length: Length,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -68,19 +71,24 @@ impl Boundary {
         let names: Vec<&str> = names.collect();
         Ok(print(&match self.json {
             true => format_json(&names, &curves)?,
-            false => describe_curves(&names, &curves),
+            false => self.length.fit(describe_curves(&names, &curves, usize::MAX), |lines| {
+                let points = (lines / curves.len().max(1)).saturating_sub(1);
+                let text = describe_curves(&names, &curves, points);
+                text.lines().take(lines).map(|line| format!("{line}\n")).collect()
+            }),
         })?)
     }
 }
 
-fn describe_curves(names: &[&str], curves: &[Curve]) -> String {
+/// The curves, each with at most so many of its points, its ends among them.
+fn describe_curves(names: &[&str], curves: &[Curve], most: usize) -> String {
     let mut text = String::new();
     for (k, curve) in curves.iter().enumerate() {
         let Curve { left, right, points, ends } = curve;
         let head =
             format!("{}: {left} | {right}, {} points along ({})", k + 1, points.len(), names.join(", "));
         let _ = writeln!(text, "{head}, from {} to {}", ends[0], ends[1]);
-        for point in points {
+        for point in thin(points, most) {
             let [x, y] = point.map(|x| significant(x, DIGITS));
             let _ = writeln!(text, "  {x}  {y}");
         }

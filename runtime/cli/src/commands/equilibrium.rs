@@ -1,9 +1,10 @@
 //! `liftoff equilibrium`.
 
 use crate::CommandError;
+use crate::options::length::Length;
 use crate::options::pose_args::PoseArgs;
 use crate::options::values::{Assignment, assignment};
-use crate::output::analysis;
+use crate::output::analysis::{self, Detail};
 use crate::output::print::print;
 use clap::Args;
 use liftoff_studio::analyses::find_equilibria;
@@ -20,6 +21,8 @@ pub struct Equilibrium {
     /// contact opens or slides
     #[arg(long, value_name = "NAME[=VALUE]", value_parser = load)]
     load: Option<Load>,
+    #[command(flatten)]
+    length: Length,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -53,9 +56,12 @@ impl Equilibrium {
         let found = find_equilibria(model, &self.pose.spec(model)?, towards)
             .map_err(|failure| CommandError::with_option("--load", failure))?;
         let (layout, name) = (model.layout(), load.map(|load| load.name.as_str()));
+        let text = |found, detail| analysis::equilibria_text(layout, found, name, detail);
+        // An equilibrium takes five lines at most then.
+        let brief = |lines| text(&found[..found.len().min(lines / 5)], Detail::Rates);
         Ok(print(&match self.json {
             true => analysis::equilibria_json(layout, &found, load.is_some())?,
-            false => analysis::equilibria_text(layout, &found, name),
+            false => self.length.fit(text(&found, Detail::All), brief),
         })?)
     }
 }

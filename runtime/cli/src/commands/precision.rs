@@ -2,6 +2,7 @@
 
 use crate::CommandError;
 use crate::errors::interrupted::is_interrupted;
+use crate::options::length::{Length, thin};
 use crate::options::run_args::RunArgs;
 use crate::options::values::{number, whole};
 use crate::output::file::{Form, is_output, print_beside, probe_as, tell_written, write_picture};
@@ -38,6 +39,8 @@ pub struct Precision {
     measuring: usize,
     #[command(flatten)]
     run_args: RunArgs,
+    #[command(flatten)]
+    length: Length,
     /// Another tool's rows, `scene,tolerance,error,end_error,microseconds`, named after the file
     #[arg(long, value_name = "FILE")]
     peers: Vec<PathBuf>,
@@ -76,7 +79,11 @@ impl Precision {
             tell_written(path);
         }
         let output = self.csv.iter().chain(&self.svg).find(|path| is_output(path));
-        print_beside(output.map(PathBuf::as_path), &if self.json { json(&all)? } else { table(&all) })?;
+        let text = match self.json {
+            true => json(&all)?,
+            false => self.length.fit(table(&all, |_| true), |lines| brief_table(&all, lines)),
+        };
+        print_beside(output.map(PathBuf::as_path), &text)?;
         if is_interrupted() {
             return Err(CommandError::Interrupted(format!("interrupted after {} measurements", all.len())));
         }
@@ -169,7 +176,17 @@ fn fastest(rows: &[WorkPrecisionRow]) -> String {
     models.into_iter().filter_map(line).collect()
 }
 
-fn table(rows: &[WorkPrecisionRow]) -> String {
+/// The table with a few tolerances of each method, and all rows that have a reason to be looked at.
+fn brief_table(rows: &[WorkPrecisionRow], lines: usize) -> String {
+    let methods: Vec<_> = rows.chunk_by(|a, b| (&a.model, &a.method) == (&b.model, &b.method)).collect();
+    let around = table(rows, |_| false).lines().count();
+    let most = lines.saturating_sub(around) / methods.len().max(1);
+    let tolerances: Vec<_> = methods.iter().flat_map(|rows| thin(rows, most)).collect();
+    table(rows, |row| row.reason.is_some() || tolerances.iter().any(|shown| std::ptr::eq(*shown, row)))
+}
+
+/// The rows that are to be shown, between what is said of all.
+fn table(rows: &[WorkPrecisionRow], is_shown: impl Fn(&WorkPrecisionRow) -> bool) -> String {
     let mut text = fastest(rows);
     text += &format!(
         "{:18} {:22} {:>9} {:>11} {:>11} {:>11} {:>8} {:>9} {:>7} {:>11}  {:10}  {}\n",
@@ -188,7 +205,7 @@ fn table(rows: &[WorkPrecisionRow]) -> String {
     );
     let error = |error: Option<f64>| error.map_or("–".into(), |error| format!("{error:.1e}"));
     let count = |count: Option<u64>| count.map_or("–".into(), |count| count.to_string());
-    for row in rows {
+    for row in rows.iter().filter(|row| is_shown(row)) {
         let _ = writeln!(
             text,
             "{:18} {:22} {:>9} {:>11} {:>11} {:>11} {:>8} {:>9} {:>7} {:>11.1}{:2}{:10}  {}{}",
@@ -246,7 +263,7 @@ mod tests {
     fn the_fastest_within_each_bound_is_told_first() {
         let row =
             |method, error, time| WorkPrecisionRow::peer(("ladder", method, 1e-6), [Some(error), None], time);
-        let text = table(&[row("a", 1e-4, 1.0), row("b", 1e-10, 3.0), row("c", 1e-7, 2.0)]);
+        let text = table(&[row("a", 1e-4, 1.0), row("b", 1e-10, 3.0), row("c", 1e-7, 2.0)], |_| true);
         let first = text.lines().next().expect("a line");
         assert_eq!(first, "fastest, ladder: to 1e-3 a in 1.0 µs, to 1e-6 c in 2.0 µs, to 1e-9 b in 3.0 µs");
     }
@@ -254,12 +271,12 @@ mod tests {
     #[test]
     fn rows_without_a_reference_are_not_judged() {
         let row = |errors| WorkPrecisionRow::peer(("ladder", "other", 1e-6), errors, 1.0);
-        let text = table(&[row([None, None]), row([Some(1e-7), None])]);
+        let text = table(&[row([None, None]), row([Some(1e-7), None])], |_| true);
         assert!(
             text.contains("not judged")
                 && text.ends_with("1 of 2 rows are not judged: there is no reference\n"),
             "{text}"
         );
-        assert!(!table(&[row([Some(1e-7), None])]).contains("not judged"));
+        assert!(!table(&[row([Some(1e-7), None])], |_| true).contains("not judged"));
     }
 }

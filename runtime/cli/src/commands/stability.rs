@@ -2,6 +2,7 @@
 
 use crate::CommandError;
 use crate::errors::interrupted::is_interrupted;
+use crate::options::length::Length;
 use crate::output::file::{check_folder, unwritable, write};
 use crate::output::json::pretty;
 use crate::output::print::print;
@@ -27,6 +28,8 @@ pub struct Stability {
     /// Shorten the long runs; in full an optimised build takes minutes
     #[arg(long)]
     short: bool,
+    #[command(flatten)]
+    length: Length,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -47,13 +50,18 @@ impl Stability {
     /// Judges every case asked for; fails if one of them does.
     pub fn execute(&self, groups: &[Group], models: &'static Models) -> Result<(), CommandError> {
         check_folder(&self.out)?;
-        let results = self.judge(self.selected(groups, models)?)?;
+        let selected = self.selected(groups, models)?;
+        let count: usize = selected.iter().map(|(.., cases)| cases.len()).sum();
+        // A title and an empty line stand around the cases of a group, and the page is named at the end.
+        let is_whole = self.length.fits(count + 2 * selected.len() + 1);
+        let results = self.judge(selected, is_whole)?;
         let verdicts: Vec<_> = results.iter().flat_map(|group| group.verdicts.iter().cloned()).collect();
         let page = self.write(&results)?;
         if self.json {
             print(&pretty(&Cases { cases: verdicts.iter().collect() })?)?;
         } else {
-            print(&format!("{}; {} written\n", summary(&verdicts), page.display()))?;
+            let rest = if is_whole { "" } else { "; --all prints each" };
+            print(&format!("{}; {} written{rest}\n", summary(&verdicts), page.display()))?;
         }
         if is_interrupted() {
             Err(CommandError::Interrupted(format!("interrupted after {} cases", verdicts.len())))
@@ -98,8 +106,8 @@ impl Stability {
         Ok(own.chain(general).collect())
     }
 
-    /// Group by group, as long as nobody interrupts.
-    fn judge(&self, selected: Vec<SelectedGroup>) -> Result<Vec<GroupResult>, CommandError> {
+    /// Group by group, as long as nobody interrupts; each case is printed, or those that fail.
+    fn judge(&self, selected: Vec<SelectedGroup>, is_whole: bool) -> Result<Vec<GroupResult>, CommandError> {
         let progress = Progress::new(selected.iter().map(|(.., cases)| cases.len()).sum(), "cases");
         let mut all = Vec::new();
         for (name, title, cases) in selected {
@@ -111,7 +119,8 @@ impl Stability {
                 progress.advance();
             }
             if !self.json && !verdicts.is_empty() {
-                progress.aside(|| print(&table(title, &verdicts)))?;
+                let text = if is_whole { table(title, &verdicts) } else { failures(title, &verdicts) };
+                progress.aside(|| print(&text))?;
             }
             all.push(GroupResult { name, title, verdicts });
         }
@@ -137,12 +146,23 @@ fn describe_unknown(name: &str, groups: &[&'static str], models: &'static Models
     }
 }
 
+/// How many cases of a group pass, and those that do not.
+fn failures(title: &str, verdicts: &[Verdict]) -> String {
+    let failed: Vec<Verdict> = verdicts.iter().filter(|verdict| verdict.fails()).cloned().collect();
+    let head = format!("{}: {}\n", styled(NAME, title), summary(verdicts));
+    if failed.is_empty() { head } else { head + &lines(&failed) }
+}
+
 fn table(title: &str, verdicts: &[Verdict]) -> String {
+    format!("{}\n{}\n", styled(NAME, title), lines(verdicts))
+}
+
+/// A line for each case.
+fn lines(verdicts: &[Verdict]) -> String {
     let line = |line: &str| match (line.strip_prefix("pass "), line.strip_prefix("FAIL ")) {
         (Some(rest), _) => format!("{}{rest}\n", styled(PASS, "pass ")),
         (_, Some(rest)) => format!("{}{rest}\n", styled(ERROR, "FAIL ")),
         _ => format!("{line}\n"),
     };
-    let lines: String = text(verdicts).lines().map(line).collect();
-    format!("{}\n{lines}\n", styled(NAME, title))
+    text(verdicts).lines().map(line).collect()
 }

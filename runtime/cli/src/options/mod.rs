@@ -6,6 +6,7 @@ pub mod columnar_files;
 pub mod defaults;
 pub mod examples;
 pub mod files;
+pub mod length;
 pub mod pose_args;
 pub mod run_args;
 pub mod samples;

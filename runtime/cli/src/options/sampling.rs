@@ -125,15 +125,32 @@ impl Sampling {
         if !self.output.is_empty() {
             drop_rounding(&mut rows);
         }
-        let names = [vec!["t".to_owned(), "event".to_owned()], self.columns(record.layout())].concat();
+        let quantities = self.columns(record.layout());
+        let (changing, same) = self.split_columns(&rows, quantities.len());
+        let named = changing.iter().map(|&k| quantities[k].clone());
+        let names: Vec<String> = ["t".to_owned(), "event".to_owned()].into_iter().chain(named).collect();
         let mut columns = Columns::default();
         columns.widen(&names);
-        rows.iter().for_each(|row| columns.widen(&line(row)));
+        rows.iter().for_each(|row| columns.widen(&line(row, &changing)));
         write(&(styled(NAME, &columns.line(&names, Some(EVENT))) + "\n"))?;
         rows.chunks(AT_ONCE).try_for_each(|rows| {
-            let lines = rows.iter().map(|row| columns.line(&line(row), Some(EVENT)) + "\n");
+            let lines = rows.iter().map(|row| columns.line(&line(row, &changing), Some(EVENT)) + "\n");
             write(&lines.collect::<String>())
-        })
+        })?;
+        let Some((.., values)) = rows.first().filter(|_| !same.is_empty()) else { return Ok(()) };
+        let told = same.iter().map(|&k| format!("{} = {}", quantities[k], significant(values[k], DIGITS)));
+        write(&format!("in every row {}\n", told.collect::<Vec<_>>().join(", ")))
+    }
+
+    /// The columns whose printed values change from row to row, and the others; outputs that are asked for stand in any case.
+    fn split_columns(&self, rows: &[Shown], count: usize) -> (Vec<usize>, Vec<usize>) {
+        let printed = |row: &Shown, k: usize| row.2.get(k).map(|value| significant(*value, DIGITS));
+        let is_same = |k: &usize| rows.iter().all(|row| printed(row, *k) == printed(&rows[0], *k));
+        let (same, changing): (Vec<usize>, Vec<usize>) = (0..count).partition(is_same);
+        match self.output.is_empty() && !changing.is_empty() {
+            true => (changing, same),
+            false => ((0..count).collect(), Vec::new()),
+        }
     }
 
     /// Refuses a requested time that the run did not reach.
@@ -176,9 +193,9 @@ fn drop_rounding(rows: &mut [Shown]) {
     }
 }
 
-/// What stands in a line of a table.
-fn line((t, event, values): &Shown) -> Vec<String> {
-    let values = values.iter().map(|value| significant(*value, DIGITS));
+/// What stands in a line of a table with these columns.
+fn line((t, event, values): &Shown, columns: &[usize]) -> Vec<String> {
+    let values = columns.iter().filter_map(|&k| values.get(k)).map(|value| significant(*value, DIGITS));
     [significant(*t, DIGITS), event.clone()].into_iter().chain(values).collect()
 }
 

@@ -15,8 +15,20 @@ const DIGITS: usize = 6;
 /// Rates below this part of the largest are rounding.
 const ROUNDED: f64 = 1e-9;
 
+/// What stands where there are no modes.
+const STILL: &str = "  nothing can move\n";
+
+/// How much is said of an equilibrium.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Detail {
+    /// Forces of joints, and each mode with its shape.
+    All,
+    /// The rates of the modes alone.
+    Rates,
+}
+
 /// All equilibria, each with its position, its reactions, its modes, and how far a load of this name may go.
-pub fn equilibria_text(layout: &Layout, found: &[Rest], load_name: Option<&str>) -> String {
+pub fn equilibria_text(layout: &Layout, found: &[Rest], load_name: Option<&str>, detail: Detail) -> String {
     let each = found.iter().enumerate().map(|(i, Rest { equilibrium: rest, limit: end })| {
         let closed =
             if rest.closed.is_empty() { "free".to_owned() } else { rest.closed.join(", ") + " closed" };
@@ -34,13 +46,25 @@ pub fn equilibria_text(layout: &Layout, found: &[Rest], load_name: Option<&str>)
         }
         let forces = rest.joint_forces.iter();
         let forces: Vec<_> = forces.map(|(name, force)| format!("{name} = {}", number(*force))).collect();
-        if !forces.is_empty() {
+        if !forces.is_empty() && detail == Detail::All {
             let _ = writeln!(text, "  {}", forces.join("  "));
         }
         let limit = load_name.map_or_else(String::new, |name| format!("  {name} {}\n", limit(end.as_ref())));
-        text + &modes_text(layout, &rest.linear) + &limit
+        let modes = match detail {
+            Detail::All => modes_text(layout, &rest.linear),
+            Detail::Rates => rates_text(&rest.linear),
+        };
+        text + &modes + &limit
     });
     each.collect()
+}
+
+/// The rates of the modes in a line.
+fn rates_text(linear: &Linearisation) -> String {
+    let modes = linear.modes();
+    let largest = largest(modes.iter());
+    let rates: Vec<String> = modes.iter().map(|mode| rate(mode, largest)).collect();
+    if rates.is_empty() { STILL.to_owned() } else { format!("  {}\n", rates.join("; ")) }
 }
 
 fn limit(limit: Option<&LoadLimit>) -> String {
@@ -101,7 +125,7 @@ fn largest<'a>(modes: impl Iterator<Item = &'a Mode>) -> f64 {
 
 fn lines(layout: &Layout, modes: &[Mode], largest: f64) -> String {
     if modes.is_empty() {
-        return "  nothing can move\n".to_owned();
+        return STILL.to_owned();
     }
     modes.iter().map(|mode| format!("  {}: {}\n", rate(mode, largest), shape(layout, mode))).collect()
 }
