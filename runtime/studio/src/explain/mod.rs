@@ -11,6 +11,7 @@ pub use latex::{latex, latex_display, phase_latex};
 use liftoff_codegen::Analysis;
 pub(crate) use liftoff_codegen::Unfolded as Halves;
 pub use liftoff_codegen::equations_as_html as part;
+pub(crate) use liftoff_codegen::system::describe_crossing;
 pub use liftoff_codegen::text::Equations;
 pub use liftoff_codegen::{math, text};
 use liftoff_core::model::Layout;

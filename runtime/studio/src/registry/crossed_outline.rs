@@ -1,7 +1,7 @@
 //! Outlines of bodies that cross themselves with the values of a run.
 
 use super::Configuration;
-use liftoff_codegen::system::describe_crossing;
+use crate::explain::describe_crossing;
 
 /// Which sides of the first body cross, and the order of its corners.
 pub fn crossed_outline(configuration: &Configuration) -> Option<String> {
