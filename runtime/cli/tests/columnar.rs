@@ -5,7 +5,9 @@ mod processes;
 
 mod example;
 
-use example::{FIG_1B, LADDER, SWEEP, liftoff, program, read, refused, refused_by_a_full_disk, run_program};
+use example::{
+    FIG_1B, LADDER, SWEEP, liftoff, program, read_file, refused, refused_by_a_full_disk, run_program,
+};
 use processes::{folder, text};
 use std::fs;
 use std::path::Path;
@@ -48,7 +50,7 @@ fn a_run_reads_as_its_comma_separated_table() {
     }
     in_python(&folder, "run", "b");
     run_program(&folder, &["run", LADDER, "--output=phi", "--output=E/(m*g*l)", "--parquet=c.parquet"]);
-    assert!(read(folder.join("b.parquet")) == read(folder.join("c.parquet")));
+    assert!(read_file(folder.join("b.parquet")) == read_file(folder.join("c.parquet")));
 }
 
 /// Whether in memory, from a folder of parts, or from shards.
@@ -58,8 +60,8 @@ fn a_sweep_has_one_file_however_it_was_computed() {
     run_program(&folder, &with(&["--csv=whole.csv", "--parquet=whole.parquet", "--arrow=whole.arrow"]));
     let is_whole = |stem: &str| {
         for form in ["parquet", "arrow"] {
-            let same =
-                read(folder.join(format!("whole.{form}"))) == read(folder.join(format!("{stem}.{form}")));
+            let same = read_file(folder.join(format!("whole.{form}")))
+                == read_file(folder.join(format!("{stem}.{form}")));
             assert!(same, "{stem}.{form}");
         }
     };
@@ -95,10 +97,10 @@ fn a_sweep_that_was_killed_goes_on_and_ends_alike() {
     child.wait().expect("a child");
     assert!(!folder.join("a.parquet").exists() && done() >= 50);
     run_program(&folder, &sweep);
-    let killed = read(folder.join("a.parquet"));
+    let killed = read_file(folder.join("a.parquet"));
     fs::remove_file(folder.join("a.parquet")).expect("removed");
     run_program(&folder, &sweep);
-    assert!(killed == read(folder.join("a.parquet")));
+    assert!(killed == read_file(folder.join("a.parquet")));
 }
 
 /// Files may have so many blocks of 512 bytes, as on a disk that is full.
@@ -108,14 +110,14 @@ fn on_a_full_disk_a_file_is_there_whole_or_as_it_was() {
     let folder = folder("full");
     for (option, name) in [("--parquet=a.parquet", "a.parquet"), ("--arrow=a.arrow", "a.arrow")] {
         let run = ["run", LADDER, "--every=1e-3", option];
-        let before = read({
+        let before = read_file({
             run_program(&folder, &run);
             folder.join(name)
         });
         for blocks in [0, 1, before.len() / 1024, before.len() / 512] {
             let line = refused_by_a_full_disk(&folder, blocks, &run);
             assert_eq!(line, format!("error: cannot write {name}: File too large (os error 27)"));
-            assert!(before == read(folder.join(name)));
+            assert!(before == read_file(folder.join(name)));
         }
     }
     assert_eq!(fs::read_dir(&folder).expect("a folder").count(), 2, "nothing is left beside");
@@ -159,7 +161,7 @@ fn mistakes_are_one_line() {
     }
     let twice = told_by(&["merge", "parts", "parts/0-of-2.shard", "--parquet=a"]);
     assert!(twice.contains("parts/0-of-2.shard is shard 0 as parts/0-of-2.shard is"), "{twice}");
-    let second = text(&read(folder.join("parts/1-of-2.shard")));
+    let second = text(&read_file(folder.join("parts/1-of-2.shard")));
     fs::remove_file(folder.join("parts/1-of-2.shard")).expect("removed");
     let missing = told_by(&["merge", "parts", "--parquet=a"]);
     assert!(missing.contains("50 of 100 members are missing: shard 1 is not there"), "{missing}");

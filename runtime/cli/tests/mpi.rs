@@ -6,7 +6,7 @@ mod processes;
 #[allow(dead_code, unused_imports, reason = "tests of files ask for more")]
 mod example;
 
-use example::{SWEEP, program, read, told};
+use example::{SWEEP, program, read_file, run_program};
 use processes::{folder, text};
 use std::fs;
 use std::path::Path;
@@ -37,13 +37,13 @@ fn with<'a>(options: &[&'a str]) -> Vec<&'a str> {
 #[test]
 fn processes_make_the_table_of_one() {
     let folder = folder("mpi");
-    let alone = told(&folder, &with(&["--csv=alone.csv"]));
+    let alone = run_program(&folder, &with(&["--csv=alone.csv"]));
     for count in [2, 3] {
         assert_eq!(shared(&folder, count, &with(&["--csv=shared.csv"])), alone);
-        assert!(read(folder.join("alone.csv")) == read(folder.join("shared.csv")), "{count}");
+        assert!(read_file(folder.join("alone.csv")) == read_file(folder.join("shared.csv")), "{count}");
         shared(&folder, count, &with(&["--out=parts", "--shard=0/1"]));
-        told(&folder, &["merge", "parts", "--csv=merged.csv"]);
-        assert!(read(folder.join("alone.csv")) == read(folder.join("merged.csv")), "{count}");
+        run_program(&folder, &["merge", "parts", "--csv=merged.csv"]);
+        assert!(read_file(folder.join("alone.csv")) == read_file(folder.join("merged.csv")), "{count}");
         fs::remove_dir_all(folder.join("parts")).expect("removed");
     }
 }
@@ -64,8 +64,8 @@ fn a_sweep_of_which_a_process_was_killed_goes_on_and_ends_alike() {
     let folder = folder("killed");
     let mut sweep = with(&["--csv=a.csv"]);
     (sweep[2], sweep[3]) = ("--vary=lambda=0.05:0.95:40", "--vary=phi0=0.1:1.5:40");
-    told(&folder, &sweep);
-    let whole = read(folder.join("a.csv"));
+    run_program(&folder, &sweep);
+    let whole = read_file(folder.join("a.csv"));
     let journal = folder.join("a.csv.journal");
     let done = || fs::read_to_string(&journal).map_or(0, |text| text.matches('\n').count());
     for killed in [0, 2] {
@@ -82,7 +82,7 @@ fn a_sweep_of_which_a_process_was_killed_goes_on_and_ends_alike() {
         assert!(!folder.join("a.csv").exists() && done() >= 50);
         let told = shared(&folder, 2, &sweep);
         assert!(told.contains(" from the journal"), "{told}");
-        assert!(whole == read(folder.join("a.csv")), "{killed}");
+        assert!(whole == read_file(folder.join("a.csv")), "{killed}");
     }
 }
 

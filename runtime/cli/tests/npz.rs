@@ -5,7 +5,7 @@ mod processes;
 
 mod example;
 
-use example::{FIG_1B, LADDER, SWEEP, liftoff, read, refused, refused_by_a_full_disk, told};
+use example::{FIG_1B, LADDER, SWEEP, liftoff, read_file, refused, refused_by_a_full_disk, run_program};
 use processes::folder;
 use std::fs;
 use std::path::Path;
@@ -20,10 +20,10 @@ fn in_python(folder: &Path, kind: &str, stem: &str) {
 fn runs_and_sweeps_read_as_their_comma_separated_tables() {
     let folder = folder("alike");
     for file in ["--csv=run.csv", "--npz=run.npz"] {
-        told(&folder, &["run", LADDER, "--every=1e-3", "--output=E/(m*g*l)", file]);
+        run_program(&folder, &["run", LADDER, "--every=1e-3", "--output=E/(m*g*l)", file]);
     }
     in_python(&folder, "run", "run");
-    told(&folder, &[&SWEEP[..], &["--csv=sweep.csv", "--npz=sweep.npz"]].concat());
+    run_program(&folder, &[&SWEEP[..], &["--csv=sweep.csv", "--npz=sweep.npz"]].concat());
     in_python(&folder, "sweep", "sweep");
 }
 
@@ -31,15 +31,15 @@ fn runs_and_sweeps_read_as_their_comma_separated_tables() {
 #[test]
 fn a_sweep_has_one_file_however_it_was_computed() {
     let folder = folder("merged");
-    let with = |options: &[&str]| told(&folder, &[&SWEEP[..], options].concat());
+    let with = |options: &[&str]| run_program(&folder, &[&SWEEP[..], options].concat());
     with(&["--csv=whole.csv", "--npz=whole.npz"]);
     with(&["--npz=alone.npz", "--threads=1"]);
     for index in 0..3 {
         with(&["--out=parts", &format!("--shard={index}/3")]);
     }
-    told(&folder, &["merge", "parts", "--npz=merged.npz"]);
+    run_program(&folder, &["merge", "parts", "--npz=merged.npz"]);
     for other in ["alone.npz", "merged.npz"] {
-        assert!(read(folder.join(other)) == read(folder.join("whole.npz")), "{other}");
+        assert!(read_file(folder.join(other)) == read_file(folder.join("whole.npz")), "{other}");
     }
 }
 
@@ -49,13 +49,13 @@ fn a_sweep_has_one_file_however_it_was_computed() {
 fn on_a_full_disk_a_file_is_there_whole_or_as_it_was() {
     let folder = folder("full");
     let run = ["run", LADDER, "--every=1e-3", "--npz=a.npz"];
-    told(&folder, &run);
-    let before = read(folder.join("a.npz"));
+    run_program(&folder, &run);
+    let before = read_file(folder.join("a.npz"));
     for blocks in [0, 1, before.len() / 1024, before.len() / 512] {
         let line = refused_by_a_full_disk(&folder, blocks, &run);
         let ends = line.ends_with("File too large (os error 27)");
         assert!(line.starts_with("error: cannot write a.npz: ") && ends, "{line}");
-        assert!(before == read(folder.join("a.npz")));
+        assert!(before == read_file(folder.join("a.npz")));
     }
     assert_eq!(fs::read_dir(&folder).expect("a folder").count(), 1, "nothing is left beside");
 }

@@ -3,7 +3,7 @@
 #[path = "../../../../models/tests/processes/outcome.rs"]
 mod outcome;
 
-pub use outcome::{read, refused};
+pub use outcome::{read_file, refused};
 
 use crate::processes::{python_with, text};
 use outcome::succeeded;
