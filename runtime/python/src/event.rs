@@ -33,6 +33,7 @@ pub struct Event {
     reactions: Vec<(String, f64)>,
     friction: Vec<(String, f64)>,
     impulses: Vec<(String, f64)>,
+    joint_impulses: Vec<(String, f64)>,
 }
 
 impl Event {
@@ -53,6 +54,11 @@ impl Event {
             reactions: by_label(&event.reactions, |reaction| Some(reaction.value)),
             friction: by_label(&event.reactions, |reaction| reaction.friction),
             impulses: by_label(&event.impulses, |impulse| Some(impulse.value)),
+            joint_impulses: motion
+                .joint_impulses(event)
+                .into_iter()
+                .map(|(name, value)| (name.to_owned(), value))
+                .collect(),
         }
     }
 }
@@ -62,10 +68,23 @@ impl Event {
     /// Made of what `__reduce__` tells.
     #[new]
     #[pyo3(signature = (t, words, *values))]
-    fn new(t: f64, words: Words, values: [Vec<(String, f64)>; 6]) -> Self {
+    fn new(t: f64, words: Words, values: [Vec<(String, f64)>; 7]) -> Self {
         let (kind, names, note, text) = words;
-        let [state, before, energy, reactions, friction, impulses] = values;
-        Self { t, kind, names, note, text, state, before, energy, reactions, friction, impulses }
+        let [state, before, energy, reactions, friction, impulses, joint_impulses] = values;
+        Self {
+            t,
+            kind,
+            names,
+            note,
+            text,
+            state,
+            before,
+            energy,
+            reactions,
+            friction,
+            impulses,
+            joint_impulses,
+        }
     }
 
     /// Coordinates and rates after the event, by their names.
@@ -105,6 +124,12 @@ impl Event {
         self.impulses.clone().into_py_dict(py)
     }
 
+    /// Impulses of joints and drives, of an impact, by the names of their forces: `fx(O, OA)`; none where an impulse was applied.
+    #[getter]
+    fn joint_impulses<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        self.joint_impulses.clone().into_py_dict(py)
+    }
+
     fn __contains__(&self, name: &str) -> bool {
         name == "t" || self.state.iter().any(|(known, _)| known == name)
     }
@@ -126,17 +151,29 @@ impl Event {
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Parts)> {
-        let Self { t, kind, names, note, text, state, before, energy, reactions, friction, impulses } =
-            self.clone();
+        let Self {
+            t,
+            kind,
+            names,
+            note,
+            text,
+            state,
+            before,
+            energy,
+            reactions,
+            friction,
+            impulses,
+            joint_impulses,
+        } = self.clone();
         let words = (kind, names, note, text);
         let event = py.get_type::<Self>().into_any();
-        Ok((event, (t, words, state, before, energy, reactions, friction, impulses)))
+        Ok((event, (t, words, state, before, energy, reactions, friction, impulses, joint_impulses)))
     }
 }
 
 type Words = (String, Vec<String>, Option<String>, String);
 type Numbers = Vec<(String, f64)>;
-type Parts = (f64, Words, Numbers, Numbers, Numbers, Numbers, Numbers, Numbers);
+type Parts = (f64, Words, Numbers, Numbers, Numbers, Numbers, Numbers, Numbers, Numbers);
 
 fn energy(Energy { kinetic, potential }: Energy<f64>) -> [(String, f64); 3] {
     [("T", kinetic), ("V", potential), ("E", kinetic + potential)]

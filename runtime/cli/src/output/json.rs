@@ -42,6 +42,8 @@ struct EventJson {
     #[serde(skip_serializing_if = "Map::is_empty")]
     friction_impulses: Map<String, Value>,
     #[serde(skip_serializing_if = "Map::is_empty")]
+    joint_impulses: Map<String, Value>,
+    #[serde(skip_serializing_if = "Map::is_empty")]
     outputs: Map<String, Value>,
     #[serde(skip_serializing_if = "Option::is_none")]
     before: Option<BeforeJson>,
@@ -139,10 +141,16 @@ fn event_json(
         friction: by_support(&event.reactions, friction, largest[0]),
         impulses: by_support(&event.impulses, normal, largest[1]),
         friction_impulses: by_support(&event.impulses, friction, largest[1]),
+        joint_impulses: joint_impulses(record, event, largest[1]),
         outputs,
         before,
         note: event.note.as_ref().map(ToString::to_string),
     }
+}
+
+fn joint_impulses(record: &Trajectory, event: &Event, largest: f64) -> Map<String, Value> {
+    let all = record.joint_impulses(event).into_iter();
+    all.map(|(name, value)| (name.to_owned(), Value::from(unrounded(value, largest)))).collect()
 }
 
 fn normal(reaction: &Reaction) -> Option<f64> {

@@ -44,6 +44,11 @@ impl Quantity {
 }
 
 impl QuantityKind {
+    /// Whether a joint or a drive exerts it, so that it has an impulse where velocities jump.
+    pub const fn is_of_joint(self) -> bool {
+        matches!(self, Self::JointForce | Self::JointCouple | Self::DriveForce | Self::DriveTorque)
+    }
+
     /// Whether it is a function of the state alone, so that no accelerations are solved for.
     pub const fn is_of_state(self) -> bool {
         matches!(

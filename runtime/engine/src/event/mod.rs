@@ -117,6 +117,9 @@ pub struct PreImpact {
     /// The contacts that bear.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(crate) active_basis: ContactSet,
+    /// The impulses of all rows, N s or N m s; none where one was applied.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub(crate) impulses: Vec<f64>,
 }
 
 /// A coordinate, a rate or the time by its name: `event["phi'"]`; [`Event::get`] does not panic.

@@ -12,6 +12,7 @@ use core::fmt;
 use std::sync::{Arc, OnceLock};
 
 use crate::assembly::find_below;
+use crate::contact::compute_joint_impulse;
 use crate::context::{RunContext, Scales};
 use crate::error::OutputError;
 use crate::event::{Event, Guard};
@@ -19,7 +20,7 @@ use crate::expression::{Condition, Output, Switches, unrounded};
 use crate::integrate::Counts;
 use crate::integration::method::Choice;
 use crate::integration::phase_point::PhasePoint;
-use crate::model::{ContactSet, Form, Layout};
+use crate::model::{ContactSet, Form, Layout, Quantity};
 use crate::numerics::root_isolation;
 use crate::system::Model;
 
@@ -384,6 +385,26 @@ impl Trajectory {
     /// The impulses that were applied.
     pub fn impulses(&self) -> &[AppliedImpulse] {
         &self.impulses
+    }
+
+    /// The impulses of joints and drives at an impact of this motion, N s, of couples N m s, by the
+    /// names of their forces: `fx(O, OA)`, `couple(AB, BC)`. None of other events, nor where an
+    /// impulse was applied, nor of models without such forces.
+    pub fn joint_impulses(&self, event: &Event) -> Vec<(&'static str, f64)> {
+        let layout = self.layout();
+        let Some(before) = event.before.as_ref().filter(|before| !before.impulses.is_empty()) else {
+            return Vec::new();
+        };
+        let n = layout.coordinates.len();
+        let change: Vec<f64> = (n..2 * n).map(|i| event.state[i] - before.state[i]).collect();
+        let state = layout.state_at(&before.state, event.t);
+        let of_joint = |(_, quantity): &(usize, &Quantity)| quantity.kind.is_of_joint();
+        let joints = layout.quantities.iter().enumerate().filter(of_joint);
+        let impulse = |(entry, quantity): (usize, &Quantity)| {
+            let system = self.context.system();
+            (quantity.name, compute_joint_impulse(system, entry, &state, &change, &before.impulses))
+        };
+        joints.map(impulse).collect()
     }
 
     /// Coordinates and rates of a state, then dependent angles and their rates, as

@@ -1,6 +1,6 @@
 //! Impacts of derived systems against the catalogue, and what is planned for a run.
 
-use core::f64::consts::FRAC_PI_3;
+use core::f64::consts::{FRAC_PI_2, FRAC_PI_3};
 use liftoff::prelude::*;
 use liftoff::{Instant, Note, Observer, RunCause, ScheduleError, StartError, Step};
 use liftoff_fixtures::BouncingBar;
@@ -274,4 +274,41 @@ fn an_impact_at_the_start_has_a_side_before_it() {
     assert_eq!(run.state_at(instants[0]), [0.0, 0.0, 3.0, -4.0]);
     let [least, most] = run.range(&run.output("y'").unwrap()).unwrap();
     assert!(least == -4.0 && (most - 2.0).abs() < 1e-12, "{least} {most}");
+}
+
+/// A door that swings against its stop, S at s from the hinge.
+#[derive(BarSystem)]
+#[bar(OA, mass = m, length = l)]
+#[pin(O = (0, 0))]
+#[point(S = OA, at = s)]
+#[support(S = wall(0), facing = right)]
+#[figure(A = (l * sqrt(3) / 2, l / 2))]
+#[coordinate(phi = angle(OA), from = right)]
+struct Door {
+    m: f64,
+    l: f64,
+    s: f64,
+}
+
+/// Beyond the centre of percussion, 2 l/3, the blow on the hinge is along that on the stop: with P =
+/// m l² ω/3s on the stop, P (3s/2l − 1) on the hinge; at that point none.
+#[test]
+fn a_door_strikes_its_hinge_unless_its_stop_is_at_the_centre_of_percussion() {
+    let (m, l) = (10.0, 0.9);
+    for s in [0.8, 0.6, 0.3] {
+        let door = Door { m, l, s };
+        let start = Pose::new("phi", FRAC_PI_2 - 0.5).with("phi'", 2.0);
+        let run = Simulation::new(&door).unwrap().start(start).unwrap().limit(0.3).run().unwrap();
+        let impact = run.events().iter().find(|event| event.kind == EventKind::Impact).unwrap();
+        let [stop, joint] = [impact.impulses[0].value, find(&run.joint_impulses(impact), "fx(O)")];
+        let expected = m * l * l * 2.0 / (3.0 * s);
+        assert!((stop - expected).abs() < 1e-10 * expected, "{s}: {stop}");
+        let blow = expected * (1.5 * s / l - 1.0);
+        assert!((joint - blow).abs() < 1e-10 * expected, "{s}: {joint}, not {blow}");
+        assert!(find(&run.joint_impulses(impact), "fy(O)").abs() < 1e-10 * expected);
+    }
+}
+
+fn find(impulses: &[(&'static str, f64)], name: &str) -> f64 {
+    impulses.iter().find(|(known, _)| *known == name).unwrap().1
 }

@@ -7,9 +7,8 @@
 
 use core::cell::Cell;
 
-use nalgebra::DVector;
-
 use super::policy;
+use crate::contact::compute_joint_impulse;
 use crate::contact::impulse::{Collision, CollisionError, Outcome, Row};
 use crate::model::Friction;
 use crate::numerics::zero::{SOLVED, roundoff};
@@ -22,9 +21,6 @@ const STEPS: usize = 200;
 const SAME: f64 = roundoff(4.0);
 /// The residual of an outcome that obeys the laws of the other rows.
 const RESIDUAL: f64 = 1e-9;
-/// Changes of the rates are so much larger accelerations that the forces of gravity and of the
-/// velocities are nothing beside theirs; a power of two.
-const SUDDEN: f64 = (1_u128 << 127) as f64;
 /// What is zero relative to the largest rate or impulse.
 const ZERO: f64 = 1e-11;
 
@@ -169,15 +165,9 @@ fn joint_impulses(
     outcome: &Outcome,
     hinges: &[Hinge],
 ) -> Vec<f64> {
-    let change = (&outcome.rates - &collision.rates) * SUDDEN;
-    let impulses = &outcome.impulses * SUDDEN;
-    let (still, none) = (DVector::zeros(change.len()), DVector::zeros(outcome.impulses.len()));
+    let change = &outcome.rates - &collision.rates;
     let part = |entry: usize| {
-        let at = |a: &DVector<f64>, lambda: &DVector<f64>| {
-            system.quantity(entry, state, a.as_slice(), lambda.as_slice())
-        };
-        // Forces are affine; gravity and velocities have no impulse.
-        (at(&change, &impulses) - at(&still, &none)) / SUDDEN
+        compute_joint_impulse(system, entry, state, change.as_slice(), outcome.impulses.as_slice())
     };
     hinges.iter().map(|hinge| part(hinge.force[0]).hypot(part(hinge.force[1]))).collect()
 }

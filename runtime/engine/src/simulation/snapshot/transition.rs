@@ -43,6 +43,9 @@ impl Snapshot<'_> {
         event.impulses = reactions(self.layout(), impulses.as_slice());
         event.impulses.retain(|impulse| shown.contains(impulse.contact));
         event.before = before;
+        if let Some(before) = event.before.as_mut().filter(|_| kind != EventKind::Impulse) {
+            before.impulses = impulses.as_slice().to_vec();
+        }
         self.transition.events.push(event);
     }
 
@@ -137,7 +140,12 @@ impl Snapshot<'_> {
     pub(in crate::simulation) fn pre_impact(&self) -> PreImpact {
         let bears = |i: &usize| self.reactions[*i] != 0.0;
         let bearing = self.closed().iter().filter(bears).collect();
-        PreImpact { state: self.public_state().to_vec(), energy: self.energy(), active_basis: bearing }
+        PreImpact {
+            state: self.public_state().to_vec(),
+            energy: self.energy(),
+            active_basis: bearing,
+            impulses: Vec::new(),
+        }
     }
 
     pub(in crate::simulation) fn energy(&self) -> Energy<f64> {
