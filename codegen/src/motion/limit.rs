@@ -1,6 +1,6 @@
-//! Limits: with q what a drive would prescribe, the gaps over a lower bound a and under an upper one
-//! are `q − a` and `a − q`, of a distance d `(d² − a²)/2a` and its opposite. The reaction is what
-//! the drive's force would be.
+//! Limits: with q what a drive would prescribe, the gaps over a lower bound a and under an upper
+//! one are `q − a` and `a − q`, of a distance d `(d² − a²)/2a` and its opposite. The reaction is
+//! what the drive's force would be.
 
 use super::action::Scene;
 use super::driving::{actions, between};

@@ -2,7 +2,8 @@
 
 type Corner = [f64; 2];
 
-/// The first two sides that cross between their ends, each by the index of the corner where it begins.
+/// The first two sides that cross between their ends, each by the index of the corner where it
+/// begins.
 pub fn find_crossed_sides(corners: &[Corner]) -> Option<[usize; 2]> {
     let count = corners.len();
     let side = |i: usize| [corners[i], corners[(i + 1) % count]];
@@ -16,7 +17,8 @@ fn cross([a, b]: [Corner; 2], [c, d]: [Corner; 2]) -> bool {
     area(a, b, c) * area(a, b, d) < 0.0 && area(c, d, a) * area(c, d, b) < 0.0
 }
 
-/// The corners in order of their direction from their mean, the first as declared: no two sides cross then.
+/// The corners in order of their direction from their mean, the first as declared: no two sides
+/// cross then.
 pub fn order_around(corners: &[Corner]) -> Vec<usize> {
     let mean =
         [0, 1].map(|axis| corners.iter().map(|corner| corner[axis]).sum::<f64>() / corners.len() as f64);

@@ -52,7 +52,8 @@ impl Stability {
         check_folder(&self.out)?;
         let selected = self.selected(groups, models)?;
         let count: usize = selected.iter().map(|(.., cases)| cases.len()).sum();
-        // A title and an empty line stand around the cases of a group, and the page is named at the end.
+        // A title and an empty line stand around the cases of a group, and the page is named at the
+        // end.
         let is_whole = self.length.fits(count + 2 * selected.len() + 1);
         let results = self.judge(selected, is_whole)?;
         let verdicts: Vec<_> = results.iter().flat_map(|group| group.verdicts.iter().cloned()).collect();

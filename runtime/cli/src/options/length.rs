@@ -18,7 +18,8 @@ impl Length {
         self.all || lines <= SCREEN
     }
 
-    /// The whole text where it fits a screen or all is asked for; else the brief one, and how to have the rest.
+    /// The whole text where it fits a screen or all is asked for; else the brief one, and how to
+    /// have the rest.
     pub fn fit(self, whole: String, brief: impl FnOnce(usize) -> String) -> String {
         let lines = whole.lines().count();
         match self.fits(lines) {
@@ -28,8 +29,8 @@ impl Length {
     }
 }
 
-/// At most so many of some in order, the first and the last among them, evenly between; none where fewer than two are asked
-/// for.
+/// At most so many of some in order, the first and the last among them, evenly between; none where
+/// fewer than two are asked for.
 pub fn thin<T>(all: &[T], most: usize) -> impl Iterator<Item = &T> {
     let count = if most < 2 { 0 } else { all.len().min(most) };
     (0..count).map(move |k| &all[if count < 2 { k } else { k * (all.len() - 1) / (count - 1) }])

@@ -142,7 +142,8 @@ impl Sampling {
         write(&format!("in every row {}\n", told.collect::<Vec<_>>().join(", ")))
     }
 
-    /// The columns whose printed values change from row to row, and the others; outputs that are asked for stand in any case.
+    /// The columns whose printed values change from row to row, and the others; outputs that are
+    /// asked for stand in any case.
     fn split_columns(&self, rows: &[Shown], count: usize) -> (Vec<usize>, Vec<usize>) {
         let printed = |row: &Shown, k: usize| row.2.get(k).map(|value| significant(*value, DIGITS));
         let is_same = |k: &usize| rows.iter().all(|row| printed(row, *k) == printed(&rows[0], *k));

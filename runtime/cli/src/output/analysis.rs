@@ -27,7 +27,8 @@ pub enum Detail {
     Rates,
 }
 
-/// All equilibria, each with its position, its reactions, its modes, and how far a load of this name may go.
+/// All equilibria, each with its position, its reactions, its modes, and how far a load of this
+/// name may go.
 pub fn equilibria_text(layout: &Layout, found: &[Rest], load_name: Option<&str>, detail: Detail) -> String {
     let each = found.iter().enumerate().map(|(i, Rest { equilibrium: rest, limit: end })| {
         let closed =

@@ -1,5 +1,5 @@
-//! Impulses of joints. Forces are affine in the accelerations a and the reactions λ: with the change
-//! of the rates in place of a, and the impulses P of the rows in place of λ,
+//! Impulses of joints. Forces are affine in the accelerations a and the reactions λ: with the
+//! change of the rates in place of a, and the impulses P of the rows in place of λ,
 //!
 //! ```text
 //! F(q, u, Δu, P) − F(q, u, 0, 0)

@@ -64,8 +64,8 @@ fn whole(dimension: model::Dimension) -> Option<SiUnit> {
     Some(SiUnit::new(mass?, length?, time?, 0))
 }
 
-/// The columns of a motion's table, each of them an output: time, state, reactions, slip velocities,
-/// gaps, energies.
+/// The columns of a motion's table, each of them an output: time, state, reactions, slip
+/// velocities, gaps, energies.
 pub fn motion_columns(layout: &Layout) -> Vec<String> {
     let mut columns = vec!["t".to_owned()];
     columns.extend(layout.names_of_motion());

@@ -293,8 +293,8 @@ struct Unloaded {
     mu: f64,
 }
 
-/// Feet bear while their shares fall, whatever rubs elsewhere: the middle one as much as the mean of
-/// the outer ones, which bear alike.
+/// Feet bear while their shares fall, whatever rubs elsewhere: the middle one as much as the mean
+/// of the outer ones, which bear alike.
 #[test]
 fn rough_feet_bear_falling_shares_beside_friction() {
     let start = Pose::new("phi", 0.0).with("x", 0.0).with("y", 0.0).with("x_Q", 5.0).with("x_Q'", 1.0);

@@ -290,8 +290,8 @@ struct Door {
     s: f64,
 }
 
-/// Beyond the centre of percussion, 2 l/3, the blow on the hinge is along that on the stop: with P =
-/// m l² ω/3s on the stop, P (3s/2l − 1) on the hinge; at that point none.
+/// Beyond the centre of percussion, 2 l/3, the blow on the hinge is along that on the stop: with P
+/// = m l² ω/3s on the stop, P (3s/2l − 1) on the hinge; at that point none.
 #[test]
 fn a_door_strikes_its_hinge_unless_its_stop_is_at_the_centre_of_percussion() {
     let (m, l) = (10.0, 0.9);

@@ -154,7 +154,8 @@ fn the_reaction_of_two_supports_is_told_as_their_sum() {
     [file, page].into_iter().for_each(|path| std::fs::remove_file(path).expect("removed"));
 }
 
-/// Sides that cross whatever the parameters are refused, those that cross with the values of a run told.
+/// Sides that cross whatever the parameters are refused, those that cross with the values of a run
+/// told.
 #[test]
 fn an_outline_that_crosses_itself_is_refused_or_told() {
     let file = temporary_path("plate.rs");
