@@ -72,7 +72,7 @@ fn at_rest(scene: &Scene, opaque_terms: &mut OpaqueTerms, support: &Support) -> 
         OneSided::Thread { path, length } => {
             thread::measure(scene, opaque_terms, &support.name, path, length)
         }
-        OneSided::Limit { driven, bound, is_upper } => {
+        OneSided::Limit { driven, bound, is_upper, .. } => {
             limit::measure(scene, opaque_terms, driven, bound, *is_upper)
         }
         OneSided::Drive(i) => driving::measure(scene, opaque_terms, *i),

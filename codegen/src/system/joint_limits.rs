@@ -25,6 +25,8 @@ pub(super) fn resolve(
                 "in a mirrored model `{name}` and its image would have to strike as one; leave `mirror` out, or write a `support`"
             );
             scope.report.add_message(name.span(), text);
+            declared.bounds().for_each(|(_, bound)| _ = scope.number(bound));
+            continue;
         }
         let (_, driven) = drives::driven(scope, readable, figure, ("limit", &declared.target));
         let restitution = restitution(scope, name, &declared.contact_law);
@@ -32,11 +34,17 @@ pub(super) fn resolve(
         if let [Some(low), Some(high)] = &bounds[..] {
             refuse_reversed(scope, declared, [low, high]);
         }
+        let below = declared.low.as_ref().and_then(|_| bounds.first().cloned().flatten());
         for ((label, expr), bound) in declared.bounds().zip(bounds) {
             contacts.claim(scope, "limit", name, label.clone(), "give one another name: `other = …`");
             let is_upper = declared.high.as_ref().is_some_and(|high| core::ptr::eq(high, expr));
             if let (Some(driven), Some(bound)) = (driven.clone(), bound) {
-                let contact = OneSided::Limit { driven, bound, is_upper };
+                let extent = match (&below, &declared.target) {
+                    (Some(low), _) if is_upper => Some(&bound - low),
+                    (_, Target::Distance(_)) => Some(bound.clone()),
+                    _ => None,
+                };
+                let contact = OneSided::Limit { driven, bound, is_upper, extent };
                 let law = (&declared.contact_law, restitution.clone());
                 contacts.push(name, label, (contact, None), law, (None, None));
             }

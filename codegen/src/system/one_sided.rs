@@ -130,6 +130,8 @@ pub enum OneSided {
         bound: Series,
         /// Whether it is the greatest.
         is_upper: bool,
+        /// What must be positive: a distance, or what is left between two bounds.
+        extent: Option<Series>,
     },
     /// A drive that holds while its condition does, both ways; its index.
     Drive(usize),
@@ -244,12 +246,15 @@ impl Support {
                 Some((format!("the play of {}", self.name), reach))
             }
             OneSided::Circle { radius, .. } => Some((format!("the radius of {}", self.name), radius)),
+            OneSided::Limit { extent, is_upper, .. } => {
+                let what = if *is_upper { "the range up to" } else { "the limit" };
+                extent.as_ref().map(|extent| (format!("{what} {}", self.name), extent))
+            }
             OneSided::Hinge { radius, .. } => Some((format!("the radius of hinge {}", self.name), radius)),
             OneSided::Line { .. }
             | OneSided::Corner { .. }
             | OneSided::Edge { .. }
             | OneSided::Stop { .. }
-            | OneSided::Limit { .. }
             | OneSided::Drive(_) => None,
         }
     }

@@ -68,20 +68,20 @@ impl Subject {
     pub(crate) fn touching_at(&self, state: &[DoubleDouble]) -> ContactSet {
         let gaps = self.gaps(state);
         let feet = self.feet(state);
-        let bound = CLOSED * self.scales.length;
+        let (layout, length) = (self.layout(), self.scales.length);
         let on_bar = |i: usize| {
-            let foot = self.layout().contacts[i].foot;
-            foot.is_none_or(|k| feet[2 * k..2 * k + 2].iter().all(|margin| *margin >= -bound))
+            let foot = layout.contacts[i].foot;
+            foot.is_none_or(|k| feet[2 * k..2 * k + 2].iter().all(|margin| *margin >= -CLOSED * length))
         };
-        let closed = self.candidates().into_iter().filter(|&i| gaps[i].abs() <= bound && on_bar(i));
+        let is_closed = |&i: &usize| gaps[i].abs() <= CLOSED * layout.unit(i, length) && on_bar(i);
+        let closed = self.candidates().into_iter().filter(is_closed);
         self.sticking(closed.collect::<ContactSet>().union(self.layout().guides()))
     }
 
     /// Contacts that are closed or open by their gaps alone.
     pub(crate) fn candidates(&self) -> Vec<usize> {
-        use liftoff_core::model::ContactKind::{Support, Thread};
         let contacts = self.layout().contacts.iter().enumerate();
-        let there = contacts.filter(|(_, c)| matches!(c.kind, Support | Thread) && c.armed.is_none());
+        let there = contacts.filter(|(_, c)| c.kind.is_one_sided() && c.armed.is_none());
         there.map(|(i, _)| i).collect()
     }
 

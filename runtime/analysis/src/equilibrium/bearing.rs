@@ -7,7 +7,7 @@
 //! Where rows of J depend on each other, λ = λ₀ + B c with Jᵀ B = 0, and linear programs in c give
 //! the least and the largest of each reaction.
 
-use liftoff_core::model::{ContactKind, ContactSet, QuantityKind, SlipState};
+use liftoff_core::model::{ContactSet, QuantityKind, SlipState};
 use liftoff_core::scalar::{DoubleDouble, Real};
 use nalgebra::{DMatrix, DVector};
 
@@ -187,8 +187,7 @@ fn bounds(subject: &Subject, state: &[DoubleDouble], rows: &[usize]) -> Vec<Vec<
     let layout = subject.layout();
     let slips = slips(subject, state);
     let place = |row: usize| rows.iter().position(|known| *known == row);
-    let one_sided =
-        |contact: usize| matches!(layout.contacts[contact].kind, ContactKind::Support | ContactKind::Thread);
+    let one_sided = |contact: usize| layout.contacts[contact].kind.is_one_sided();
     let normals = (0..layout.contacts.len()).filter(|&contact| one_sided(contact));
     let mut bounds: Vec<Vec<(usize, f64)>> = normals.filter_map(|i| Some(vec![(place(i)?, 1.0)])).collect();
     for (friction, slip) in layout.frictions.iter().zip(&slips) {

@@ -97,7 +97,7 @@ pub(super) fn is_possible(subject: &Subject, state: &[DoubleDouble]) -> bool {
     subject.candidates().into_iter().all(|i| {
         let foot = subject.layout().contacts[i].foot;
         let beyond = foot.is_some_and(|k| feet[2 * k..2 * k + 2].iter().any(|margin| *margin < -bound));
-        beyond || gaps[i] >= -bound
+        beyond || gaps[i] >= -DEEP * subject.layout().unit(i, subject.scales.length)
     })
 }
 

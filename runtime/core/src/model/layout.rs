@@ -159,6 +159,11 @@ pub enum ContactKind {
 }
 
 impl ContactKind {
+    /// Whether it only pushes, or only pulls.
+    pub const fn is_one_sided(self) -> bool {
+        matches!(self, Self::Support | Self::Thread | Self::AngleLimit)
+    }
+
     /// Whether it is a drive on a condition.
     pub const fn is_drive(self) -> bool {
         matches!(self, Self::Drive | Self::Turn)

@@ -56,8 +56,8 @@ fn image_of(context: &RunContext, phase: &dyn PhaseEquations, state: &[f64]) -> 
     }
     let (_, image) = chart::image(phase, state);
     let gaps = context.gaps(&image);
-    let bound = CLOSED * context.scales.length;
-    let closed = phase.info().set.iter().all(|contact| gaps[contact].abs() <= bound);
+    let bound = |contact: usize| CLOSED * context.layout().unit(contact, context.scales.length);
+    let closed = phase.info().set.iter().all(|contact| gaps[contact].abs() <= bound(contact));
     (closed && image.iter().all(|x| x.is_finite())).then_some(image)
 }
 

@@ -43,15 +43,17 @@ impl Trajectory {
         self.look_at_energy(phase, &times, audit);
     }
 
-    /// The distance within which a gap counts as zero, and a foot as at the end of its bar.
+    /// The distance within which a foot counts as at the end of its bar.
     fn margin(&self) -> f64 {
         AuditBounds::new(self.tolerance, 1).gap() * self.context.scales.length
     }
 
     /// Open contacts below their grounds at a point of a phase.
     pub(super) fn find_sunk(&self, phase: &RecordedPhase, point: &PhasePoint) -> ContactSet {
-        let (gaps, margin, closed) = (self.context.gaps(point.state()), self.margin(), phase.segment().set);
-        (0..gaps.len()).filter(|&i| gaps[i] < -margin && !closed.contains(i)).collect()
+        let (gaps, closed) = (self.context.gaps(point.state()), phase.segment().set);
+        let (bound, length) = (AuditBounds::new(self.tolerance, 1).gap(), self.context.scales.length);
+        let margin = |i: usize| bound * self.context.layout().unit(i, length);
+        (0..gaps.len()).filter(|&i| gaps[i] < -margin(i) && !closed.contains(i)).collect()
     }
 
     /// Contacts beyond the ends of their bars, and those that have not come back from below, where

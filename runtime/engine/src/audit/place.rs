@@ -66,8 +66,8 @@ impl AuditPoint<'_> {
         if !(0..contacts).any(|i| open(&i)) {
             return None;
         }
-        let gaps = self.context.gaps(state);
-        worst((0..contacts).filter(open).map(|i| -gaps[i] / length))
+        let (gaps, layout) = (self.context.gaps(state), self.context.layout());
+        worst((0..contacts).filter(open).map(|i| -gaps[i] / layout.unit(i, length)))
     }
 }
 

@@ -32,7 +32,7 @@ impl<S: Scalar> Builder<'_, S> {
             // It has friction, which is not judged.
             OneSided::Hinge { .. } => (Self::NOTHING, None, None),
             OneSided::Thread { path, length } => (self.thread(path, length), None, None),
-            OneSided::Limit { driven, bound, is_upper } => {
+            OneSided::Limit { driven, bound, is_upper, .. } => {
                 let (value, bound) = (self.driven(driven), self.constant(bound));
                 let ends = if *is_upper { [bound, value] } else { [value, bound] };
                 (self.tape.subtract(ends[0], ends[1]), None, None)

@@ -194,3 +194,43 @@ fn joint_forces_at_rest_are_those_of_statics() {
         assert!((force - expected).abs() < 1e-10, "{name}: {force} for {expected}");
     }
 }
+
+/// A pendulum that a stop keeps off its lowest position, with the end bounded by an angle or by its
+/// place.
+macro_rules! kept_off {
+    ($name:ident, $limit:meta) => {
+        #[derive(BarSystem)]
+        #[gravity(g)]
+        #[pin(O = (0, 0))]
+        #[bar(OA, mass = m, length = l)]
+        #[$limit]
+        #[coordinate(phi = angle(OA), from = down)]
+        #[figure(A = (0.6 * l, -0.8 * l))]
+        struct $name {
+            m: f64,
+            l: f64,
+            g: f64,
+        }
+    };
+}
+
+kept_off!(ByAngle, limit(phi, low = 0.3));
+kept_off!(ByPlace, limit(x(A), low = 0.29552020666133957 * l));
+
+/// N = m g l/2 sin φ of the angle; the place has l cos φ for a lever.
+#[test]
+fn what_leans_on_a_limit_is_at_rest_there() {
+    let (m, l, g) = (2.0, 1e-3, 9.81);
+    let at = |found: Vec<Equilibrium>| {
+        let [rest] = &found[..] else { panic!("{found:?}") };
+        assert_eq!(rest.closed.len(), 1);
+        (rest.positions[0], rest.loads[0].normal[0])
+    };
+    let start = || Pose::new("phi", 0.5);
+    let (phi, couple) = at(resting(&ByAngle { m, l, g }, start()).unwrap());
+    let (same, force) = at(resting(&ByPlace { m, l, g }, start()).unwrap());
+    let moment = 0.5 * m * g * l * 0.3_f64.sin();
+    assert!((phi - 0.3).abs() < 1e-12 && (same - 0.3).abs() < 1e-12, "{phi} {same}");
+    assert!((couple - moment).abs() < 1e-9 * moment, "{couple}, not {moment}");
+    assert!((force * l * 0.3_f64.cos() - moment).abs() < 1e-9 * moment, "{force}");
+}

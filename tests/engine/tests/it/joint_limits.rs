@@ -26,7 +26,7 @@ struct Gate {
 /// each time e = 1/2 as fast as before; the impulse is the change of the angular momentum.
 #[test]
 fn a_rod_goes_to_and_fro_between_its_limits() {
-    for l in [1.0, 1000.0, 1e-3] {
+    for l in [1.0, 1e3, 1e9, 1e-3, 1e-9] {
         let gate = Gate { m: 3.0, l, c: 0.0, low: -PI / 2.0 - 1.0, high: -PI / 2.0, e: 0.5 };
         let start = Pose::new("phi", -PI / 2.0 - 0.5).with("phi'", 2.0);
         let run = Simulation::new(&gate).unwrap().start(start).unwrap().limit(3.0).run().unwrap();
@@ -138,6 +138,52 @@ fn a_limit_along_a_bar_is_its_end() {
     for ((t, state), (time, there)) in a.iter().zip(&b) {
         assert!((t - time).abs() < 1e-9, "{t} {time}");
         assert!(state.iter().zip(there).all(|(x, y)| (x - y).abs() < 1e-7), "{t}: {state:?} {there:?}");
+    }
+}
+
+/// Whatever its size it bounces as often before it rests: what of an angle counts as zero is no
+/// length.
+#[test]
+fn a_rod_settles_on_a_limit_alike_whatever_its_length() {
+    let bounces = |l: f64| {
+        let c = 3.0 * l * l;
+        let gate = Gate { m: 3.0, l, c, low: -PI / 2.0 - 1.0, high: -PI / 2.0, e: 0.3 };
+        let start = Pose::new("phi", -PI / 2.0 - 0.2);
+        let run = Simulation::new(&gate).unwrap().start(start).unwrap().limit(3.0).run().unwrap();
+        run.events().iter().filter(|event| event.kind == EventKind::Impact).count()
+    };
+    let expected = bounces(1.0);
+    assert!(expected > 3);
+    for l in [1e-9, 1e-3, 1e3, 1e9] {
+        assert_eq!(bounces(l), expected, "{l}");
+    }
+}
+
+/// Bounds that parameters make.
+#[derive(BarSystem)]
+#[liftoff(dimensionless)]
+#[pin(O = (0, 0))]
+#[bar(OA, mass = 1, length = 1)]
+#[particle(P, mass = 1)]
+#[limit(phi, low = a, high = b)]
+#[limit(distance(A, P), high = d)]
+#[coordinate(phi = angle(OA), from = right)]
+#[figure(A = (1, 0), P = (2, 1))]
+struct Bounded {
+    a: f64,
+    b: f64,
+    d: f64,
+}
+
+#[test]
+fn bounds_that_leave_nothing_are_refused() {
+    let refused = |a, b, d| Simulation::new(&Bounded { a, b, d }).err().map(|error| error.to_string());
+    assert_eq!(refused(-1.0, 1.0, 3.0), None);
+    for (a, b, d, name) in
+        [(1.0, 0.5, 3.0, "phi_high"), (1.0, 1.0, 3.0, "phi_high"), (-1.0, 1.0, -3.0, "A_P_high")]
+    {
+        let error = refused(a, b, d).unwrap();
+        assert!(error.contains(name) && error.contains("must be positive"), "{error}");
     }
 }
 

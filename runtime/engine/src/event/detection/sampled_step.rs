@@ -40,8 +40,8 @@ impl Scales<'_> {
     }
 
     /// Whether a gap is so small that its rounding matters, or within its bound.
-    pub(super) fn is_low(&self, gap: f64) -> bool {
-        gap <= self.bounds.relative.max(MARGIN) * self.bounds.length
+    pub(super) fn is_low(&self, contact: usize, gap: f64) -> bool {
+        gap <= self.bounds.relative.max(MARGIN) * self.layout.unit(contact, self.bounds.length)
     }
 
     /// Whether what touches zero with a value may as well have crossed it: it differs from zero by

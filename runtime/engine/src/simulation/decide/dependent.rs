@@ -13,7 +13,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::context::CLOSED;
-use crate::model::{ContactKind, ContactSet, Form};
+use crate::model::{ContactSet, Form};
 use crate::numerics::decomposition::singular_values;
 use crate::simulation::snapshot::Snapshot;
 
@@ -50,17 +50,18 @@ impl Snapshot<'_> {
     fn dependent(&self) -> ContactSet {
         let dependent = self.closed().difference(self.active_basis()).difference(self.contacts.held());
         let kind = |i: &usize| self.layout().contacts[*i].kind;
-        dependent.iter().filter(|i| matches!(kind(i), ContactKind::Support | ContactKind::Thread)).collect()
+        dependent.iter().filter(|i| kind(i).is_one_sided()).collect()
     }
 
     /// Which of them has sunk deepest in a later state of the phase, and goes on to sink. The event
     /// that ends the phase may come before the gap has left its bound.
     pub(in crate::simulation) fn deepest_dependent(&self, later: &[f64]) -> Option<usize> {
         let equations = self.setup.context.system().equations(later);
-        let deep = -0.5 * CLOSED.min(self.relative_bound()) * self.setup.context.scales.length;
+        let deep = -0.5 * CLOSED.min(self.relative_bound());
+        let unit = |i: usize| self.layout().unit(i, self.setup.context.scales.length);
         let n = self.layout().coordinates.len();
         let gap = |i: usize| equations.gap()[i];
-        let sinks = |&i: &usize| gap(i) < deep && equations.gap_rate(i, &later[n..2 * n]) < 0.0;
+        let sinks = |&i: &usize| gap(i) < deep * unit(i) && equations.gap_rate(i, &later[n..2 * n]) < 0.0;
         self.dependent().iter().filter(sinks).min_by(|&i, &k| gap(i).total_cmp(&gap(k)))
     }
 

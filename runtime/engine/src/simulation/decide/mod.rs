@@ -163,9 +163,10 @@ impl Snapshot<'_> {
             return ContactSet::EMPTY;
         }
         let equations = self.setup.context.system().equations(&self.state);
-        let bound = self.relative_bound() * self.setup.context.scales.length;
+        let (layout, length) = (self.layout(), self.setup.context.scales.length);
+        let bound = |i: usize| self.relative_bound() * layout.unit(i, length);
         let dependent = dependent.difference(self.layout().drives());
-        dependent.iter().filter(|&i| equations.gap()[i] > bound).collect()
+        dependent.iter().filter(|&i| equations.gap()[i] > bound(i)).collect()
     }
 
     /// Those of touching contacts that may open whose gaps are stationary here.

@@ -48,11 +48,13 @@ impl Snapshot<'_> {
         held.fold(*usual, |most, row| most.max(roundings[row]))
     }
 
-    /// What of the gap of each contact counts as zero, m.
+    /// What of the gap of each contact counts as zero, m or rad.
     pub(in crate::simulation) fn gap_bounds(&self) -> impl Fn(usize) -> f64 {
         let (usual, length) = (self.relative_bound(), self.setup.context.scales.length);
-        let roundings = self.tiny().roundings.clone();
-        move |contact| usual.max(roundings.get(contact).copied().unwrap_or(0.0)) * length
+        let (roundings, layout) = (self.tiny().roundings.clone(), self.layout());
+        move |contact| {
+            usual.max(roundings.get(contact).copied().unwrap_or(0.0)) * layout.unit(contact, length)
+        }
     }
 
     fn tiny(&self) -> Ref<'_, ZeroBounds> {

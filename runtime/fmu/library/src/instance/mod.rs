@@ -11,7 +11,6 @@ use crate::motion::Motion;
 use crate::place::{Instant, Readings};
 use crate::settings::{Settings, variable};
 use liftoff::{Pose, Simulation};
-use liftoff_core::model::ContactKind;
 use liftoff_fmu::{Interface, Resources};
 use liftoff_studio::RunSpec;
 use liftoff_studio::registry::Entry;
@@ -208,8 +207,7 @@ impl Instance {
 /// The same with something planned that never comes: a start at rest is refused where nothing is.
 fn may_rest(simulation: Simulation) -> Result<Simulation, String> {
     let layout = simulation.layout();
-    let is_one_sided = |kind| matches!(kind, ContactKind::Support | ContactKind::Thread);
-    match layout.contacts.iter().find(|contact| is_one_sided(contact.kind)) {
+    match layout.contacts.iter().find(|contact| contact.kind.is_one_sided()) {
         Some(contact) => simulation.release(contact.supports[0], NEVER).map_err(|error| error.to_string()),
         None => match layout.points.first().filter(|_| !layout.has_hinges()) {
             Some(point) => simulation.impulse(*point, [0.0; 2], NEVER).map_err(|error| error.to_string()),

@@ -60,7 +60,8 @@ impl GapGuard {
         // somewhere before, and to say so at the start would stop the time.
         let rounding = || {
             let terms = step.evaluate(|view, scratch| view.terms(contact, scratch));
-            (roundoff(16.0) * terms.max(step.scales.bounds.length)).min(0.5 * bound)
+            (roundoff(16.0) * terms.max(step.scales.layout.unit(contact, step.scales.bounds.length)))
+                .min(0.5 * bound)
         };
         let sink = || source.first_root(0.0, RootStart::Free, (bound, rounding()));
         let is_below = self.below == Some(0.0)
@@ -146,7 +147,7 @@ impl Kind for GapGuard {
 
     fn leave_step(&mut self, _: &Tracking, step: &SampledStep<'_>) {
         self.order = None;
-        let is_low = |_: &LowFlight| step.scales.is_low(self.value(step, 1.0));
+        let is_low = |_: &LowFlight| step.scales.is_low(self.contact, self.value(step, 1.0));
         self.flight = self.flight.filter(is_low).map(|flight| flight.follow(self.contact, step));
     }
 

@@ -27,7 +27,7 @@ pub(crate) fn list_guards<'a>(
     for (contact, description) in layout.contacts.iter().enumerate() {
         let (bears, closed) = (set.contains(contact), status.closed.contains(contact));
         list.extend(own_guard(layout, contact, bears, status));
-        let parts = matches!(description.kind, ContactKind::Support | ContactKind::Thread);
+        let parts = description.kind.is_one_sided();
         if closed && !bears && parts && !status.held.contains(contact) {
             list.push(PartingGuard::watch(contact));
         }

@@ -62,7 +62,7 @@ impl LowFlight {
             return Ok(None);
         };
         let is_first = end == 0.0 || end >= HIGHEST * theta;
-        Ok((is_first && step.scales.is_low(gap(HIGHEST * theta))).then_some(theta))
+        Ok((is_first && step.scales.is_low(contact, gap(HIGHEST * theta))).then_some(theta))
     }
 
     /// Whether g̈ > 0 is proved of all of a step that begins with g ≥ 0 and ġ ≥ 0.

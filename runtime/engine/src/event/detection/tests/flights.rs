@@ -111,7 +111,7 @@ fn a_flight_that_begins_deep_has_its_ground_there() {
 fn heights_within_the_gap_bound_are_low() {
     let scene = Scene::closed(ContactSet::EMPTY, |_| Shown::default());
     let detector = scene.begun(alone(PLAIN), (&[], false));
-    let (most, is_low) = (BOUNDS.relative * BOUNDS.length, |gap| detector.scales.is_low(gap));
+    let (most, is_low) = (BOUNDS.relative * BOUNDS.length, |gap| detector.scales.is_low(0, gap));
     assert!(is_low(most) && is_low(0.0) && !is_low(1.001 * most));
 }
 

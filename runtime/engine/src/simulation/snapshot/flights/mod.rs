@@ -118,8 +118,8 @@ impl Snapshot<'_> {
         }
         let context = &self.setup.context;
         let (equations, rates) = (context.system().equations(&self.state), self.rates());
-        let falls =
-            |i: &usize| gaps[*i] > CLOSED * context.scales.length && equations.gap_rate(*i, rates) <= 0.0;
+        let unit = |i: usize| self.layout().unit(i, context.scales.length);
+        let falls = |i: &usize| gaps[*i] > CLOSED * unit(*i) && equations.gap_rate(*i, rates) <= 0.0;
         low.iter().filter(falls).map(|i| (i, gaps[i])).collect()
     }
 
@@ -159,6 +159,6 @@ impl Snapshot<'_> {
     /// The height below which a flight is lost in the rounding of its gap.
     pub(in crate::simulation) fn resolved(&self, contact: usize, equations: &Equations<f64>) -> f64 {
         let terms = equations.terms(contact, &self.state[..self.layout().coordinates.len()]);
-        RESOLVED * terms.max(self.setup.context.scales.length)
+        RESOLVED * terms.max(self.layout().unit(contact, self.setup.context.scales.length))
     }
 }
