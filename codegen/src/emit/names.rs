@@ -90,7 +90,7 @@ fn mentioned(d: &Description) -> Vec<String> {
     let coordinates = d.coordinates.iter().map(|c| plain(&c.name));
     let supports = d.supports.iter().flat_map(|support| support.names());
     let threads = d.threads.iter().map(|thread| plain(&thread.name));
-    let limits = d.limits.iter().flat_map(|limit| limit.bounds().map(|(name, _)| name));
+    let limits = d.limits.iter().flat_map(|limit| limit.bounds().map(|bound| bound.name));
     let places = [&d.figure, &d.pins, &d.ground].into_iter().flatten().map(|(name, _)| plain(name));
     let points = d.points.iter().map(|point| plain(&point.name));
     let particles = d.particles.iter().map(|particle| plain(&particle.point));

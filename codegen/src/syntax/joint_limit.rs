@@ -24,13 +24,25 @@ pub struct LimitDeclaration {
     pub contact_law: ContactLaw,
 }
 
+/// A bound, a one-sided constraint of its own.
+#[derive(Clone, Debug)]
+pub struct Bound<'a> {
+    /// Its name, `AB_BC_low`.
+    pub name: String,
+    /// Its value.
+    pub value: &'a Expr,
+    /// Whether it is the greatest value.
+    pub is_upper: bool,
+}
+
 impl LimitDeclaration {
-    /// The names of its one-sided constraints with their bounds, the lower first.
-    pub fn bounds(&self) -> impl Iterator<Item = (String, &Expr)> {
-        let bounds = [("low", &self.low), ("high", &self.high)];
-        bounds
-            .into_iter()
-            .filter_map(|(side, bound)| Some((format!("{}_{side}", plain(&self.name)), bound.as_ref()?)))
+    /// Its bounds, the lower first.
+    pub fn bounds(&self) -> impl Iterator<Item = Bound<'_>> {
+        let sides = [("low", &self.low, false), ("high", &self.high, true)];
+        sides.into_iter().filter_map(|(side, value, is_upper)| {
+            let name = format!("{}_{side}", plain(&self.name));
+            Some(Bound { name, value: value.as_ref()?, is_upper })
+        })
     }
 }
 

@@ -64,7 +64,7 @@ pub use equal::{EqualAngles, Member, Multiple};
 pub use force::Force;
 pub use gravity::Gravity;
 pub use hinge::HingeDeclaration;
-pub use joint_limit::LimitDeclaration;
+pub use joint_limit::{Bound, LimitDeclaration};
 pub use mass::PointMass;
 pub use mirror::MirrorLine;
 pub use point::PointOnBar;

@@ -8,7 +8,7 @@ use super::formula::Readable;
 use super::mass_properties::positive;
 use super::scope::Scope;
 use crate::algebra::Series;
-use crate::syntax::{LimitDeclaration, Target};
+use crate::syntax::{Bound, LimitDeclaration, Target};
 
 /// Resolves all limits.
 pub(super) fn resolve(
@@ -25,29 +25,30 @@ pub(super) fn resolve(
                 "in a mirrored model `{name}` and its image would have to strike as one; leave `mirror` out, or write a `support`"
             );
             scope.report.add_message(name.span(), text);
-            declared.bounds().for_each(|(_, bound)| _ = scope.number(bound));
+            declared.bounds().for_each(|bound| _ = scope.number(bound.value));
             continue;
         }
         let (_, driven) = drives::driven(scope, readable, figure, ("limit", &declared.target));
         let restitution = restitution(scope, name, &declared.contact_law);
-        let bounds: Vec<_> = declared.bounds().map(|(_, bound)| number(scope, declared, bound)).collect();
-        if let [Some(low), Some(high)] = &bounds[..] {
-            refuse_reversed(scope, declared, [low, high]);
+        let values: Vec<_> = declared.bounds().map(|bound| number(scope, declared, bound.value)).collect();
+        let [low, high] = match &values[..] {
+            [low, high] => [low.as_ref(), high.as_ref()],
+            _ => [None; 2],
+        };
+        if let Some(bounds) = low.zip(high) {
+            refuse_reversed(scope, declared, bounds.into());
         }
-        let below = declared.low.as_ref().and_then(|_| bounds.first().cloned().flatten());
-        for ((label, expr), bound) in declared.bounds().zip(bounds) {
+        for (Bound { name: label, is_upper, .. }, value) in declared.bounds().zip(&values) {
             contacts.claim(scope, "limit", name, label.clone(), "give one another name: `other = …`");
-            let is_upper = declared.high.as_ref().is_some_and(|high| core::ptr::eq(high, expr));
-            if let (Some(driven), Some(bound)) = (driven.clone(), bound) {
-                let extent = match (&below, &declared.target) {
-                    (Some(low), _) if is_upper => Some(&bound - low),
-                    (_, Target::Distance(_)) => Some(bound.clone()),
-                    _ => None,
-                };
-                let contact = OneSided::Limit { driven, bound, is_upper, extent };
-                let law = (&declared.contact_law, restitution.clone());
-                contacts.push(name, label, (contact, None), law, (None, None));
-            }
+            let (Some(driven), Some(bound)) = (driven.clone(), value.clone()) else { continue };
+            let extent = match (low, &declared.target) {
+                (Some(low), _) if is_upper => Some(&bound - low),
+                (_, Target::Distance(_)) => Some(bound.clone()),
+                _ => None,
+            };
+            let contact = OneSided::Limit { driven, bound, is_upper, extent };
+            let law = (&declared.contact_law, restitution.clone());
+            contacts.push(name, label, (contact, None), law, (None, None));
         }
     }
 }

@@ -8,7 +8,7 @@ use super::scope::Scope;
 use super::{Definition, System};
 use crate::algebra::{Rational, Series, SymbolNames};
 use crate::math::Math;
-use crate::syntax::plain;
+use crate::syntax::{Bound, plain};
 
 /// Time, energies and momenta, which every run has under these names.
 const EVERYWHERE: [&str; 7] = ["t", "T", "V", "E", "px", "py", "Lz"];
@@ -29,7 +29,9 @@ pub(super) fn check(scope: &mut Scope) {
         }
     }
     for limit in &d.limits {
-        for (name, _) in limit.bounds().filter(|(name, _)| d.coordinates.iter().any(|c| c.name == *name)) {
+        for Bound { name, .. } in
+            limit.bounds().filter(|bound| d.coordinates.iter().any(|c| c.name == bound.name))
+        {
             scope.report.add_message(limit.name.span(), collision("limit", "coordinate", &name));
         }
     }

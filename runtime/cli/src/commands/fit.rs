@@ -2,7 +2,6 @@
 
 use crate::CommandError;
 use crate::options::run_args::RunArgs;
-use crate::options::values;
 use crate::output::fit;
 use crate::output::notes::note;
 use crate::output::print::print;
@@ -90,7 +89,7 @@ impl Fit {
         for text in &self.sd {
             let wrong = |why: &str| CommandError::Usage(format!("--sd {text}: {why}"));
             let (name, value) = text.rsplit_once('=').ok_or_else(|| wrong("expected COLUMN=VALUE"))?;
-            let value = values::measured(units, name, value).map_err(|why| wrong(&why))?;
+            let value = units.measure(name, value).map_err(|why| wrong(&why))?;
             check_deviation(value).map_err(|why| wrong(&why))?;
             found.push((name.trim().to_owned(), value));
         }
@@ -113,6 +112,6 @@ fn add_event(
     let (value, known) = parts.map_or((value, None), |(value, known)| (value, Some(known)));
     let event = MeasuredEvent::parse(what, layout)?;
     let kind = event.kind();
-    let number = |text: &str| values::measured(units, &kind, text);
+    let number = |text: &str| units.measure(&kind, text);
     all.add_event(event, number(value)?, known.map(number).transpose()?)
 }

@@ -2,7 +2,6 @@
 
 use crate::CommandError;
 use crate::options::run_args::RunArgs;
-use crate::options::values::measured;
 use crate::output::optimum;
 use crate::output::print::print;
 use clap::Args;
@@ -57,7 +56,7 @@ fn bounded(model: &Entry, text: &str) -> Result<Bounded, CommandError> {
     let Some((name, bounds)) = text.split_once('=') else { return Ok((text.trim().to_owned(), None)) };
     let (low, high) = bounds.split_once(':').ok_or_else(|| wrong("expected NAME=LOW:HIGH"))?;
     let units = Units::from_layout(model.layout());
-    let number = |text: &str| measured(&units, name, text).map_err(|why| wrong(&why));
+    let number = |text: &str| units.measure(name, text).map_err(|why| wrong(&why));
     let [low, high] = [number(low)?, number(high)?];
     if !(low < high && (high - low).is_finite()) {
         return Err(wrong("expected a lower and a greater bound"));

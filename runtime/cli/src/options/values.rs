@@ -3,7 +3,7 @@
 use liftoff::__private::expression::normalize_rate;
 use liftoff::__private::expression::si_unit::{NEWTON, RADIAN, SECOND, SiUnit};
 use liftoff::OutputError;
-use liftoff_studio::registry::{Quantity, QuantityError, Units};
+use liftoff_studio::registry::{Quantity, QuantityError};
 use liftoff_studio::run_spec::PointImpulse;
 use std::ops::RangeInclusive;
 
@@ -20,7 +20,7 @@ pub struct Assignment {
 /// Reads `name=value`.
 pub fn assignment(text: &str) -> Result<Assignment, String> {
     let (name, value) = text.split_once('=').ok_or("expected name=value")?;
-    let formula = formula(value)?;
+    let formula = Quantity::parse_number(value)?;
     Ok(Assignment {
         name: normalize_rate(name.trim()).into_owned(),
         value: formula.value(&[]),
@@ -81,19 +81,13 @@ pub fn number(text: &str) -> Result<f64, String> {
 
 /// A width, in whatever it is measured.
 pub fn width(text: &str) -> Result<f64, String> {
-    Ok(formula(text)?.value(&[]))
-}
-
-/// A number that is compared with an output, or taken by a parameter, coordinate or rate of this name.
-pub fn measured(units: &Units, output: &str, text: &str) -> Result<f64, String> {
-    let formula = formula(text)?;
-    units.check(output, formula.unit()).map(|()| formula.value(&[]))
+    Ok(Quantity::parse_number(text)?.value(&[]))
 }
 
 /// A number as an expression of numbers and `pi`, with or without a unit that measures the same as this one:
 /// `75*pi/180`, `1 - 0.25`, `2.5 ms`.
 fn in_unit(text: &str, unit: SiUnit) -> Result<f64, String> {
-    let formula = formula(text)?;
+    let formula = Quantity::parse_number(text)?;
     match formula.unit() {
         Some(given) if !given.agrees(unit) => {
             Err(format!("`{formula}` is measured in {}, not in {}", symbol(given), symbol(unit)))
@@ -105,11 +99,6 @@ fn in_unit(text: &str, unit: SiUnit) -> Result<f64, String> {
 /// The unit as it is told.
 fn symbol(unit: SiUnit) -> String {
     if unit == RADIAN { "rad or nothing".into() } else { unit.symbol() }
-}
-
-fn formula(text: &str) -> Result<Quantity, String> {
-    let told: String = text.chars().take(60).collect();
-    Quantity::parse(text, &[]).map_err(|error| format!("`{told}` is no number: {error}"))
 }
 
 /// A whole number within a range, `1e3` as well as `1000`.

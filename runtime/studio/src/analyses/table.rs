@@ -1,7 +1,7 @@
 //! A table of measured series.
 
 use super::Failure;
-use crate::registry::{Quantity, Units};
+use crate::registry::Units;
 use liftoff::Output;
 use liftoff_core::model::Layout;
 use std::path::Path;
@@ -164,10 +164,8 @@ impl Head {
     fn factor(&self, place: usize, name: &str) -> Result<f64, String> {
         let given = self.given[place].as_ref().filter(|given| self.units.unit(name).as_ref() != Some(given));
         let Some(given) = given else { return Ok(1.0) };
-        let wrong = |why: String| format!("column `{}`: {why}", self.names[place]);
-        let one = Quantity::parse(&format!("1 {given}"), &[]);
-        let one = one.map_err(|error| wrong(format!("`1 {given}` is no number: {error}")))?;
-        self.units.check(name, one.unit()).map(|()| one.value(&[])).map_err(wrong)
+        let factor = self.units.measure(name, &format!("1 {given}"));
+        factor.map_err(|why| format!("column `{}`: {why}", self.names[place]))
     }
 
     /// The columns of these names, by default all.

@@ -38,6 +38,15 @@ impl Quantity {
         Ok(Self { text: text.trim().to_owned(), formula, unit })
     }
 
+    /// A number as an expression of numbers and `pi`, and the unit behind it.
+    ///
+    /// # Errors
+    /// It is none; the first of it is told with why.
+    pub fn parse_number(text: &str) -> Result<Self, String> {
+        let told: String = text.chars().take(60).collect();
+        Self::parse(text, &[]).map_err(|error| format!("`{told}` is no number: {error}"))
+    }
+
     /// Its value where the variables have these, in their order; NaN where there are too few.
     pub fn value(&self, variables: &[f64]) -> f64 {
         let value = self.formula.value(variables);

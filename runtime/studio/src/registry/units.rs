@@ -1,5 +1,6 @@
 //! What outputs of a model are measured in.
 
+use super::Quantity;
 use liftoff::__private::expression::si_unit::{SiUnit, si_unit, unit};
 use liftoff_core::model::{self, Layout};
 
@@ -41,6 +42,16 @@ impl Units {
             true => Ok(()),
             false => Err(format!("measured in {}, not in {}", symbol(expected), symbol(given))),
         }
+    }
+
+    /// A number as an expression of numbers and `pi`, with or without a unit, that is compared with
+    /// an output, or taken by a parameter, coordinate or rate of this name.
+    ///
+    /// # Errors
+    /// It is no number, or measures something else.
+    pub fn measure(&self, output: &str, text: &str) -> Result<f64, String> {
+        let number = Quantity::parse_number(text)?;
+        self.check(output, number.unit()).map(|()| number.value(&[]))
     }
 
     /// What stands over a column: the output with its unit, `phi [rad]`, where it has one.

@@ -145,8 +145,11 @@ impl SingularityMonitor {
     /// Whether rows depend on each other in a position and in none beside it: with ν J = 0 and J n
     /// = J m = 0, ν is that of rows which depend on each other throughout only if ν ∂J/∂n m = 0.
     fn is_obstructed(&mut self, context: &RunContext, state: &[f64]) -> bool {
+        if self.rank >= self.rows.len() {
+            return false;
+        }
         let jacobian = self.scaled_jacobian(&context.system().equations(state));
-        if self.rank >= self.rows.len() || jacobian.iter().any(|x| !x.is_finite()) {
+        if jacobian.iter().any(|x| !x.is_finite()) {
             return false;
         }
         let [left, right] = [range(&jacobian), range(&jacobian.transpose())];
