@@ -88,8 +88,8 @@ fn closed_form(
     };
     let pivot = (!phase.pivots.is_empty()).then(|| {
         let pivots =
-            body(analysis, constants, entries, &phase.pivots, |results| quote!(least([#(#results),*])));
-        quote!(fn pivot<S: Scalar>(k: &Constants<S>, state: &[S; #n]) -> S { #pivots })
+            body(analysis, constants, entries, &phase.pivots, |results| quote!(Pivots::collect([#(#results),*])));
+        quote!(fn pivots<S: Scalar>(k: &Constants<S>, state: &[S; #n]) -> Pivots<S> { #pivots })
     });
     let energy = if is_full(analysis, phase) {
         quote!(<#model as BarSystem>::energy(k, state))

@@ -20,7 +20,7 @@ pub mod variables;
 
 pub use crate::series::{Columns, SeriesOps, Tape};
 pub use array::Array;
-pub use closed_form::{ClosedForm, least};
+pub use closed_form::{ClosedForm, Pivots};
 pub use contact_set::{ContactSet, Side, Slip};
 pub use defaults::Defaults;
 pub use energy::Energy;

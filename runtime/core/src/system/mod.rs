@@ -28,7 +28,7 @@ pub use series::{LongTimeSeries, MOST_TIME_ORDERS, SeriesEquations, TIME_ORDERS,
 
 use std::sync::Arc;
 
-use crate::model::{ContactSet, Energy, Form, Layout, SlipState};
+use crate::model::{ContactSet, Energy, Form, Layout, Pivots, SlipState};
 use crate::scalar::Scalar;
 
 /// The full equations of a model at a state, on numbers `S`.
@@ -86,8 +86,8 @@ pub trait PhaseEquations<S: Scalar = f64>: Send + Sync {
     fn reactions(&self, y: &[S], reactions: &mut [S]);
     /// The full state.
     fn embed(&self, y: &[S], state: &mut [S]);
-    /// The least pivot of the elimination, relative to its natural size; 1 where there is none.
-    fn pivot(&self, y: &[S]) -> S;
+    /// The pivots of the elimination, relative to their natural sizes.
+    fn pivots(&self, y: &[S]) -> Pivots<S>;
     /// T and V; on `f64` with the eliminated coordinates substituted, so that no digits cancel.
     fn energy(&self, y: &[S]) -> Energy<S>;
     /// The source of its Taylor series, if it has any.

@@ -11,7 +11,7 @@ use super::projected::{KernelOrders, TakeOrder, projected_series};
 use super::{Jacobian, PhaseEquations, System};
 use crate::integrate::{ExpansionBy, PhaseExpansion};
 use crate::model::{
-    self, Array, BarSystem, ClosedForm, ContactSet, Energy, Form, KernelSeries, OfState, PhaseSeries,
+    self, Array, BarSystem, ClosedForm, ContactSet, Energy, Form, KernelSeries, OfState, PhaseSeries, Pivots,
     PhaseVisitor, Varying,
 };
 use crate::scalar::dispatch::{ForDouble, by_doubles};
@@ -188,13 +188,13 @@ struct LiftedPhase<M: BarSystem, S: Scalar, const N: usize> {
 /// What a closed form has of its own where digits could cancel: not in double-double, which has
 /// enough of them.
 struct Reduced<M: BarSystem, S: Scalar, const N: usize> {
-    pivot: OfState<M, S, [S; N], S>,
+    pivots: OfState<M, S, [S; N], Pivots<S>>,
     energy: OfState<M, S, [S; N], Energy<S>>,
 }
 
 impl<M: BarSystem, S: Scalar, const N: usize> Reduced<M, S, N> {
     fn new<Q: ClosedForm<M, N>>() -> Option<Self> {
-        Some(Self { pivot: Q::pivot, energy: Q::energy })
+        Some(Self { pivots: Q::pivots, energy: Q::energy })
     }
 }
 
@@ -259,11 +259,11 @@ impl<M: BarSystem, S: Liftable, const N: usize> PhaseEquations<S> for LiftedPhas
         state.copy_from_slice((self.phase.embed)(&self.system.constants, &to_array::<S, N>(y)).as_ref());
     }
 
-    fn pivot(&self, y: &[S]) -> S {
-        let one = || S::ratio(1, 1);
+    fn pivots(&self, y: &[S]) -> Pivots<S> {
+        let none = || Pivots::collect([]);
         self.reduced
             .as_ref()
-            .map_or_else(one, |own| (own.pivot)(&self.system.constants, &to_array::<S, N>(y)))
+            .map_or_else(none, |own| (own.pivots)(&self.system.constants, &to_array::<S, N>(y)))
     }
 
     fn energy(&self, y: &[S]) -> Energy<S> {

@@ -15,6 +15,8 @@
 //! s = J − Aᵀμ,   H = P (∂J/∂q − Σ μₖ ∂Aₖ/∂q) P,
 //! least: H ≥ 0, |s|² ≤ 2 g₀ |H|,   greatest: H ≤ 0, |s| ≤ ε |H|
 //! ```
+//!
+//! Where H is the rounding of its terms the joints hold the gap: it is neither.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -83,11 +85,19 @@ impl StationaryGaps {
         let mut found = Self::default();
         for (i, multipliers, slope) in slight.into_iter().filter(|(i, ..)| derivatives.is_constant(*i)) {
             let own = derivatives.hessian(i, unit);
+            let size = own.amax();
             let of_joints = fixed.iter().zip(&multipliers).map(|(&k, mu)| *mu * derivatives.hessian(k, unit));
-            let hessian =
-                of_joints.fold(own, |sum, joint| sum - joint) / layout.unit(i, context.scales.length);
-            let hessian = &allowed * hessian * &allowed;
+            let (whole, terms) = of_joints.fold((own, size), |(sum, terms), joint| {
+                let size = joint.amax();
+                (sum - joint, terms.max(size))
+            });
+            let unit = layout.unit(i, context.scales.length);
+            let (hessian, terms) = (&allowed * (whole / unit) * &allowed, terms / unit);
             let curvature = hessian.amax();
+            // The joints leave the gap no motion at all: it depends on what they hold.
+            if curvature <= ROUNDING * terms {
+                continue;
+            }
             let rounding = ROUNDING * curvature * DMatrix::identity(n, n);
             let may_fall = slope * slope <= 2.0 * closed * curvature && slope <= SLIGHT * curvature;
             if may_fall && (&hessian + &rounding).cholesky().is_some() {

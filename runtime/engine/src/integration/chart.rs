@@ -64,7 +64,7 @@ fn image_of(phase: &dyn PhaseEquations, state: &[f64], tolerance: f64) -> Result
         return Ok(Numbers::from_slice(state));
     }
     let (reduced, image) = image(phase, state);
-    if phase.pivot(&reduced) < least_pivot(tolerance) { Err(Chart::SmallPivot) } else { Ok(image) }
+    if phase.pivots(&reduced).least < least_pivot(tolerance) { Err(Chart::SmallPivot) } else { Ok(image) }
 }
 
 /// restrict(state) and embed(restrict(state)), however small the pivots.

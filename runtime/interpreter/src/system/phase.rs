@@ -8,7 +8,7 @@ use liftoff_codegen::functions::PhaseFunctions;
 use liftoff_codegen::motion::UNROLLED;
 use liftoff_codegen::program::Id;
 use liftoff_core::kernel::are_trusted;
-use liftoff_core::model::{ContactSet, Energy, Form};
+use liftoff_core::model::{ContactSet, Energy, Form, Pivots};
 use liftoff_core::scalar::{DoubleDouble, Dual4};
 use liftoff_core::system::{Jacobian, PhaseEquations, PhaseInfo, System, projected_series};
 use liftoff_core::system::{Methods, SeriesExpansion};
@@ -247,14 +247,11 @@ macro_rules! common {
 impl PhaseEquations for InterpretedPhase<f64> {
     common!(f64);
 
-    fn pivot(&self, y: &[f64]) -> f64 {
-        let Some(code) = self.code() else { return 1.0 };
-        let mut pivots = Lent::new(code.pivots.outputs.len());
-        self.evaluate(&code.pivots, y, &mut pivots);
-        pivots
-            .iter()
-            .map(|pivot| pivot.abs())
-            .fold(1.0, |least, pivot| if pivot < least { pivot } else { least })
+    fn pivots(&self, y: &[f64]) -> Pivots<f64> {
+        let Some(code) = self.code() else { return Pivots::collect([]) };
+        let mut values = Lent::new(code.pivots.outputs.len());
+        self.evaluate(&code.pivots, y, &mut values);
+        Pivots::collect(values.iter().copied())
     }
 
     fn energy(&self, y: &[f64]) -> Energy<f64> {
@@ -293,8 +290,8 @@ macro_rules! plain {
         impl PhaseEquations<$number> for InterpretedPhase<$number> {
             common!($number);
 
-            fn pivot(&self, _: &[$number]) -> $number {
-                <$number as liftoff_core::scalar::Real>::ratio(1, 1)
+            fn pivots(&self, _: &[$number]) -> Pivots<$number> {
+                Pivots::collect([])
             }
 
             fn energy(&self, y: &[$number]) -> Energy<$number> {

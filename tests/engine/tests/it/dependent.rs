@@ -308,3 +308,95 @@ fn rough_feet_bear_falling_shares_beside_friction() {
         }
     }
 }
+
+/// A bar that a pin and a slider hold, and a taut thread besides, in a frame that is turned. The
+/// bar's angle is measured from another, which falls.
+#[derive(BarSystem)]
+#[liftoff(dimensionless)]
+#[gravity(-3.7, -p0)]
+#[bar(b0 = P1 -> P0, mass = 0.43, length = 0.65)]
+#[bar(b1 = P0 -> P2, mass = 1.89, length = 0.72)]
+#[bar(b2 = P0 -> P3, mass = 0.76, length = 1.54, inertia = 0.2320606582441927, centre = (p4, 0.18))]
+#[mass(P3, 0.76)]
+#[pin(P0 = (-p5, -p6))]
+#[ground(P4 = (-p7, p8))]
+#[ground(P5 = (-p9, p10))]
+#[slider(P3 = line(-1 * pi / 2, (-p11, -p12)))]
+#[thread(thread0 = P5 -> P4 -> P3, length = 1.5763589070636788, restitution = 0.5)]
+#[coordinate(q0 = angle(b0), from = left)]
+#[coordinate(q1 = angle(b1), from = right)]
+#[coordinate(q2 = angle(b2), from = b0)]
+#[figure(P1 = (-0.97, -1.84), P2 = (-1.37, -2.12), P3 = (-p11, -p12))]
+struct Fastened {
+    p0: f64,
+    p4: f64,
+    p5: f64,
+    p6: f64,
+    p7: f64,
+    p8: f64,
+    p9: f64,
+    p10: f64,
+    p11: f64,
+    p12: f64,
+}
+
+/// The thread's gap is held by the joints: what is left of its second derivatives is rounding, and
+/// says of no motion that it falls.
+#[test]
+fn a_thread_to_what_is_held_is_no_jam() {
+    let fastened = Fastened {
+        p0: 2.2655965784226036e-16,
+        p4: 0.6020470424905908,
+        p5: 1.4615437335354524,
+        p6: 1.4069232269842673,
+        p7: 2.231093142563807,
+        p8: 0.7640936199766375,
+        p9: 2.5310931425638072,
+        p10: 1.3640936199766376,
+        p11: 2.331093142563807,
+        p12: 0.13590638002336264,
+    };
+    let angles = [("q0", -0.7192036732051035), ("q1", -1.4492036732051035), ("q2", -0.251592653589793)];
+    let start = angles.iter().fold(Pose::default(), |pose, (name, value)| pose.with(name, *value));
+    let run = Simulation::new(&fastened).unwrap().start(start).unwrap().limit(1.0).run().unwrap();
+    let held = run.output("q0 + q2").unwrap();
+    assert!((run.value(&held, 1.0) - (angles[0].1 + angles[2].1)).abs() < 1e-12);
+    assert!(run.final_state()[0] < -2.0);
+}
+
+/// Two bars hang by threads that just let one end of each touch the floor, one the image of the
+/// other but not declared as such.
+#[derive(BarSystem)]
+#[liftoff(dimensionless)]
+#[gravity(9.81)]
+#[bar(AB, mass = 0.86, length = 0.87)]
+#[bar(CD, mass = 0.86, length = 0.87)]
+#[ground(E = (0.82, 1.3))]
+#[ground(F = (-0.82, 1.3))]
+#[support(A = floor(h))]
+#[support(C = floor(h))]
+#[thread(AE, length = 1.3 - h)]
+#[thread(CF, length = 1.3 - h)]
+#[coordinate(alpha = angle(AB), from = right)]
+#[coordinate(gamma = angle(CD), from = right)]
+#[figure(A = (0.82, h), B = (0.1, h + 0.48), C = (-0.82, h), D = (-0.1, h + 0.48))]
+struct Hung {
+    h: f64,
+}
+
+/// Where the disc that a thread allows touches the floor from above, the thread bears and the floor
+/// is left, by both at once.
+#[test]
+fn threads_lift_both_ends_off_the_floor() {
+    for tolerance in [1e-6, 1e-8, 1e-10, 1e-12] {
+        let start = Pose::new("alpha", 2.56).with("gamma", core::f64::consts::PI - 2.56);
+        let simulation = Simulation::new(&Hung { h: 0.5 }).unwrap().tolerance(tolerance);
+        let run = simulation.start(start).unwrap().limit(0.1).run().unwrap();
+        let opened: Vec<_> = run.events().iter().filter(|event| event.kind == EventKind::Open).collect();
+        assert!(opened.len() == 1 && opened[0].supports.len() == 2 && opened[0].t == 0.0, "{opened:?}");
+        let [gap, image] = ["gap(A)", "gap(C)"].map(|text| run.value(&run.output(text).unwrap(), 0.1));
+        assert!(gap > 1e-5 && (gap - image).abs() < 1e-6 * gap.max(1e-3), "{gap} {image}");
+        let slack = run.value(&run.output("gap(AE)").unwrap(), 0.1);
+        assert!(slack.abs() < 1e-8, "{slack}");
+    }
+}

@@ -40,6 +40,7 @@ mod nonsmooth;
 mod observed;
 mod painleve;
 mod phase_functions;
+mod pivots;
 mod planks;
 mod random_loads;
 mod redundant_loops;

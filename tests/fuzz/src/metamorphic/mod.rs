@@ -76,7 +76,7 @@ impl Subject for Scenes {
             Ok(motion) => motion,
             Err(Refusal::Declaration(_)) => return Ok(vec!["refused: declaration"]),
             Err(Refusal::Start(_)) => return Ok(vec!["refused: start"]),
-            Err(Refusal::Stopped(..)) => return Ok(vec!["stopped"]),
+            Err(Refusal::Stopped { .. }) => return Ok(vec!["stopped"]),
         };
         let mut fates = vec!["ran"];
         law::check(&case.scene, &motion)?;
@@ -91,18 +91,16 @@ impl Subject for Scenes {
         let mut text = String::new();
         for changes in [&Vec::new()].into_iter().chain(&case.changes) {
             let form = case.form(changes);
+            let start = motion::start_form(&form);
+            let start: String =
+                start.iter().map(|(name, value)| format!(" --start \"{name}={value:?}\"")).collect();
+            let limit = form.scene.limit;
             text += &format!("--- {}\n{}", names(changes), form.declare());
+            text += &format!("// liftoff run FILE.rs{start} --limit {limit:?}\n");
             match Motion::run_form(&form) {
                 Err(refusal) => text += &format!("{refusal}\n"),
                 Ok(motion) => {
                     let run = &motion.run;
-                    let start = motion.state(0.0);
-                    let values = start.iter().map(|(name, value)| format!(" --start \"{name}={value:?}\""));
-                    text += &format!(
-                        "// liftoff run FILE.rs{} --limit {:?}\n",
-                        values.collect::<String>(),
-                        form.scene.limit
-                    );
                     run.events().iter().for_each(|event| text += &format!("{event}\n"));
                     run.log().iter().for_each(|entry| text += &format!("{:?} {}\n", entry.t, entry.decision));
                 }
@@ -158,7 +156,9 @@ fn check_form(
         Err(Refusal::Start(text)) if text.contains("equilibrium") && motion.stays_at_rest() => {
             return Ok("the same: at rest");
         }
-        Err(Refusal::Stopped(_, t)) if t / other.map.units[1] + from >= motion.undecided_from() => {
+        Err(Refusal::Stopped { t, is_undecided, .. })
+            if is_undecided || t / other.map.units[1] + from >= motion.undecided_from() =>
+        {
             return Ok("not compared: it stops where the motion is undecided");
         }
         Err(refusal) if is_beside => return check_alone(case, changes, &refusal),

@@ -28,8 +28,8 @@ pub enum Refusal {
     Declaration(String),
     /// The start is refused.
     Start(String),
-    /// The run stopped short.
-    Stopped(String, f64),
+    /// The run stopped short, at this time; whether the motion was undecided before.
+    Stopped { text: String, t: f64, is_undecided: bool },
 }
 
 impl fmt::Display for Refusal {
@@ -37,7 +37,7 @@ impl fmt::Display for Refusal {
         match self {
             Self::Declaration(text) => write!(f, "declaration: {text}"),
             Self::Start(text) => write!(f, "start: {text}"),
-            Self::Stopped(text, t) => write!(f, "stopped at {t}: {text}"),
+            Self::Stopped { text, t, .. } => write!(f, "stopped at {t}: {text}"),
         }
     }
 }
@@ -84,6 +84,12 @@ pub struct ContactRow {
     pub gap: f64,
     /// Friction force and slip velocity.
     pub friction: Option<[f64; 2]>,
+}
+
+/// The start of a form as coordinates and rates of its model; none where it is refused.
+pub fn start_form(form: &Form) -> Vec<(String, f64)> {
+    let models = source::models(&form.declare()).unwrap_or_default();
+    models.first().map_or_else(Vec::new, |model| list_start(&form.scene, model.layout().coordinates))
 }
 
 /// The start of a scene as coordinates and rates of its model.
@@ -136,7 +142,10 @@ impl Motion {
         let simulation = model.simulation(&spec).map_err(|error| Refusal::Start(error.to_string()))?;
         let run = simulation.budget(BUDGET).run().map_err(|error| match error.cause() {
             RunCause::Start(cause) => Refusal::Start(cause.to_string()),
-            cause => Refusal::Stopped(cause.to_string(), error.trajectory().end_time()),
+            cause => {
+                let (text, t) = (cause.to_string(), error.trajectory().end_time());
+                Refusal::Stopped { text, t, is_undecided: undecided_from(error.trajectory()) <= t }
+            }
         })?;
         Self::with_outputs(scene, run).map_err(|text| Refusal::Declaration(format!("output: {text}")))
     }
@@ -250,11 +259,7 @@ impl Motion {
 
     /// From when on the run itself says that the motion might be another.
     pub fn undecided_from(&self) -> f64 {
-        let doubtful =
-            self.run.log().iter().filter(|entry| is_doubtful(&entry.decision)).map(|entry| entry.t);
-        let events =
-            self.run.events().iter().filter(|event| event.is_undecided() || event.kind == EventKind::Settle);
-        doubtful.chain(events.map(|event| event.t)).fold(f64::INFINITY, f64::min)
+        undecided_from(&self.run)
     }
 
     /// Whether reactions or impulses are said not to be unique.
@@ -267,6 +272,12 @@ impl Motion {
             )
         })
     }
+}
+
+fn undecided_from(run: &Trajectory) -> f64 {
+    let doubtful = run.log().iter().filter(|entry| is_doubtful(&entry.decision)).map(|entry| entry.t);
+    let events = run.events().iter().filter(|event| event.is_undecided() || event.kind == EventKind::Settle);
+    doubtful.chain(events.map(|event| event.t)).fold(f64::INFINITY, f64::min)
 }
 
 fn is_doubtful(decision: &LoggedDecision) -> bool {

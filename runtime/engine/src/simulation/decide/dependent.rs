@@ -65,6 +65,16 @@ impl Snapshot<'_> {
         self.dependent().iter().filter(sinks).min_by(|&i, &k| gap(i).total_cmp(&gap(k)))
     }
 
+    /// Which of them have parted in a later state of the phase: the event may be that of one of them,
+    /// and others, such as its image, reach the bound with it but for rounding.
+    pub(in crate::simulation) fn parted_dependent(&self, later: &[f64]) -> ContactSet {
+        let equations = self.setup.context.system().equations(later);
+        let far = 0.5 * CLOSED.min(self.relative_bound());
+        let unit = |i: usize| self.layout().unit(i, self.setup.context.scales.length);
+        let parts = |&i: &usize| equations.gap()[i] > far * unit(i);
+        self.dependent().iter().filter(parts).collect()
+    }
+
     /// Whether some of them depend on those that bear only here.
     pub(in crate::simulation) fn is_singular(&self) -> bool {
         let dependent = self.dependent();

@@ -198,6 +198,7 @@ impl<'a> Driver<'a> {
                 .filter_map(|guard| if let Guard::RedundantGap(i) = guard { Some(*i) } else { None })
                 .collect();
             if !parted.is_empty() {
+                let parted = parted.union(self.now.parted_dependent(&state));
                 self.respond(|now| {
                     now.part(parted);
                     Ok(())

@@ -12,7 +12,7 @@ use crate::event::detection::{AffineGuards, Guard, StepEvents, StepView, Unseen}
 use crate::integrate::{Counts, Guards, StepError};
 use crate::integration::form_selection::{eliminates, least_pivot};
 use crate::integration::singular::SingularityMonitor;
-use crate::model::{ContactSet, Form};
+use crate::model::{ContactSet, Form, Pivots};
 use crate::numerics::root_isolation::GuardError;
 use crate::numerics::zero::SOLVED;
 use crate::system::{DenseOutput, PhaseStepper};
@@ -66,7 +66,7 @@ impl<'a> PhaseRun<'a> {
         loops: &mut Option<SingularityMonitor>,
         touches: &mut Vec<Touch>,
     ) -> Result<Termination, StepError> {
-        let least = eliminates(&*self.phase).then(|| least_pivot(self.tolerance));
+        let (least, begun) = (least_pivot(self.tolerance), self.pivots(stepper));
         let mut stagnation = Stagnation::default();
         let mut affine = None;
         if let Some(loops) = loops
@@ -92,6 +92,13 @@ impl<'a> PhaseRun<'a> {
                 }
                 return Ok(Termination::Seam(jump));
             }
+            // Near a singular elimination what it gives is off by a power of 1/p: the phase ends
+            // where the step began that has come near it, or has passed it.
+            let pivots = self.pivots(stepper);
+            if pivots.least < least || pivots.negative != begun.negative {
+                recording.pop();
+                return Ok(Termination::Pivot);
+            }
             match self.check_signals(recording, stepper) {
                 Some(Unseen::Drive(broken)) => return Ok(Termination::Drive(broken)),
                 Some(Unseen::Step) => continue,
@@ -115,10 +122,6 @@ impl<'a> PhaseRun<'a> {
                     return Err(StepError::Floor { t: t1, h });
                 }
             }
-            let is_small = |least| t1 < self.horizon && self.phase.pivot(stepper.state()) < least;
-            if least.is_some_and(is_small) {
-                return Ok(Termination::Pivot);
-            }
             if let Some(loops) = loops
                 && let Some(end) = self.pass_singular(recording, stepper, loops, touches)?
             {
@@ -126,6 +129,11 @@ impl<'a> PhaseRun<'a> {
             }
         }
         Ok(Termination::Horizon)
+    }
+
+    /// The pivots where the steps have come to.
+    fn pivots(&self, stepper: &dyn PhaseStepper) -> Pivots<f64> {
+        if eliminates(&*self.phase) { self.phase.pivots(stepper.state()) } else { Pivots::collect([]) }
     }
 
     /// The break of a drive for which a step, or the guards over it, have failed.
@@ -335,7 +343,7 @@ impl<'a> PhaseRun<'a> {
         }
         let mut reduced: Numbers = smallvec![0.0; dense.entries()];
         dense.interpolate(theta, &mut reduced);
-        self.phase.pivot(&reduced) < least_pivot(self.tolerance)
+        self.phase.pivots(&reduced).least < least_pivot(self.tolerance)
     }
 
     /// The same, given the series; the recording ends there.

@@ -15,6 +15,7 @@ use crate::contact::ContactError;
 use crate::context::{Numbers, RunContext, Scales, reduce};
 use crate::event::detection::{Broken, EventDetector, Guard, KnownAffineGuards, Signals, StepView};
 use crate::integrate::{Counts, StepError};
+use crate::integration::form_selection::eliminates;
 use crate::integration::method::{Method, MethodChanges, Problem, StartedStepper};
 use crate::integration::phase_point::PhasePoint;
 use crate::integration::singular::{ROUNDED, SingularityMonitor};
@@ -157,6 +158,7 @@ impl PhaseRun<'_> {
             .flatten();
         let keeps = self.observer.records();
         let is_blind = self.observer.is_blind() && self.context.is_conservative() && loops.is_none();
+        let is_blind = is_blind && !eliminates(&*phase);
         self.progress.is_unseen = self.detector.is_empty() && !keeps && is_blind;
         let mut recording = Recording::new((Arc::clone(&phase), self.closed), (self.t, start.clone()), keeps);
         let mut touches = Vec::new();

@@ -180,8 +180,8 @@ impl PhaseEquations for Given {
         state.copy_from_slice(&[y[0], z, 1.0, rate]);
     }
 
-    fn pivot(&self, _: &[f64]) -> f64 {
-        1.0
+    fn pivots(&self, _: &[f64]) -> Pivots<f64> {
+        Pivots::collect([])
     }
 
     fn energy(&self, _: &[f64]) -> Energy<f64> {
