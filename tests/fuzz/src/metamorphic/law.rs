@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-use liftoff::{Event, EventKind, Instant};
+use liftoff::{Event, EventKind, Instant, Note};
 use nalgebra::DVector;
 
 use super::motion::{ContactRow, Motion, Row};
@@ -554,7 +554,10 @@ impl Law<'_> {
             if long < 1e-5 * total {
                 continue;
             }
-            let inset = 1e-7 * long;
+            // A reaction grows beyond all bounds before an impact without collision.
+            let diverges =
+                |event: &Event| event.t == pair[1] && event.note == Some(Note::WithoutCollision);
+            let inset = if run.events().iter().any(diverges) { 1e-2 } else { 1e-7 } * long;
             let count = ((long / total * WINDOWS as f64).ceil() as usize).max(1);
             let at = |k: usize| from + inset + (long - 2.0 * inset) * k as f64 / count as f64;
             for k in 0..count {

@@ -170,7 +170,7 @@ impl Snapshot<'_> {
     }
 
     /// Those of touching contacts that may open whose gaps are stationary here.
-    fn find_stationary_gaps(&self, touching: ContactSet) -> StationaryGaps {
+    pub(in crate::simulation) fn find_stationary_gaps(&self, touching: ContactSet) -> StationaryGaps {
         let drives = touching.intersection(self.layout().drives());
         let held = self.contacts.held().union(self.contacts.guides()).union(drives);
         let touching = touching.difference(held);

@@ -121,8 +121,12 @@ impl Snapshot<'_> {
                 && !self.contacts.absent().contains(*i)
                 && !off.contains(*i)
         };
-        let near = (0..self.layout().contacts.len()).filter(zero);
-        near.fold(self.closed().union(closing), ContactSet::with)
+        let acting = self.closed().union(closing);
+        let near: ContactSet =
+            (0..self.layout().contacts.len()).filter(|i| !acting.contains(*i)).filter(zero).collect();
+        // A gap that is least here opens along every motion, and its row is rounding.
+        let least = if near.is_empty() { near } else { self.find_stationary_gaps(near).least };
+        acting.union(near.difference(least))
     }
 
     /// The collision of what is present, without an impulse from outside.

@@ -103,7 +103,12 @@ impl Snapshot<'_> {
                 let e = factor * self.restitution(contact);
                 let rest = 2.0 * speed / fall / (1.0 - e);
                 let error = if irregular.is_some() { rest } else { 0.0 };
-                if e < 1.0 { settles((self.t + rest, error)) } else { BounceOutcome::Lost }
+                match irregular {
+                    _ if e < 1.0 => settles((self.t + rest, error)),
+                    // What takes its energy is another contact's impact.
+                    Some((end, error)) => settles((end.max(self.t), error.max(end - self.t))),
+                    None => BounceOutcome::Lost,
+                }
             }
         }
     }
