@@ -1,6 +1,6 @@
 //! What goes wrong, as exceptions.
 
-use liftoff::{NameError, OutputError};
+use liftoff::OutputError;
 use liftoff_studio::analyses::{Failure, VariableError};
 use liftoff_studio::registry::MotionError;
 use liftoff_studio::source::{Mistake, rendered};
@@ -18,8 +18,8 @@ pub fn invalid(text: impl ToString) -> PyErr {
     PyValueError::new_err(text.to_string())
 }
 
-/// A name that the model does not have.
-pub fn unknown(error: &NameError) -> PyErr {
+/// A name that nothing has.
+pub fn unknown(error: &impl ToString) -> PyErr {
     UnknownName::new_err(error.to_string())
 }
 

@@ -8,18 +8,22 @@ use crate::trajectory::Trajectory;
 use crate::{analyses, explain, sweep};
 use liftoff::NameError;
 use liftoff_studio::file::read_text;
-use liftoff_studio::registry::{Entry, MotionError, RunOptions};
-use liftoff_studio::source;
+use liftoff_studio::registry::{Entry, Models, MotionError, RunOptions, kebab};
+use liftoff_studio::source::{self, declarations};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple, PyType};
 use std::io::Error;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
 /// Bytes of a source file.
 const LARGEST: u64 = 16 << 20;
 
-/// A planar bar system, declared as in Rust: `Model(text)`, or `Model.from_file(path)`.
+/// The models of the command line, from their texts.
+static BUILT_IN: LazyLock<Models> =
+    LazyLock::new(|| liftoff_systems::with_default_runs(&Models::new(Vec::new())));
+
+/// A planar bar system, declared as in Rust: `Model(text)`, `Model.from_file(path)`, or `Model.built_in(name)`.
 ///
 /// The text is that of a Rust file with a struct that derives `BarSystem`; where it has several, `model` names one.
 /// Mistakes in it are raised as `DeclarationError`, with the place of each.
@@ -33,6 +37,13 @@ impl Model {
     fn parse(py: Python<'_>, path: &str, text: String, name: Option<&str>) -> PyResult<Self> {
         let entry = chosen(path, declared(py, path, &text)?, name)?;
         Ok(Self { text, entry })
+    }
+
+    /// With its default run in its text.
+    fn from_built_in(entry: &Entry) -> Self {
+        let found = entry.source().and_then(|text| declarations(text).ok()?.pop());
+        let text = found.map_or_else(String::new, |found| found.with_run(&entry.default_run()));
+        Self { text, entry: entry.clone() }
     }
 }
 
@@ -58,6 +69,19 @@ impl Model {
         let text = file_text(&path)?;
         let found = declared(class.py(), &path.display().to_string(), &text)?;
         Ok(found.into_iter().map(|entry| Self { text: text.clone(), entry }).collect())
+    }
+
+    /// The model that the command line runs by this name, `"zigzag"`, with its default run.
+    #[classmethod]
+    #[pyo3(signature = (name))]
+    fn built_in(_class: &Bound<'_, PyType>, name: &str) -> PyResult<Self> {
+        BUILT_IN.find(&kebab(name)).map(Self::from_built_in).map_err(|error| errors::unknown(&error))
+    }
+
+    /// Names of the models that `built_in` takes.
+    #[classmethod]
+    fn list_built_in(_class: &Bound<'_, PyType>) -> Vec<&'static str> {
+        BUILT_IN.iter().map(Entry::name).collect()
     }
 
     /// The text that declares it.
@@ -398,7 +422,11 @@ impl Model {
     }
 
     fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
-        let same = |other: &Self| other.text == self.text && other.name() == self.name();
+        let same = |other: &Self| {
+            other.text == self.text
+                && other.name() == self.name()
+                && other.entry.default_run() == self.entry.default_run()
+        };
         other.cast::<Self>().is_ok_and(|other| same(other.get()))
     }
 
@@ -409,8 +437,12 @@ impl Model {
         hasher.finish()
     }
 
-    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyType>, Bound<'py, PyTuple>)> {
-        Ok((py.get_type::<Self>(), (&self.text, self.name()).into_pyobject(py)?))
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+        let class = py.get_type::<Self>();
+        Ok(match self.entry.source() {
+            Some(_) => (class.getattr("built_in")?, (self.entry.name(),).into_pyobject(py)?),
+            None => (class.into_any(), (&self.text, self.name()).into_pyobject(py)?),
+        })
     }
 }
 

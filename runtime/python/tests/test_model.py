@@ -1,6 +1,9 @@
 """What a model tells of itself."""
 
+import json
 import math
+import pickle
+import subprocess
 
 import numpy as np
 import pytest
@@ -93,6 +96,37 @@ def test_all_models_of_the_gallery_are_read():
     files = [path for path in (ROOT / "models/systems/src").glob("*.rs") if "#[derive(BarSystem" in path.read_text()]
     assert len(files) > 30
     assert all(liftoff.Model.from_file(path).explain() for path in files)
+
+
+PROGRAM = ROOT / "target/release/liftoff"
+
+
+@pytest.mark.skipif(not PROGRAM.exists(), reason="the program is not built")
+@pytest.mark.parametrize("name", liftoff.Model.list_built_in())
+def test_built_in_models_move_as_on_the_command_line(name):
+    """Steps differ, as the wheel compiles what runs often: bounds are the spread of events at 1e-12."""
+    told = json.loads(subprocess.run([PROGRAM, "run", name, "--json"], check=True, capture_output=True).stdout)
+    model = liftoff.Model.built_in(name)
+    run = model.simulate()
+    assert [(event.kind, event.names) for event in run.events] == [(event["kind"], event["supports"]) for event in told["events"]]
+    for event, expected in zip(run.events, told["events"]):
+        assert event.t == pytest.approx(expected["t"], rel=1e-9, abs=1e-9)
+        assert event.state == pytest.approx(expected["state"], rel=1e-7, abs=1e-7)
+    assert model.defaults["set"] == told["parameters"]
+    assert pickle.loads(pickle.dumps(model)) == model
+
+
+def test_built_in_models_are_those_of_the_command_line():
+    names = liftoff.Model.list_built_in()
+    assert len(names) == len(set(names)) > 40 and {"zigzag", "falling-pair"} <= set(names)
+    zigzag = liftoff.Model.built_in("zigzag")
+    assert zigzag.name == "Zigzag" and zigzag == liftoff.Model.built_in("Zigzag")
+    # A text has what attributes express of a run.
+    ladder = liftoff.Model.built_in("ladder")
+    assert liftoff.Model(ladder.text).defaults == ladder.defaults
+    assert liftoff.Model(zigzag.text).defaults["set"] == zigzag.defaults["set"]
+    with pytest.raises(liftoff.UnknownName, match="no model `zigzak`.*did you mean `zigzag`"):
+        liftoff.Model.built_in("zigzak")
 
 
 def test_functions_are_the_equations_of_the_motion(ladder, zigzag):

@@ -68,7 +68,7 @@ class Event:
 
 @final
 class Model:
-    """A planar bar system, declared as in Rust: `Model(text)`, or `Model.from_file(path)`.
+    """A planar bar system, declared as in Rust: `Model(text)`, `Model.from_file(path)`, or `Model.built_in(name)`.
 
     The text is that of a Rust file with a struct that derives `BarSystem`; where it has several, `model` names one.
     Mistakes in it are raised as `DeclarationError`, with the place of each.
@@ -79,6 +79,10 @@ class Model:
     def from_file(cls, path: Union[str, PathLike[str]], model: Optional[str] = None) -> Model: ...
     @classmethod
     def list_file(cls, path: Union[str, PathLike[str]]) -> list[Model]: ...
+    @classmethod
+    def built_in(cls, name: str) -> Model: ...
+    @classmethod
+    def list_built_in(cls) -> list[str]: ...
     @property
     def text(self) -> str: ...
     @property
