@@ -6,7 +6,8 @@ use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
 use std::collections::BTreeMap;
 
-/// Something that happened in a motion: `event.kind` to `event.names` at `event.t`, with the state and the reactions after it.
+/// Something that happened in a motion: `event.kind` to `event.names` at `event.t`, with the state
+/// and the reactions after it.
 ///
 /// `event["phi'"]` is a coordinate, a rate or the time `t`.
 #[pyclass(frozen, eq, mapping, module = "liftoff")]
@@ -93,8 +94,8 @@ impl Event {
         self.state.clone().into_py_dict(py)
     }
 
-    /// Coordinates, rates and the energies `T`, `V` and `E` just before an impact or an impulse; None for events at which no velocity
-    /// jumps.
+    /// Coordinates, rates and the energies `T`, `V` and `E` just before an impact or an impulse;
+    /// None for events at which no velocity jumps.
     #[getter]
     fn before<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
         (!self.before.is_empty()).then(|| self.before.clone().into_py_dict(py)).transpose()
@@ -124,7 +125,8 @@ impl Event {
         self.impulses.clone().into_py_dict(py)
     }
 
-    /// Impulses of joints and drives, of an impact, by the names of their forces: `fx(O, OA)`; none where an impulse was applied.
+    /// Impulses of joints and drives, of an impact, by the names of their forces: `fx(O, OA)`; none
+    /// where an impulse was applied.
     #[getter]
     fn joint_impulses<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         self.joint_impulses.clone().into_py_dict(py)

@@ -77,7 +77,8 @@ pub fn conditions<'py>(
     format.show(py, text.map_err(|error: String| invalid(error))?)
 }
 
-/// The equations as source text for other programs: a module of Python, or the files of a library of C.
+/// The equations as source text for other programs: a module of Python, or the files of a library
+/// of C.
 pub fn exported<'py>(py: Python<'py>, entry: &Entry, target: &str) -> PyResult<Bound<'py, PyAny>> {
     let layout = entry.layout();
     match target {

@@ -23,9 +23,11 @@ const LARGEST: u64 = 16 << 20;
 static BUILT_IN: LazyLock<Models> =
     LazyLock::new(|| liftoff_systems::with_default_runs(&Models::new(Vec::new())));
 
-/// A planar bar system, declared as in Rust: `Model(text)`, `Model.from_file(path)`, or `Model.built_in(name)`.
+/// A planar bar system, declared as in Rust: `Model(text)`, `Model.from_file(path)`, or
+/// `Model.built_in(name)`.
 ///
-/// The text is that of a Rust file with a struct that derives `BarSystem`; where it has several, `model` names one.
+/// The text is that of a Rust file with a struct that derives `BarSystem`; where it has several,
+/// `model` names one.
 /// Mistakes in it are raised as `DeclarationError`, with the place of each.
 #[pyclass(frozen, module = "liftoff")]
 pub struct Model {
@@ -132,16 +134,20 @@ impl Model {
         spec_arguments(py, &self.entry.default_run())
     }
 
-    /// Computes a motion up to the event that ends it, without holding the interpreter; Ctrl-C interrupts.
+    /// Computes a motion up to the event that ends it, without holding the interpreter; Ctrl-C
+    /// interrupts.
     ///
-    /// start: coordinates and rates at the start, `{"phi": 0.1}` or `{"phi": "85deg"}`; what is left open follows.
+    /// start: coordinates and rates at the start, `{"phi": 0.1}` or `{"phi": "85deg"}`; what is
+    /// left open follows.
     /// until: a condition to stop at, `"phi = pi/2"`, or several.
     /// set: values of parameters.
     /// energy_of: a pose at rest on whose energy level the motion starts.
-    /// hold: supports that never open. release: supports that vanish, with the times. cut: threads, with the conditions.
+    /// hold: supports that never open. release: supports that vanish, with the times. cut: threads,
+    /// with the conditions.
     /// impulses: list of (point, (px, py), t).
     /// stop_at_impacts: whether the run ends where a contact closes.
-    /// limit: latest end. tolerance: relative, of the integration. method: of integration, by default the one that suits.
+    /// limit: latest end. tolerance: relative, of the integration. method: of integration, by
+    /// default the one that suits.
     #[pyo3(
         signature = (start=None, until=None, **options),
         text_signature = "($self, start=None, until=None, *, set=None, energy_of=None, hold=None, release=None, cut=None, \
@@ -170,12 +176,14 @@ impl Model {
         }
     }
 
-    /// Runs the model once for each of the values of arrays, on all processors, without holding the interpreter.
+    /// Runs the model once for each of the values of arrays, on all processors, without holding the
+    /// interpreter.
     ///
-    /// observe: what to read of each run, a text or several: `"first open"`, `"t of first open A"`, `"end phi"`,
-    /// `"max N(A)"`, `"count impact"`, `"end"`.
-    /// start, set, energy_of, release: as in `simulate`; where a value is an array or a list, the runs take its values, all
-    /// arrays together as NumPy broadcasts them; where it is a text, it is an expression of the names in `vary`.
+    /// observe: what to read of each run, a text or several: `"first open"`, `"t of first open A"`,
+    /// `"end phi"`, `"max N(A)"`, `"count impact"`, `"end"`.
+    /// start, set, energy_of, release: as in `simulate`; where a value is an array or a list, the
+    /// runs take its values, all arrays together as NumPy broadcasts them; where it is a text, it
+    /// is an expression of the names in `vary`.
     /// vary: arrays by names of their own, for such expressions and for conditions.
     /// threads: by default as many as there are processors.
     /// until, hold, cut, impulses, stop_at_impacts, limit, tolerance: as in `simulate`.
@@ -194,11 +202,12 @@ impl Model {
         sweep::run(py, &self.entry, (observe, vary), options)
     }
 
-    /// The equilibria that are found from a start, a list of `Equilibrium`, each with its reactions and the motion nearby.
+    /// The equilibria that are found from a start, a list of `Equilibrium`, each with its reactions
+    /// and the motion nearby.
     ///
     /// start, set: as in `simulate`.
-    /// load: a parameter, such as a force, `"F"`, or with the value that it goes towards, `{"F": 0}`: finds how far it may go
-    /// until a contact opens or slides.
+    /// load: a parameter, such as a force, `"F"`, or with the value that it goes towards,
+    /// `{"F": 0}`: finds how far it may go until a contact opens or slides.
     #[pyo3(signature = (start=None, **options), text_signature = "($self, start=None, *, set=None, load=None)")]
     fn equilibrium<'py>(
         &self,
@@ -210,11 +219,13 @@ impl Model {
         analyses::rest::equilibria(py, &self.entry, start, options)
     }
 
-    /// The motion about a start, at rest, a `Linearisation`: its modes of vibration and its matrices.
+    /// The motion about a start, at rest, a `Linearisation`: its modes of vibration and its
+    /// matrices.
     ///
     /// start, set: as in `simulate`.
     /// closed: the closed supports, by default all that touch; `"free"` for none.
-    /// unfold: of a mirrored model, the motions that keep its symmetry and those that break it, `LinearHalves`.
+    /// unfold: of a mirrored model, the motions that keep its symmetry and those that break it,
+    /// `LinearHalves`.
     #[pyo3(
         signature = (start=None, **options),
         text_signature = "($self, start=None, *, set=None, closed=None, unfold=False)"
@@ -229,10 +240,11 @@ impl Model {
         analyses::rest::linearise(py, &self.entry, start, options)
     }
 
-    /// The periodic orbit near a run, an `Orbit`; or with `continue_to` the orbits that follow it in a parameter, a `Branch`.
+    /// The periodic orbit near a run, an `Orbit`; or with `continue_to` the orbits that follow it
+    /// in a parameter, a `Branch`.
     ///
-    /// section: what is met once per period, an event, `"impact"` or `"impact A"`, or a condition that becomes true,
-    /// `"phi' > 0"`; for a driven model `"t = T"` with the period of its drive.
+    /// section: what is met once per period, an event, `"impact"` or `"impact A"`, or a condition
+    /// that becomes true, `"phi' > 0"`; for a driven model `"t = T"` with the period of its drive.
     /// drift: coordinates that need not return, such as the distance walked.
     /// continue_to: a parameter and its final value, `{"gamma": 0.1}`.
     /// All others as in `simulate`.
@@ -252,7 +264,8 @@ impl Model {
         analyses::orbit::orbit(py, &self.entry, section, start, options)
     }
 
-    /// The derivatives of a run, `Sensitivities`: of the times of its events, of the states there and at its end.
+    /// The derivatives of a run, `Sensitivities`: of the times of its events, of the states there
+    /// and at its end.
     ///
     /// of: parameters, coordinates and rates at the start; by default all.
     /// All others as in `simulate`.
@@ -274,12 +287,14 @@ impl Model {
 
     /// The values of parameters and entries of the start with the least sum of squares, a `Fit`.
     ///
-    /// vary: the parameters, coordinates and rates to fit; the search begins with their values in the run.
-    /// data: measured series, a dict or a frame with `t` and columns named by outputs, or the path of a file of values separated
-    /// by commas; `"phi ±"` has the standard deviations of `"phi"`; what is no number is left out.
+    /// vary: the parameters, coordinates and rates to fit; the search begins with their values in
+    /// the run.
+    /// data: measured series, a dict or a frame with `t` and columns named by outputs, or the path
+    /// of a file of values separated by commas; `"phi ±"` has the standard deviations of `"phi"`;
+    /// what is no number is left out.
     /// of: columns to fit, by default all. sd: standard deviations of columns.
-    /// events: measured times of events, `{"first open": 0.4531}`, and outputs after them, `{"2nd impact phi": 0.3}`; a pair has
-    /// the standard deviation too.
+    /// events: measured times of events, `{"first open": 0.4531}`, and outputs after them,
+    /// `{"2nd impact phi": 0.3}`; a pair has the standard deviation too.
     /// All others as in `simulate`.
     #[pyo3(
         signature = (vary, start=None, **options),
@@ -297,11 +312,13 @@ impl Model {
         analyses::fit::fit(py, &self.entry, vary, start, options)
     }
 
-    /// The values of parameters and entries of the start with which an output is least or greatest, an `Optimum`.
+    /// The values of parameters and entries of the start with which an output is least or greatest,
+    /// an `Optimum`.
     ///
-    /// of: the time of an event, `"first open"`, an output after one, `"first impact x"`, or at the end, `"end phi"`.
-    /// vary: parameters, coordinates and rates, or a dict with their bounds, `{"release": (0.1, 1)}`; the search begins with
-    /// their values in the run.
+    /// of: the time of an event, `"first open"`, an output after one, `"first impact x"`, or at the
+    /// end, `"end phi"`.
+    /// vary: parameters, coordinates and rates, or a dict with their bounds,
+    /// `{"release": (0.1, 1)}`; the search begins with their values in the run.
     /// greatest: whether the greatest value is sought.
     /// All others as in `simulate`.
     #[pyo3(
@@ -321,12 +338,14 @@ impl Model {
         analyses::optimum::optimise(py, &self.entry, (of, vary), start, options)
     }
 
-    /// The curves in the plane of two names across which what is observed changes, a list of `Boundary`.
+    /// The curves in the plane of two names across which what is observed changes, a list of
+    /// `Boundary`.
     ///
-    /// vary: two parameters, coordinates or rates at the start, or names that settings use, with their ranges:
+    /// vary: two parameters, coordinates or rates at the start, or names that settings use, with
+    /// their ranges:
     /// `{"phi": (0.5, 1.5)}`; a third number is the size of the grid on which curves are found.
-    /// observe: what changes, `"first open"`, `"last impact"`, `"end"`, or a number that reaches a value,
-    /// `"first open phi = 0.4"`.
+    /// observe: what changes, `"first open"`, `"last impact"`, `"end"`, or a number that reaches a
+    /// value, `"first open phi = 0.4"`.
     /// start, set, energy_of, release: as in `simulate`, or texts: expressions of the varied names.
     /// accuracy: of the curves, in parts of the ranges; by default 1e-10.
     /// All others as in `sweep`.
@@ -345,16 +364,19 @@ impl Model {
         sweep::boundary::boundaries(py, &self.entry, vary, options)
     }
 
-    /// The equations that were derived, of the system and of each set of contacts: as `"text"`, `"latex"` or `"html"`.
+    /// The equations that were derived, of the system and of each set of contacts: as `"text"`,
+    /// `"latex"` or `"html"`.
     #[pyo3(signature = (format="text"))]
     fn explain<'py>(&self, py: Python<'py>, format: &str) -> PyResult<Bound<'py, PyAny>> {
         explain::explained(py, &self.entry, format)
     }
 
-    /// When each reaction vanishes, as a formula, and what stays constant: as `"text"`, `"latex"` or `"html"`.
+    /// When each reaction vanishes, as a formula, and what stays constant: as `"text"`, `"latex"`
+    /// or `"html"`.
     ///
     /// phase: only the phase with these supports closed, `"A, E"`, or `"free"`.
-    /// start: coordinates and rates at the start, for its energy; without it the motion starts at rest anywhere.
+    /// start: coordinates and rates at the start, for its energy; without it the motion starts at
+    /// rest anywhere.
     /// set: values of parameters.
     #[pyo3(
         signature = (phase=None, start=None, **options),
@@ -371,13 +393,15 @@ impl Model {
         explain::conditions(py, &self.entry, phase, start, options)
     }
 
-    /// The equations as source text for other programs: `"sympy"`, a module of Python, or `"c"`, a dict of the files of a library.
+    /// The equations as source text for other programs: `"sympy"`, a module of Python, or `"c"`, a
+    /// dict of the files of a library.
     #[pyo3(signature = (target="sympy"))]
     fn export<'py>(&self, py: Python<'py>, target: &str) -> PyResult<Bound<'py, PyAny>> {
         explain::exported(py, &self.entry, target)
     }
 
-    /// M(q) a + h(q, v) = Q(q, v, t) of the motion without contacts as functions of numbers, `Functions`; needs SymPy.
+    /// M(q) a + h(q, v) = Q(q, v, t) of the motion without contacts as functions of numbers,
+    /// `Functions`; needs SymPy.
     #[pyo3(signature = (set=None))]
     fn functions<'py>(&self, py: Python<'py>, set: Option<Bound<'py, PyAny>>) -> PyResult<Bound<'py, PyAny>> {
         let options = PyDict::new(py);

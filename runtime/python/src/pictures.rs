@@ -3,13 +3,18 @@
 use crate::errors;
 use liftoff::Trajectory;
 use liftoff_studio::animation::{About, page};
-use liftoff_studio::picture::Charts;
+use liftoff_studio::picture::{ChartNumbers, Charts};
 use liftoff_studio::registry::MotionError;
 use pyo3::prelude::*;
 
 /// The chart of outputs against time, or another output.
 pub fn chart(run: &Trajectory, outputs: &[String], against: &str) -> Result<String, MotionError> {
     Charts::new(run).outputs(outputs).against(against).svg()
+}
+
+/// The same as numbers.
+pub fn numbers(run: &Trajectory, outputs: &[String], against: &str) -> Result<ChartNumbers, MotionError> {
+    Charts::new(run).outputs(outputs).against(against).numbers()
 }
 
 /// The page that plays a motion.

@@ -47,7 +47,8 @@ impl Request {
     }
 }
 
-/// The default run of a model with other parameters, from another start. That drops the default energy level too.
+/// The default run of a model with other parameters, from another start. That drops the default
+/// energy level too.
 pub fn pose(entry: &Entry, start: Option<&Bound<'_, PyAny>>, options: &mut Options<'_>) -> PyResult<RunSpec> {
     let mut spec = entry.default_run();
     if let Some(set) = options.take("set")? {

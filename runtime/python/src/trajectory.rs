@@ -8,6 +8,7 @@ use crate::pictures;
 use crate::request::Request;
 use crate::values::numbers;
 use liftoff::{Instant, Output, Trajectory as Motion};
+use liftoff_studio::picture::{ChartCurve, ChartNumbers};
 use numpy::ndarray::Array2;
 use numpy::{
     IntoPyArray, PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods,
@@ -19,11 +20,17 @@ use pyo3::types::{PyDict, PyList, PySlice, PyTuple};
 /// Rows of a frame at even times.
 const MOST_ROWS: f64 = 1e7;
 
+/// A curve with its name, its unit and its points.
+type Drawn<'py> = (String, String, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
+/// The name of the axis, curves, and events with their times.
+type Numbers<'py> = (String, Vec<Drawn<'py>>, Vec<(String, Vec<f64>)>);
+
 /// A motion from its start to the event that ended it.
 ///
-/// `trajectory["phi"]` and `trajectory["N(A)"]` are arrays over the times `trajectory.t`, the ends of the steps of the
-/// integration; `trajectory.output("N(A)", t)` has the values at any times. At an event they are those after it. Times of impacts
-/// and impulses stand twice in `trajectory.t`, and so do the rows of the arrays: before, then after.
+/// `trajectory["phi"]` and `trajectory["N(A)"]` are arrays over the times `trajectory.t`, the ends
+/// of the steps of the integration; `trajectory.output("N(A)", t)` has the values at any times. At
+/// an event they are those after it. Times of impacts and impulses stand twice in `trajectory.t`,
+/// and so do the rows of the arrays: before, then after.
 #[pyclass(frozen, mapping, module = "liftoff")]
 pub struct Trajectory {
     model: Py<Model>,
@@ -80,7 +87,8 @@ impl Trajectory {
         Ok(self.events.get_or_try_init(py, events)?.bind(py).clone())
     }
 
-    /// The ends of the integration's steps, in order of time; times at which velocities jump twice, before and after.
+    /// The ends of the integration's steps, in order of time; times at which velocities jump twice,
+    /// before and after.
     #[getter]
     fn t<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let made = || {
@@ -130,8 +138,8 @@ impl Trajectory {
         }
     }
 
-    /// An expression of the names of the model, `"N(A)"` or `"T + V"`, at the times `t`: a number or an array of any shape;
-    /// by default those of `trajectory.t`.
+    /// An expression of the names of the model, `"N(A)"` or `"T + V"`, at the times `t`: a number
+    /// or an array of any shape; by default those of `trajectory.t`.
     #[pyo3(signature = (output, t=None))]
     fn output<'py>(
         &self,
@@ -171,8 +179,8 @@ impl Trajectory {
         Ok(found.into_iter().map(|extremum| (extremum.t, extremum.value, extremum.minimum)).collect())
     }
 
-    /// A frame of pandas over the times `t`, or over all multiples of a time `every`: coordinates and rates, and what else is
-    /// named.
+    /// A frame of pandas over the times `t`, or over all multiples of a time `every`: coordinates
+    /// and rates, and what else is named.
     #[pyo3(signature = (*outputs, t=None, every=None))]
     fn to_frame<'py>(
         &self,
@@ -197,7 +205,8 @@ impl Trajectory {
         py.import("liftoff._show")?.getattr("frame")?.call1((columns, times))
     }
 
-    /// Outputs against time, or another output, as SVG; by default coordinates, reactions and energies.
+    /// Outputs against time, or another output, as SVG; by default coordinates, reactions and
+    /// energies.
     #[pyo3(signature = (*outputs, against="t"))]
     fn chart<'py>(
         &self,
@@ -211,7 +220,44 @@ impl Trajectory {
         pictures::svg(py, drawn.map_err(|error| errors::request(&error))?)
     }
 
-    /// The page that plays the motion, HTML that needs nothing beside itself; outputs are drawn beside it.
+    /// Draws outputs against time, or another output, on axes of Matplotlib, `ax` or new ones,
+    /// which are returned; by default coordinates.
+    ///
+    /// Lines stand at the times of events; against another output dots are on the first curve.
+    /// All other arguments are those of `Axes.plot`.
+    #[pyo3(signature = (*outputs, against="t", ax=None, **style))]
+    fn plot<'py>(
+        this: &Bound<'py, Self>,
+        outputs: Vec<String>,
+        against: &str,
+        ax: Option<Bound<'py, PyAny>>,
+        style: Option<Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let drawn = this.py().import("liftoff._plot")?.getattr("motion")?;
+        drawn.call1((this, outputs, against, ax, style))
+    }
+
+    /// What `plot` draws: the name of the axis, each curve with its name and unit, events with
+    /// their times.
+    fn _chart_numbers<'py>(
+        &self,
+        py: Python<'py>,
+        outputs: Vec<String>,
+        against: &str,
+    ) -> PyResult<Numbers<'py>> {
+        pictures::check(&self.motion, &outputs)?;
+        self.expression(against)?;
+        let numbers = py.detach(|| pictures::numbers(&self.motion, &outputs, against));
+        let ChartNumbers { against, curves, events } = numbers.map_err(|error| errors::request(&error))?;
+        let drawn = |ChartCurve { name, unit, points }| {
+            let [x, y] = [0, 1].map(|i| points.iter().map(|point: &[f64; 2]| point[i]).collect::<Vec<f64>>());
+            (name, unit, x.into_pyarray(py), y.into_pyarray(py))
+        };
+        Ok((against, curves.into_iter().map(drawn).collect(), events))
+    }
+
+    /// The page that plays the motion, HTML that needs nothing beside itself; outputs are drawn
+    /// beside it.
     #[pyo3(signature = (*outputs))]
     fn page<'py>(&self, py: Python<'py>, outputs: Vec<String>) -> PyResult<Bound<'py, PyAny>> {
         pictures::check(&self.motion, &outputs)?;

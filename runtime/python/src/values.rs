@@ -31,8 +31,8 @@ pub fn items<'py>(what: &str, given: &Bound<'py, PyAny>) -> PyResult<Entries<'py
     given.cast::<PyMapping>().map_err(|_| expected())?.items()?.extract()
 }
 
-/// An array of numbers where they may be read: those of a message or a file, as Dask and `memmap` give them, may stand at any
-/// address, and are copied to one that is a multiple of their size.
+/// An array of numbers where they may be read: those of a message or a file, as Dask and `memmap`
+/// give them, may stand at any address, and are copied to one that is a multiple of their size.
 pub fn numbers<'py>(values: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
     let numpy = values.py().import("numpy")?;
     numpy.call_method1("require", (values, numpy.getattr("float64")?, ["ALIGNED", "ENSUREARRAY"]))

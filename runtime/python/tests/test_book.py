@@ -20,6 +20,8 @@ def test_the_page_of_the_book_is_true(tmp_path, monkeypatch):
     leaves, table = names["leaves"], names["table"]
     assert (leaves.kind, leaves.names) == ("open", ["B"])
     assert f"{leaves['phi']:.4f}".startswith("0.697") and math.isclose(leaves.reactions["A"], 2.4525)
+    first = names["derivatives"].events[1]
+    assert first.event.kind == "impact" and first.time == pytest.approx({"e": 0, "y": 1 / math.sqrt(2 * 9.81)})
     assert names["fit"].freedom == 1 and names["best"].at_bounds == ["y"]
     assert names["built"].model().explain() == names["ladder"].explain()
     assert names["acceleration"] == pytest.approx(-1.5 * 9.81 * math.sin(0.3))

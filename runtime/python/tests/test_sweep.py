@@ -111,6 +111,24 @@ def test_too_many_runs_are_refused_before_memory_is_taken(ladder):
         ladder.sweep("end t", start={"phi": huge})
 
 
+def test_matplotlib_draws_a_line_for_each_value_of_the_others(ladder):
+    ax = pytest.importorskip("matplotlib.figure").Figure().add_subplot()
+    phi, l = np.linspace(0.6, 1.4, 5), [[1.0], [2.0]]
+    table = ladder.sweep(["t of first open", "first open"], start={"phi": phi}, set={"l": l})
+    assert table.plot("t of first open", "phi", ax=ax, marker="o") is ax
+    assert [line.get_label() for line in ax.lines] == ["l = 1", "l = 2"] and ax.get_xlabel() == "phi"
+    for line, times in zip(ax.lines, table["t of first open"]):
+        assert np.array_equal(line.get_xdata(), phi) and np.array_equal(line.get_ydata(), times)
+    single = ladder.sweep("end t", start={"phi": phi}).plot("end t", ax=ax.figure.add_subplot())
+    assert [line.get_label() for line in single.lines] == ["end t"] and single.get_legend() is None
+    with pytest.raises(ValueError, match="against: which of l, phi"):
+        table.plot("t of first open")
+    with pytest.raises(ValueError, match="first open: these are names, not numbers"):
+        table.plot("first open", "phi")
+    with pytest.raises(liftoff.UnknownName, match="no column `psi`"):
+        table.plot("t of first open", "psi")
+
+
 def test_a_sweep_observes_something(ladder):
     with pytest.raises(ValueError, match="observe: nothing is observed"):
         ladder.sweep([], start={"phi": [1.0]})

@@ -1,6 +1,7 @@
 """A motion as arrays, against what mechanics says of it."""
 
 import math
+import sys
 
 import numpy as np
 import pytest
@@ -109,6 +110,37 @@ def test_pictures_and_pages_are_whole(run, tmp_path):
     assert (tmp_path / "run.html").read_text(encoding="utf-8") == page
     shown = run._repr_html_()
     assert shown.startswith("<iframe sandbox") and "<script" not in shown and run._repr_svg_().startswith("<svg")
+
+
+def test_matplotlib_draws_on_given_axes(run, monkeypatch):
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    ax = matplotlib.figure.Figure().add_subplot()
+    assert run.plot("phi", "N(A)", ax=ax, linewidth=3) is ax
+    phi, normal, opened = ax.lines
+    assert (phi.get_label(), normal.get_label(), normal.get_linewidth()) == ("φ, rad", "N(A), N", 3)
+    assert ax.get_xlabel() == "t, s" and len(ax.get_legend().texts) == 2
+    assert phi.get_ydata() == pytest.approx(run.output("phi", phi.get_xdata()), abs=1e-9) and len(phi.get_xdata()) > 200
+    assert list(opened.get_xdata()) == [run.events[1].t] * 2 and [text.get_text() for text in ax.texts] == ["B open"]
+    against = run.plot("N(A)", against="phi")
+    assert (against.get_xlabel(), against.get_ylabel(), against.get_legend()) == ("φ, rad", "N(A), N", None)
+    assert [against.lines[1].get_xdata()[0], against.lines[1].get_ydata()[0]] == [run.events[1]["phi"], run.events[1].reactions["A"]]
+    assert [line.get_label() for line in run.plot().lines[:3]] == ["φ, rad", "x_A, m", "y_A, m"]
+    with pytest.raises(liftoff.UnknownName, match="no support `C`"):
+        run.plot("N(C)", ax=ax)
+    with pytest.raises(TypeError, match="ax: expected axes of Matplotlib"):
+        run.plot("phi", ax="phi")
+    monkeypatch.setitem(sys.modules, "matplotlib.pyplot", None)
+    with pytest.raises(ImportError, match="plots need Matplotlib: pip install matplotlib"):
+        run.plot("phi")
+
+
+def test_values_that_jump_break_the_line():
+    run = liftoff.Model.built_in("bouncing-ball").simulate()
+    ax = pytest.importorskip("matplotlib.figure").Figure().add_subplot()
+    velocity = run.plot("y'", ax=ax).lines[0].get_ydata()
+    impacts = [event for event in run.events if event.kind == "impact"]
+    assert np.isnan(velocity).sum() > 5 and ax.texts[0].get_text() == f"P impact × {len(impacts)}"
 
 
 def test_what_is_asked_for_is_done(pendulum):

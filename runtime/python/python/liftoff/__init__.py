@@ -1,10 +1,10 @@
 """Planar bar systems with one-sided supports, simulated with located contact events.
 
 >>> import liftoff
->>> model = liftoff.Model(text)                       # a declaration as in Rust; or Model.from_file("ladder.rs")
+>>> model = liftoff.Model(text)  # a declaration as in Rust; or Model.from_file("ladder.rs")
 >>> run = model.simulate(start={"phi": 0.1}, until="phi = pi/2", set={"m": 1, "l": 1, "g": 9.81})
 >>> run.events, run.t, run["phi"], run.output("N(P)", 0.2)
->>> model.equilibrium(), model.linearise(), model.orbit("impact"), model.sensitivity("m"), model.fit("m", events={"first open": 0.4})
+>>> model.equilibrium(), model.linearise(), model.orbit("impact"), model.sensitivity("m")
 >>> model.sweep("first open phi", start={"phi": [0.1, 0.2, 0.3]})["first open phi"]
 """
 

@@ -17,7 +17,8 @@ _Complex = npt.NDArray[np.complex128]
 
 @dataclass(frozen=True)
 class Mode:
-    """A mode of vibration: δq = shape · exp(rate t), the largest coordinate of the shape being 1 in natural units."""
+    """A mode of vibration: δq = shape · exp(rate t), the largest coordinate of the shape being 1 in
+    natural units."""
 
     rate: complex
     shape: dict[str, complex]
@@ -40,10 +41,12 @@ class Mode:
 
 @dataclass(frozen=True, eq=False)
 class Linearisation:
-    """The motion about a position at rest: ẋ = A x + B Q with x = (ξ, ξ̇), δq = Z ξ and the generalised forces Q.
+    """The motion about a position at rest: ẋ = A x + B Q with x = (ξ, ξ̇), δq = Z ξ and the
+    generalised forces Q.
 
-    Rows of Z and columns of B are those of the coordinates. `residual` is the acceleration there in natural units: zero at an
-    equilibrium. Modes come with the fastest growing first, then the slowest.
+    Rows of Z and columns of B are those of the coordinates. `residual` is the acceleration there in
+    natural units: zero at an equilibrium. Modes come with the fastest growing first, then the
+    slowest.
     """
 
     modes: list[Mode]
@@ -57,7 +60,8 @@ class Linearisation:
 class LinearHalves:
     """The motion about a symmetric position: what keeps its symmetry, and what breaks it.
 
-    `growth_ratio` is how many times as fast the antisymmetric motion grows as the symmetric one; None where one does not grow.
+    `growth_ratio` is how many times as fast the antisymmetric motion grows as the symmetric one;
+    None where one does not grow.
     """
 
     symmetric: Linearisation
@@ -67,7 +71,8 @@ class LinearHalves:
 
 @dataclass(frozen=True)
 class LoadLimit:
-    """The largest value of a load, or the least where it falls, and what ends the equilibrium there."""
+    """The largest value of a load, or the least where it falls, and what ends the equilibrium
+    there."""
 
     value: float
     end: str
@@ -77,9 +82,10 @@ class LoadLimit:
 class Equilibrium:
     """A position of rest.
 
-    `reactions` and `friction` have the least and the largest force of each support that touches: they are equal where it is
-    determined. `joint_forces` has what joints and drives transmit. `linear` is the motion nearby, with the supports closed that
-    bear. `limit` is None where no load was asked for, or the load may go as far as it was followed.
+    `reactions` and `friction` have the least and the largest force of each support that touches:
+    they are equal where it is determined. `joint_forces` has what joints and drives transmit.
+    `linear` is the motion nearby, with the supports closed that bear. `limit` is None where no load
+    was asked for, or the load may go as far as it was followed.
     """
 
     closed: list[str]
@@ -96,10 +102,11 @@ class Equilibrium:
 class Orbit:
     """A periodic orbit, by its state on the section.
 
-    `shift` is by how much each coordinate has changed after a period, zero where it does not drift. `events` are the kinds of
-    the events of a period, each with its supports. `multipliers` come with the largest first. `residual` is by how much the state
-    differs from its image, in natural units. `special` is what an orbit of a branch is beside: a fold, a branch point, a flip or
-    a torus.
+    `shift` is by how much each coordinate has changed after a period, zero where it does not drift.
+    `events` are the kinds of the events of a period, each with its supports. `multipliers` come
+    with the largest first. `residual` is by how much the state differs from its image, in natural
+    units. `special` is what an orbit of a branch is beside: a fold, a branch point, a flip or a
+    torus.
     """
 
     period: float
@@ -123,7 +130,8 @@ class Branch:
 
 @dataclass(frozen=True, eq=False)
 class EventDerivatives:
-    """Derivatives at an event: `time["m"]` of its time, None of what only touches, `state["phi"]["m"]` of the state after it."""
+    """Derivatives at an event: `time["m"]` of its time, None of what only touches,
+    `state["phi"]["m"]` of the state after it."""
 
     event: Event
     time: Optional[dict[str, float]]
@@ -132,7 +140,8 @@ class EventDerivatives:
 
 @dataclass(frozen=True, eq=False)
 class Sensitivities:
-    """Derivatives of a run: at each of its events, and of the state at its end, `end["phi"]["m"]`."""
+    """Derivatives of a run: at each of its events, and of the state at its end,
+    `end["phi"]["m"]`."""
 
     events: list[EventDerivatives]
     end: dict[str, dict[str, float]]
@@ -140,7 +149,8 @@ class Sensitivities:
 
 @dataclass(frozen=True)
 class Estimate:
-    """A fitted value with its standard error and its 95 % interval, which need more values than variables."""
+    """A fitted value with its standard error and its 95 % interval, which need more values than
+    variables."""
 
     value: float
     standard_error: Optional[float]
@@ -151,9 +161,10 @@ class Estimate:
 class Fit:
     """What the data say of the varied names, `estimates["m"].value`.
 
-    `correlations` has a row and a column for each of them. `residuals` are computed less measured values, in the order of
-    `data`, and `norm` is that of the residuals in standard deviations. `scatter` is by how much they scatter, with `freedom`
-    degrees of freedom. `stopped` is why the search has not converged, or None.
+    `correlations` has a row and a column for each of them. `residuals` are computed less measured
+    values, in the order of `data`, and `norm` is that of the residuals in standard deviations.
+    `scatter` is by how much they scatter, with `freedom` degrees of freedom. `stopped` is why the
+    search has not converged, or None.
     """
 
     estimates: dict[str, Estimate]
@@ -169,10 +180,12 @@ class Fit:
 
 @dataclass(frozen=True)
 class Optimum:
-    """The least or the greatest value of an output, and the values of the varied names with which it has it.
+    """The least or the greatest value of an output, and the values of the varied names with which
+    it has it.
 
-    `slopes` are the derivatives of the output there, `at_bounds` the names that are at a bound, `first` the output where the
-    search began. `stopped` is why the search has not converged, or None.
+    `slopes` are the derivatives of the output there, `at_bounds` the names that are at a bound,
+    `first` the output where the search began. `stopped` is why the search has not converged, or
+    None.
     """
 
     value: float
@@ -186,9 +199,11 @@ class Optimum:
 
 @dataclass(frozen=True, eq=False)
 class Boundary:
-    """A curve in the plane of two varied names, `points["phi"]`, across which what is observed changes.
+    """A curve in the plane of two varied names, `points["phi"]`, across which what is observed
+    changes.
 
-    Along the points `left` is observed to the left, and `right` to the right. `ends` is where it ends at the first point and at the last.
+    Along the points `left` is observed to the left, and `right` to the right. `ends` is where it
+    ends at the first point and at the last.
     """
 
     left: str

@@ -13,13 +13,15 @@ _Value = Union[str, float, tuple[Any, ...], list[Any], Mapping[str, Any]]
 
 
 class Declaration:
-    """A planar bar system, attribute by attribute: each method has the name of an attribute and returns a longer declaration.
+    """A planar bar system, attribute by attribute: each method has the name of an attribute and
+    returns a longer declaration.
 
-    >>> frame = Declaration("Ladder").gravity("g").bar("AB", mass="m", length="l").support(A="floor", friction="mu")
+    >>> frame = Declaration("Ladder").gravity("g").bar("AB", mass="m", length="l")
+    >>> frame = frame.support(A="floor", friction="mu").support(B="wall(0)", facing="right")
 
-    Arguments are written as they are: texts are expressions, tuples are in parentheses. A dict or a list is what belongs to a word,
-    `points={"A": (0, 0)}`, `swap=["A", "E"]`; True is the word alone, `rough=True`. A name that Python has for itself ends with an
-    underscore, `from_="right"`.
+    Arguments are written as they are: texts are expressions, tuples are in parentheses. A dict or a
+    list is what belongs to a word, `points={"A": (0, 0)}`, `swap=["A", "E"]`; True is the word
+    alone, `rough=True`. A name that Python has for itself ends with an underscore, `from_="right"`.
     """
 
     def __init__(self, name: str, summary: str = "") -> None:
@@ -54,7 +56,8 @@ class Declaration:
         return self._with(_call("run", entries))
 
     def parameters(self, *names: str, **values: Union[None, str, float, tuple[float, str]]) -> Declaration:
-        """Parameters without and with default values: numbers, expressions, or numbers with units, `(200, "mm")`."""
+        """Parameters without and with default values: numbers, expressions, or numbers with units,
+        `(200, "mm")`."""
         longer = self._with()
         fields = [(name, None) for name in names] + [(_plain(name), value) for name, value in values.items()]
         longer._fields = (*self._fields, *(_field(name, value) for name, value in fields))

@@ -20,7 +20,7 @@ class DeclarationError(Error, ValueError):
 
     def __init__(self, report: str, mistakes: list[tuple[str, int, int]] | None = None) -> None:
         super().__init__(report, mistakes or [])
-        self.mistakes = mistakes or []
+        self.mistakes: list[tuple[str, int, int]] = mistakes or []
 
     def __str__(self) -> str:
         return str(self.args[0])

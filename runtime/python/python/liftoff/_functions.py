@@ -4,18 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from importlib import import_module
 from typing import Any, Callable
 
 import numpy as np
 import numpy.typing as npt
+
+from ._optional import load
 
 _Function = Callable[..., npt.NDArray[np.float64]]
 
 
 @dataclass(frozen=True)
 class Functions:
-    """M(q) a + h(q, v) = Q(q, v, t) of the motion without contacts, each a function `f(q, v, t=0)` of coordinates and rates.
+    """M(q) a + h(q, v) = Q(q, v, t) of the motion without contacts, each a function `f(q, v, t=0)`
+    of coordinates and rates.
 
     `coordinates` has the names of the entries of q.
     """
@@ -28,10 +30,7 @@ class Functions:
 
 def compiled(source: str, coordinates: list[str], parameters: Sequence[float]) -> Functions:
     """The functions of a module that `export` has written, at these values of its parameters."""
-    try:
-        sympy: Any = import_module("sympy")
-    except ImportError as error:
-        raise ImportError("functions need SymPy: pip install sympy") from error
+    sympy = load("sympy", "functions", "SymPy")
     module: dict[str, Any] = {"__name__": "equations"}
     exec(source, module)
     values = dict(zip(module["parameters"], parameters))

@@ -4,6 +4,7 @@ from typing import Any, Literal, Optional, Union, final, overload
 
 import numpy as np
 import numpy.typing as npt
+from matplotlib.axes import Axes
 
 from ._analyses import (
     Boundary,
@@ -25,8 +26,7 @@ _processor_features: list[str]
 
 _Number = Union[float, str]
 _Numbers = Mapping[str, _Number]
-_Varied = Union[float, str, Sequence[float], npt.NDArray[Any]]
-_Arrays = Mapping[str, _Varied]
+_Arrays = Mapping[str, npt.ArrayLike]
 _Texts = Union[str, Sequence[str]]
 _Impulses = Sequence[tuple[str, tuple[float, float], float]]
 _Floats = npt.NDArray[np.float64]
@@ -34,7 +34,8 @@ _Method = Literal["auto", "tsit5", "dop853", "taylor", "radau", "gauss"]
 
 @final
 class Event:
-    """Something that happened in a motion: `event.kind` to `event.names` at `event.t`, with the state and the reactions after it.
+    """Something that happened in a motion: `event.kind` to `event.names` at `event.t`, with the state
+    and the reactions after it.
 
     `event["phi'"]` is a coordinate, a rate or the time `t`.
     """
@@ -68,9 +69,11 @@ class Event:
 
 @final
 class Model:
-    """A planar bar system, declared as in Rust: `Model(text)`, `Model.from_file(path)`, or `Model.built_in(name)`.
+    """A planar bar system, declared as in Rust: `Model(text)`, `Model.from_file(path)`, or
+    `Model.built_in(name)`.
 
-    The text is that of a Rust file with a struct that derives `BarSystem`; where it has several, `model` names one.
+    The text is that of a Rust file with a struct that derives `BarSystem`; where it has several,
+    `model` names one.
     Mistakes in it are raised as `DeclarationError`, with the place of each.
     """
 
@@ -119,7 +122,7 @@ class Model:
         self,
         observe: _Texts,
         *,
-        vary: Optional[Mapping[str, Union[float, Sequence[float], npt.NDArray[Any]]]] = None,
+        vary: Optional[_Arrays] = None,
         start: Optional[_Arrays] = None,
         set: Optional[_Arrays] = None,
         energy_of: Optional[_Arrays] = None,
@@ -310,9 +313,10 @@ class Model:
 class Trajectory:
     """A motion from its start to the event that ended it.
 
-    `trajectory["phi"]` and `trajectory["N(A)"]` are arrays over the times `trajectory.t`, the ends of the steps of the
-    integration; `trajectory.output("N(A)", t)` has the values at any times. At an event they are those after it. Times of impacts
-    and impulses stand twice in `trajectory.t`, and so do the rows of the arrays: before, then after.
+    `trajectory["phi"]` and `trajectory["N(A)"]` are arrays over the times `trajectory.t`, the ends
+    of the steps of the integration; `trajectory.output("N(A)", t)` has the values at any times. At
+    an event they are those after it. Times of impacts and impulses stand twice in `trajectory.t`,
+    and so do the rows of the arrays: before, then after.
     """
 
     @property
@@ -334,16 +338,20 @@ class Trajectory:
     @overload
     def output(self, output: str, t: float) -> float: ...
     @overload
-    def output(self, output: str, t: Union[None, Sequence[float], npt.NDArray[Any]] = None) -> _Floats: ...
+    def output(self, output: str, t: Optional[npt.ArrayLike] = None) -> _Floats: ...
     def at(self, t: Union[float, Sequence[float], npt.NDArray[Any]]) -> _Floats: ...
     def extrema(self, output: str) -> list[tuple[float, float, bool]]: ...
     def to_frame(
         self,
         *outputs: str,
-        t: Union[None, Sequence[float], npt.NDArray[Any]] = None,
+        t: Optional[npt.ArrayLike] = None,
         every: Optional[_Number] = None,
     ) -> Any: ...
     def chart(self, *outputs: str, against: str = "t") -> Svg: ...
+    def plot(self, *outputs: str, against: str = "t", ax: Optional[Axes] = None, **style: Any) -> Axes: ...
+    def _chart_numbers(
+        self, outputs: Sequence[str], against: str
+    ) -> tuple[str, list[tuple[str, str, _Floats, _Floats]], list[tuple[str, list[float]]]]: ...
     def page(self, *outputs: str) -> Page: ...
     def _repr_html_(self) -> str: ...
     def _repr_svg_(self) -> str: ...

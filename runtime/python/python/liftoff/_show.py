@@ -6,6 +6,8 @@ import html
 import os
 from typing import Any
 
+from ._optional import load
+
 
 class _File(str):
     """The text of a file."""
@@ -44,8 +46,5 @@ class Page(_File):
 
 def frame(columns: dict[str, Any], index: Any, name: str = "t") -> Any:
     """A frame of pandas."""
-    try:
-        import pandas
-    except ImportError as error:
-        raise ImportError("frames need pandas: pip install pandas") from error
+    pandas = load("pandas", "frames", "pandas")
     return pandas.DataFrame(columns, index=pandas.Index(index, name=name))

@@ -10,7 +10,7 @@ mod quantities;
 mod sample;
 mod superposition;
 
-pub use charts::Charts;
+pub use charts::{ChartCurve, ChartNumbers, Charts};
 pub use drawing::drawing;
 pub use portrait::Portrait;
 pub use pose::clearest_pose;

@@ -132,6 +132,11 @@ fn groups(record: &Trajectory) -> Vec<Group> {
     groups
 }
 
+/// Events in words with their times.
+pub(super) fn events(record: &Trajectory) -> Vec<(String, Vec<f64>)> {
+    groups(record).into_iter().map(|group| (group.words(), group.times)).collect()
+}
+
 /// As many as have room on a line.
 fn notes(groups: &[Group], width: u32) -> Vec<String> {
     let letters = (f64::from(width.saturating_sub(BESIDE)) / LETTER) as usize;

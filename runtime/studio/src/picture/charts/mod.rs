@@ -6,7 +6,7 @@ mod panels;
 mod tests;
 
 use super::quantities::{axis, shown};
-use super::sample::{seen, traced};
+use super::sample::{Traced, seen, traced};
 use crate::registry::{MotionError, Units};
 
 use crate::plot::{Axis, Chart, Figure};
@@ -25,6 +25,26 @@ pub struct Charts<'a> {
     outputs: Vec<String>,
     against: String,
     size: (Option<u32>, Option<u32>),
+}
+
+/// Curves over one axis, and the events of the motion.
+pub struct ChartNumbers {
+    /// Name of the axis, with its unit.
+    pub against: String,
+    /// In the order of the outputs.
+    pub curves: Vec<ChartCurve>,
+    /// What has happened, and the times: several where an event repeats in a row of many.
+    pub events: Vec<(String, Vec<f64>)>,
+}
+
+/// An output over the axis.
+pub struct ChartCurve {
+    /// The output in print.
+    pub name: String,
+    /// Empty for a number, and where it is not known.
+    pub unit: String,
+    /// Dense enough for a drawing; a point that is not a number breaks the line.
+    pub points: Vec<[f64; 2]>,
 }
 
 impl<'a> Charts<'a> {
@@ -62,11 +82,7 @@ impl<'a> Charts<'a> {
         let units = Units::from_layout(self.record.layout());
         let outputs = if self.outputs.is_empty() { defaults(self.record) } else { self.outputs.clone() };
         let x = self.record.function(&self.against)?;
-        let curves: Result<Vec<_>, MotionError> = outputs
-            .iter()
-            .map(|output| Ok((output.clone(), traced(self.record, &x, &self.record.function(output)?))))
-            .collect();
-        let panels = Panel::grouped(curves?, &units);
+        let panels = Panel::grouped(self.trace(&outputs)?, &units);
         let is_time = self.against.trim() == "t";
         let axis = self.axis(&panels, &units, is_time);
         let marks = if is_time {
@@ -90,6 +106,31 @@ impl<'a> Charts<'a> {
             .unwrap_or(BESIDE + SIZE.1 * panels.len() as u32 + 19 * annotations.notes.len() as u32);
         let figure = Figure { description: self.description(&outputs), size: (self.width(), height) };
         Ok(figure.stacked(&charts?, &annotations))
+    }
+
+    /// As numbers, for another program to draw.
+    ///
+    /// # Errors
+    /// An output that the model does not have.
+    pub fn numbers(&self) -> Result<ChartNumbers, MotionError> {
+        let units = Units::from_layout(self.record.layout());
+        let curve = |(output, curve): (String, Traced)| ChartCurve {
+            name: shown(&output),
+            unit: units.unit(&output).unwrap_or_default(),
+            points: curve.joined(),
+        };
+        Ok(ChartNumbers {
+            against: axis(&shown(&self.against), units.unit(&self.against).as_deref()),
+            curves: self.trace(&self.outputs)?.into_iter().map(curve).collect(),
+            events: events::events(self.record),
+        })
+    }
+
+    fn trace(&self, outputs: &[String]) -> Result<Vec<(String, Traced)>, MotionError> {
+        let x = self.record.function(&self.against)?;
+        let curve =
+            |output: &String| Ok((output.clone(), traced(self.record, &x, &self.record.function(output)?)));
+        outputs.iter().map(curve).collect()
     }
 
     fn width(&self) -> u32 {
