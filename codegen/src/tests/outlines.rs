@@ -20,6 +20,8 @@ fn sides_that_cross_for_all_parameters_are_named_with_the_order_of_corners() {
         ]
     );
     assert!(plate("A = (0, 0), C = (b, 0), B = (b, h), D = (0, h)").is_empty());
+    let folded = plate("A = (0, 0), B = (b, 0), M = (b / 2, 0), C = (b, h)");
+    assert!(folded[0].starts_with("body `plate`: sides A–B and B–M lie on one another; list"), "{folded:?}");
     // The third corner is on either side of the first, as b is smaller or larger than h.
     assert!(plate("A = (0, 0), C = (b, 0), B = (b - h, h), D = (0, h)").is_empty());
 }
