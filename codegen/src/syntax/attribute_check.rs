@@ -34,9 +34,21 @@ const STANDARD: [&str; 9] =
     ["Clone", "Copy", "Debug", "Default", "Eq", "Hash", "Ord", "PartialEq", "PartialOrd"];
 
 /// What other programs call the parts of a system, and how these are written here.
-const SYNONYMS: [(&[&str], &str); 20] = [
+const SYNONYMS: [(&[&str], &str); 21] = [
     (
-        &["collision", "collide", "collider", "contact", "obstacle", "floor", "wall", "plane", "unilateral"],
+        &[
+            "collision",
+            "collide",
+            "collider",
+            "contact",
+            "obstacle",
+            "floor",
+            "wall",
+            "plane",
+            "ground_plane",
+            "half_space",
+            "unilateral",
+        ],
         "#[support(A = floor)]",
     ),
     (&["friction"], "#[support(A = floor, friction = mu)]"),
@@ -46,11 +58,21 @@ const SYNONYMS: [(&[&str], &str); 20] = [
     (&["motor", "actuator", "servo", "motion", "prescribed"], "#[drive(phi = omega * t)]"),
     (&["load"], "#[force(P = (fx, fy))]"),
     (&["torque", "moment"], "#[couple(AB = c)]"),
-    (&["revolute", "joint", "pivot", "fixed", "anchor", "rotational"], "#[pin(O = (0, 0))]"),
+    (
+        &["revolute", "revolute_joint", "pin_joint", "joint", "pivot", "fixed", "anchor", "rotational"],
+        "#[pin(O = (0, 0))]",
+    ),
+    (
+        &["rigid_body", "plate", "polygon", "shape", "outline"],
+        "#[body(hull, points(A = (0, 0), B = (l, 0), C = (0, h)), mass = m)]",
+    ),
     (&["rod", "link", "beam", "segment", "stick"], "#[bar(AB, mass = m, length = l)]"),
     (&["ball", "bob", "point_mass"], "#[particle(P, mass = m)]"),
     (&["wheel", "circle", "roller", "cylinder"], "#[disc(P, radius = r)]"),
-    (&["prismatic", "guide", "rail", "track", "translational"], "#[slider(P = horizontal(0))]"),
+    (
+        &["prismatic", "prismatic_joint", "guide", "rail", "track", "translational"],
+        "#[slider(P = horizontal(0))]",
+    ),
     (&["gear", "gears"], "#[equal(phi, 2 * psi)]"),
     (&["rigid", "glue", "fix"], "#[weld(AB, BC)]"),
     (&["angle", "dof", "generalised", "generalized"], "#[coordinate(phi = angle(AB), from = right)]"),

@@ -12,6 +12,10 @@ use super::{Pair, unknown};
 /// What friction is asked for by instead of `friction = mu`.
 const FRICTION: [&str; 5] = ["mu", "coulomb", "mu_s", "mu_k", "rough"];
 
+/// What is said of a unit behind a number.
+const UNIT: &str =
+    "numbers of a declaration have no unit; a parameter may have one, `#[value(1, unit = \"kg\")]`";
+
 /// What is said of a `while` on what is always there.
 const SWITCHED: &str = "`while` is for what can be there or not: supports, threads, the `stops` of a slider, springs, torsions, forces, \
                         couples and drives";
@@ -55,6 +59,9 @@ impl Options {
     pub fn with_flags(input: ParseStream, allowed: &[&str], flags: &[&str]) -> syn::Result<Self> {
         let mut given: Vec<(Ident, Option<Expr>)> = Vec::new();
         while !input.is_empty() {
+            if input.peek(Ident) && matches!(given.last(), Some((_, Some(Expr::Lit(_))))) {
+                return Err(input.error(UNIT));
+            }
             input.parse::<Token![,]>()?;
             if input.is_empty() {
                 break;

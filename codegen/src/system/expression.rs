@@ -13,6 +13,8 @@ use crate::syntax;
 const FORMS: &str =
     "expected a number, a parameter, `pi`, + − * /, `sqrt(…)`, `sin(…)`, `cos(…)`, `abs(…)` or `.powi(n)`";
 
+const POWER: &str = "a power is written `l.powi(2)`";
+
 impl Scope<'_> {
     /// The value of an expression.
     pub fn value(&mut self, expr: &Expr) -> syn::Result<Series> {
@@ -34,6 +36,10 @@ impl Scope<'_> {
             Expr::Paren(inner) => self.value(&inner.expr),
             Expr::Group(inner) => self.value(&inner.expr),
             Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => self.value(&unary.expr).map(|v| -v),
+            // `l ** 2` is l times what 2 points to.
+            Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => {
+                Err(syn::Error::new_spanned(unary, POWER))
+            }
             Expr::Binary(binary) => self.binary(&binary.left, &binary.op, &binary.right),
             Expr::Path(path) => match path.path.get_ident() {
                 Some(name) => self.named(name),
@@ -65,6 +71,7 @@ impl Scope<'_> {
                 let zero = || syn::Error::new_spanned(right, "division by zero");
                 self.constants.divide(&a, &b).ok_or_else(zero)
             }
+            BinOp::BitXor(_) => Err(syn::Error::new_spanned(op, POWER)),
             other => Err(syn::Error::new_spanned(other, FORMS)),
         }
     }

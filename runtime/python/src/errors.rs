@@ -5,8 +5,9 @@ use liftoff_studio::analyses::{Failure, VariableError};
 use liftoff_studio::registry::MotionError;
 use liftoff_studio::source::{Mistake, rendered};
 use liftoff_studio::sweep::SweepError;
-use pyo3::exceptions::PyValueError;
+use pyo3::exceptions::{PyUserWarning, PyValueError};
 use pyo3::prelude::*;
+use std::ffi::CString;
 
 pyo3::import_exception!(liftoff._errors, AnalysisError);
 pyo3::import_exception!(liftoff._errors, DeclarationError);
@@ -73,4 +74,9 @@ pub fn declaration(path: &str, text: &str, mistakes: &[Mistake]) -> PyErr {
     };
     let places: Vec<(String, usize, usize)> = mistakes.iter().map(place).collect();
     DeclarationError::new_err((rendered(path, text, mistakes, false), places))
+}
+
+/// Warns of what changes an answer.
+pub fn warn(py: Python<'_>, text: &str) -> PyResult<()> {
+    PyErr::warn(py, &py.get_type::<PyUserWarning>(), &CString::new(in_python(text))?, 1)
 }

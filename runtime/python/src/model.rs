@@ -8,7 +8,7 @@ use crate::trajectory::Trajectory;
 use crate::{analyses, explain, sweep};
 use liftoff::NameError;
 use liftoff_studio::file::read_text;
-use liftoff_studio::registry::{Entry, Models, MotionError, RunOptions, kebab};
+use liftoff_studio::registry::{Entry, Models, MotionError, RunOptions, kebab, start_notes};
 use liftoff_studio::source::{self, declarations};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple, PyType};
@@ -163,6 +163,7 @@ impl Model {
         let mut options = Options::new("simulate", options).beside(&["start", "until"]);
         let request = Request::from_options(entry, start, until, &mut options)?;
         options.finish()?;
+        start_notes(entry, &request.spec).iter().try_for_each(|text| errors::warn(py, text))?;
         let made = |run, stopped| Trajectory::new(this.clone().unbind(), request.clone(), run, stopped);
         match run(py, entry, &request)? {
             Ok(run) => Ok(made(run, None)),
@@ -490,15 +491,25 @@ fn file_text(path: &Path) -> PyResult<String> {
 
 /// The models of a text.
 fn declared(py: Python<'_>, path: &str, text: &str) -> PyResult<Vec<Entry>> {
+    if !text.contains("BarSystem") {
+        return Err(undeclared(path));
+    }
     let found = py.detach(|| source::models(text));
     found.map_err(|mistakes| errors::declaration(path, text, &mistakes))
+}
+
+fn undeclared(path: &str) -> PyErr {
+    errors::invalid(format!(
+        "nothing in {path} derives `BarSystem`: a model is a struct of Rust below `#[derive(BarSystem)]`, as \
+         `Model.built_in(\"pendulum\").text`; `Model.from_file(\"ladder.rs\")` reads a file"
+    ))
 }
 
 fn chosen(path: &str, mut found: Vec<Entry>, name: Option<&str>) -> PyResult<Entry> {
     let names: Vec<&str> = found.iter().map(|entry| entry.layout().name).collect();
     let place = match name {
         _ if found.is_empty() => {
-            return Err(errors::invalid(format!("nothing in {path} derives `BarSystem`")));
+            return Err(undeclared(path));
         }
         None if found.len() == 1 => 0,
         None => {

@@ -12,6 +12,28 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyMapping};
 
+/// What others call arguments, the argument that serves here, and how it is written.
+const ELSEWHERE: [(&[&str], &str, &str); 6] = [
+    (
+        &["t_final", "t_end", "t_span", "tspan", "tf", "duration"],
+        "limit",
+        "`limit=10` is the latest end, `until=\"t = 10\"` a condition",
+    ),
+    (&["parameters", "params", "args", "p"], "set", "`set={\"m\": 1}` has the parameters"),
+    (&["x0", "y0", "q0", "initial", "initial_state"], "start", "`start={\"phi\": 0.1}` has the start"),
+    (
+        &["dt", "step", "max_step", "t_eval", "times"],
+        "limit",
+        "steps are chosen by the tolerance; `output(\"phi\", t)` of the trajectory has any times, `to_frame(every=0.01)` even ones",
+    ),
+    (&["rtol", "atol", "tol", "accuracy"], "tolerance", "`tolerance=1e-10` is relative, in natural units"),
+    (
+        &["events", "event", "terminal", "stop"],
+        "until",
+        "`until=\"phi = 0\"` ends the run; all events are found anyway",
+    ),
+];
+
 /// Arguments that are given by name, each taken once.
 pub struct Options<'py> {
     function: &'static str,
@@ -44,7 +66,13 @@ impl<'py> Options<'py> {
         let names: Vec<String> = given.keys().extract()?;
         match names.iter().find(|name| !self.taken.contains(&name.as_str())) {
             Some(name) => {
-                let error = NameError::new("argument", name, self.taken.iter().copied());
+                let known = |(names, own, cure): &(&[&str], &str, &'static str)| {
+                    (names.contains(&name.as_str()) && self.taken.contains(own)).then_some(*cure)
+                };
+                let error = match ELSEWHERE.iter().find_map(known) {
+                    Some(cure) => format!("no argument `{name}`: {cure}"),
+                    None => NameError::new("argument", name, self.taken.iter().copied()).to_string(),
+                };
                 Err(PyTypeError::new_err(format!("{}(): {error}", self.function)))
             }
             None => Ok(()),
@@ -65,7 +93,9 @@ impl<'py> Options<'py> {
             spec.impulses = blows(&impulses)?;
         }
         if let Some(stop) = self.take("stop_at_impacts")? {
-            spec.stop_at_impacts = stop.extract()?;
+            let expected =
+                || PyTypeError::new_err(format!("stop_at_impacts: expected True or False, not {stop}"));
+            spec.stop_at_impacts = stop.extract().map_err(|_| expected())?;
         }
         if let Some(limit) = self.take("limit")? {
             spec.limit = Some(seconds("limit", &limit)?);
@@ -112,7 +142,8 @@ fn cuts(given: &Bound<'_, PyAny>) -> PyResult<Vec<(String, String)>> {
 
 fn blows(given: &Bound<'_, PyAny>) -> PyResult<Vec<PointImpulse>> {
     let blows: Result<Vec<(String, [f64; 2], f64)>, _> = given.extract();
-    let blows =
-        blows.map_err(|_| PyTypeError::new_err("impulses: expected a list of (point, (px, py), t)"))?;
+    let blows = blows.map_err(|_| {
+        PyTypeError::new_err("impulses: expected a list of (point, (px, py), t), `[(\"A\", (1, 0), 0.5)]`")
+    })?;
     Ok(blows.into_iter().map(|(point, impulse, at)| PointImpulse { point, impulse, at }).collect())
 }

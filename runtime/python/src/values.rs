@@ -27,7 +27,8 @@ pub fn entries<'py>(
 
 /// The items of a mapping.
 pub fn items<'py>(what: &str, given: &Bound<'py, PyAny>) -> PyResult<Entries<'py>> {
-    let expected = || PyTypeError::new_err(format!("{what}: expected a dict of names and values"));
+    let expected =
+        || PyTypeError::new_err(format!("{what}: expected a dict of names and values, `{{\"phi\": 0.1}}`"));
     given.cast::<PyMapping>().map_err(|_| expected())?.items()?.extract()
 }
 
@@ -69,9 +70,12 @@ pub fn number(what: &str, value: &Bound<'_, PyAny>) -> PyResult<(f64, Option<SiU
         return Ok((formula.value(&[]), formula.unit()));
     }
     let number = value.extract::<f64>();
-    let number =
-        number.map_err(|_| PyTypeError::new_err(format!("{what}: expected a number or its text")))?;
-    Ok((number, None))
+    let expected = |_| {
+        let given = value.repr().map_or_else(|_| String::new(), |text| format!(", not {text}"));
+        let several = if value.len().is_ok() { "; `sweep` runs arrays" } else { "" };
+        PyTypeError::new_err(format!("{what}: expected a number or its text{given}{several}"))
+    };
+    Ok((number.map_err(expected)?, None))
 }
 
 /// A number in a unit of what an output, parameter or coordinate of this name measures.
@@ -85,7 +89,9 @@ pub fn texts(what: &str, value: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
     if let Ok(text) = value.cast::<PyString>() {
         return Ok(vec![text.to_string()]);
     }
-    value.extract().map_err(|_| PyTypeError::new_err(format!("{what}: expected a str or a list of str")))
+    value
+        .extract()
+        .map_err(|_| PyTypeError::new_err(format!("{what}: expected a text or a list of texts, not {value}")))
 }
 
 /// Refuses what is no support of the model.

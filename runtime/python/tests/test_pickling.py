@@ -43,7 +43,7 @@ def test_a_motion_that_stopped_short_comes_back():
 
 def test_errors_events_and_tables_come_back(ladder):
     with pytest.raises(liftoff.DeclarationError) as error:
-        liftoff.Model("struct")
+        liftoff.Model("#[derive(BarSystem)] struct")
     again = pickle.loads(pickle.dumps(error.value))
     assert str(again) == str(error.value) and again.mistakes == error.value.mistakes
     events = ladder.simulate().events

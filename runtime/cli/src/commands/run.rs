@@ -18,9 +18,7 @@ use clap::Args;
 use liftoff::__private::expression::significant;
 use liftoff::{Observer, Output, Trajectory};
 use liftoff_core::model::Layout;
-use liftoff_studio::registry::{
-    Entry, MethodId, Models, RunOptions, as_far, crossed_outline, line_violation,
-};
+use liftoff_studio::registry::{Entry, MethodId, Models, RunOptions, as_far, start_notes};
 use liftoff_studio::run_spec::RunSpec;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -66,7 +64,7 @@ impl Run {
         let model = models.find(&self.model)?;
         self.sampling.check(model)?;
         let spec = self.run_args.spec(model)?;
-        self.warn(model, &spec);
+        start_notes(model, &spec).iter().for_each(|text| note(text));
         let mut samples = self.samples(model.layout())?;
         let file = self.file()?;
         let (ran, written) = match &file {
@@ -147,16 +145,6 @@ impl Run {
         let ran = Ran { record, error };
         self.sampling.check_rows(&ran.record)?;
         Ok(ran)
-    }
-
-    /// Of a start that is allowed and hardly meant.
-    fn warn(&self, model: &Entry, spec: &RunSpec) {
-        let nominal = RunSpec { start: Vec::new(), energy_of: Vec::new(), ..spec.clone() };
-        let (Ok(start), Ok(nominal)) = (model.configuration(spec), model.configuration(&nominal)) else {
-            return;
-        };
-        line_violation(&start, &nominal).iter().for_each(|behind| note(&behind.to_string()));
-        crossed_outline(&start).iter().for_each(|crossed| note(crossed));
     }
 
     /// What a start that is given in part has been completed to.

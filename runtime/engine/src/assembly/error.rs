@@ -151,7 +151,7 @@ pub enum StartError {
         constraints: usize,
     },
     /// At rest without acceleration.
-    #[error("the start is an equilibrium: it never moves")]
+    #[error("the start is an equilibrium: it never moves; start it elsewhere, or with a rate")]
     Equilibrium,
     /// A rate from an energy needs a phase of one degree of freedom.
     #[error("an energy level determines the rate of one degree of freedom, but there are {degrees}")]

@@ -111,6 +111,7 @@ fn names_are_those_of_the_model() {
         assert_eq!(parse(text).unwrap(), Expression::Quantity(entry), "{text}");
     }
     assert_eq!(parse("m").unwrap(), Expression::Parameter(0));
+    assert_eq!(parse("m ** 2").unwrap(), parse("m^2").unwrap());
     assert_eq!(parse("gap(C)").unwrap(), Expression::Gap(1));
 }
 
@@ -124,6 +125,11 @@ fn mistakes_are_reported_at_their_place() {
         ("x(1)", "expected a point or a support, found `1` at column 3"),
         ("1.2.3", "expected a number, found `1.2.3` at column 1"),
         ("2 $", "expected an expression, found `$` at column 3"),
+        ("np.sin(phi)", "expected a name without a prefix, as `sin(x)` or `pi`, found `.` at column 3"),
+        (
+            "phi != 0",
+            "expected `=`, `<` or `>`: a condition is met when it becomes true, found `!` at column 5",
+        ),
         ("ph", "no name `ph`; did you mean `phi`?"),
         ("phi'''", "no name `phi'''`; known: phi, m, l, Lz, pi, t, T, V, E, D"),
         ("sn(1)", "no function `sn`; did you mean `sin`?"),

@@ -47,6 +47,13 @@ pub(super) fn tokens(text: &str) -> Result<Vec<(Token, usize)>, OutputError> {
                 at += 1;
                 continue;
             }
+            '.' if matches!(tokens.last(), Some((Token::Name(..), _))) => {
+                return Err(unexpected(
+                    "a name without a prefix, as `sin(x)` or `pi`",
+                    "`.`".to_owned(),
+                    column,
+                ));
+            }
             c if c.is_ascii_digit() || c == '.' => number(&characters, &mut at)?,
             c if c.is_alphabetic() || c == '_' => name(&characters, &mut at),
             '°' => {
@@ -57,6 +64,14 @@ pub(super) fn tokens(text: &str) -> Result<Vec<(Token, usize)>, OutputError> {
             c @ ('=' | '<' | '>') if characters.get(at + 1) == Some(&'=') => {
                 at += 2;
                 Token::Symbol(c)
+            }
+            '*' if characters.get(at + 1) == Some(&'*') => {
+                at += 2;
+                Token::Symbol('^')
+            }
+            '!' => {
+                let expected = "`=`, `<` or `>`: a condition is met when it becomes true";
+                return Err(unexpected(expected, "`!`".to_owned(), column));
             }
             c @ ('&' | '|') if characters.get(at + 1) == Some(&c) => {
                 at += 2;

@@ -25,6 +25,8 @@ class Declaration:
     """
 
     def __init__(self, name: str, summary: str = "") -> None:
+        if not name.isidentifier():
+            raise ValueError(f"`{name}` is no name of a model: letters and digits, as `MyLadder`")
         self._name = name
         self._summary = summary
         self._attributes: tuple[str, ...] = ()

@@ -31,6 +31,7 @@ class Functions:
 def compiled(source: str, coordinates: list[str], parameters: Sequence[float]) -> Functions:
     """The functions of a module that `export` has written, at these values of its parameters."""
     sympy = load("sympy", "functions", "SymPy")
+    n = len(coordinates)
     module: dict[str, Any] = {"__name__": "equations"}
     exec(source, module)
     values = dict(zip(module["parameters"], parameters))
@@ -44,10 +45,12 @@ def compiled(source: str, coordinates: list[str], parameters: Sequence[float]) -
         evaluate = sympy.lambdify([state], entries, modules="numpy", cse=True)
 
         def numbers(q: npt.ArrayLike, v: npt.ArrayLike, t: float = 0.0) -> npt.NDArray[np.float64]:
+            for letter, given in (("q", q), ("v", v)):
+                if np.size(given) != n:
+                    raise ValueError(f"{letter}: expected a number for each of {', '.join(coordinates)}, not {np.size(given)}")
             return np.array(evaluate([*np.ravel(q), *np.ravel(v), t]), dtype=float).reshape(shape)
 
         numbers.__name__ = name
         return numbers
 
-    n = len(coordinates)
     return Functions(coordinates, function("mass_matrix", (n, n)), function("velocity_terms", (n,)), function("forces", (n,)))

@@ -1,8 +1,8 @@
 //! Parameters and starts from what was measured.
 
 use super::beginning::Beginning;
-use super::{answer, matrix, warn};
-use crate::errors::{self, in_python, invalid};
+use super::{answer, matrix};
+use crate::errors::{self, in_python, invalid, warn};
 use crate::options::Options;
 use crate::values::{items, measured_as, numbers, texts};
 use liftoff_core::model::Layout;

@@ -11,14 +11,11 @@ pub mod orbit;
 pub mod rest;
 pub mod sensitivity;
 
-use crate::errors::in_python;
 use liftoff_core::model::Layout;
 use numpy::ndarray::Array2;
 use numpy::{IntoPyArray, PyArray2};
 use pyo3::call::PyCallArgs;
-use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
-use std::ffi::CString;
 
 /// An answer: a dataclass with these fields, in their order.
 pub fn answer<'py>(
@@ -40,9 +37,4 @@ fn matrix(
 
 fn coordinates(layout: &Layout) -> impl Iterator<Item = &'static str> {
     layout.coordinates.iter().map(|coordinate| coordinate.name)
-}
-
-/// Warns of what changes an answer.
-fn warn(py: Python<'_>, text: &str) -> PyResult<()> {
-    PyErr::warn(py, &py.get_type::<PyUserWarning>(), &CString::new(in_python(text))?, 1)
 }

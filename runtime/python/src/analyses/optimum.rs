@@ -1,8 +1,8 @@
 //! Parameters and starts with which an output is least or greatest.
 
+use super::answer;
 use super::beginning::Beginning;
-use super::{answer, warn};
-use crate::errors::invalid;
+use crate::errors::{invalid, warn};
 use crate::options::Options;
 use crate::values::{items, measured_as, texts};
 use liftoff_core::model::Layout;

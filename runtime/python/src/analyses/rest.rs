@@ -1,7 +1,7 @@
 //! Equilibria and linearised motions.
 
-use super::{answer, coordinates, matrix, warn};
-use crate::errors::{self, invalid};
+use super::{answer, coordinates, matrix};
+use crate::errors::{self, invalid, warn};
 use crate::options::Options;
 use crate::request::pose;
 use crate::values::{items, measured_as, texts};

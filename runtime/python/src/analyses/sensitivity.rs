@@ -22,7 +22,7 @@ pub fn sensitivities<'py>(
     let beginning = Beginning::from_options(entry, start, &mut options)?;
     options.finish()?;
     let found = beginning.search(py, |(options, spec)| differentiate(entry, options, &spec, &of))?;
-    found.left_out.iter().try_for_each(|text| super::warn(py, text))?;
+    found.left_out.iter().try_for_each(|text| crate::errors::warn(py, text))?;
     let DifferentiatedRun { run, variables, sensitivities, .. } = &found;
     let by_variable = |slopes: &[f64]| -> PyResult<Bound<'py, PyDict>> {
         variables.iter().map(|of| &of.name).zip(slopes.iter().copied()).into_py_dict(py)

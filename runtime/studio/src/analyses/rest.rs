@@ -1,7 +1,7 @@
 //! Where a model rests.
 
 use super::{Failure, find_parameter};
-use crate::registry::{Entry, input};
+use crate::registry::{Entry, input, missing_parameter};
 use crate::run_spec::{RunSpec, overridden};
 use liftoff_analysis::{AnalysisError, Equilibrium, LoadLimit, Subject, equilibria, load_limit};
 
@@ -50,7 +50,7 @@ fn find_limit(
     (name, to): (&str, f64),
 ) -> Result<Option<LoadLimit>, Failure> {
     let from = spec.parameters.iter().find(|(known, _)| known == name).map(|(_, value)| *value);
-    let from = from.ok_or_else(|| Failure::Input(format!("parameter `{name}` is not given")))?;
+    let from = from.ok_or_else(|| Failure::Input(missing_parameter(name)))?;
     let with = |value: f64| {
         let parameters = overridden(spec.parameters.clone(), &[(name.to_owned(), value)]);
         let moved = subject(model, &RunSpec { parameters, ..spec.clone() });

@@ -307,10 +307,15 @@ fn model(origin: &dyn Origin, parameters: &Values) -> Result<Model, MotionError>
     }
     let value =
         |name: &&str| parameters.iter().rev().find(|(given, _)| given == name).map(|(_, value)| *value);
-    let missing = |name: &&str| MotionError::Input(format!("parameter `{name}` is not given"));
+    let missing = |name: &&str| MotionError::Input(missing_parameter(name));
     let values: Result<Vec<f64>, _> =
         names.iter().map(|name| value(name).ok_or_else(|| missing(name))).collect();
     Ok(origin.build(&values?))
+}
+
+/// What is said of a parameter without a value.
+pub(crate) fn missing_parameter(name: &str) -> String {
+    format!("parameter `{name}` is not given: set it, `{name} = 1`, or declare it with `#[value = 1]`")
 }
 
 /// Refuses angles so large that neighbouring numbers are different angles.

@@ -13,13 +13,14 @@ mod place;
 mod quantity;
 mod run_options;
 pub mod run_spec;
+mod start_notes;
 mod unfolded;
 mod units;
 
 pub use configuration::Configuration;
-pub use crossed_outline::crossed_outline;
 pub use dimension::Dimension;
 pub(crate) use dimension::{of_coordinate, per};
+pub(crate) use entry::missing_parameter;
 pub use entry::{Entry, kebab};
 #[doc(hidden)]
 pub use kind::{Bare, Kind, WithDefaultRun};
@@ -31,5 +32,6 @@ pub use models::Models;
 pub use place::Place;
 pub use quantity::{Quantity, QuantityError};
 pub use run_options::RunOptions;
+pub use start_notes::start_notes;
 pub use unfolded::Unfolded;
 pub use units::{Units, motion_columns};

@@ -8,7 +8,7 @@ use super::member::Members;
 use super::setting::Setting;
 use super::team::{Found, Given, LIMIT, Leader, Work};
 use super::{Observation, Sweep, SweepError};
-use crate::registry::{Entry, Place};
+use crate::registry::{Entry, Place, missing_parameter};
 use crate::run_spec::RunSpec;
 use liftoff::__private::expression::si_unit::SiUnit;
 use rayon::{ThreadPool, ThreadPoolBuilder};
@@ -97,7 +97,7 @@ impl<'a> Plan<'a> {
         let given = self.spec(point).parameters;
         let missing = |name: &&&str| !given.iter().any(|(known, _)| known == **name);
         match self.model.layout().parameters.iter().find(missing) {
-            Some(name) => Err(SweepError::Invalid(format!("parameter `{name}` is not given"))),
+            Some(name) => Err(SweepError::Invalid(missing_parameter(name))),
             None => Ok(()),
         }
     }
