@@ -7,15 +7,14 @@ use crate::run_spec::{RunSpec, Values};
 use core::f64::consts::TAU;
 use liftoff_core::model::Layout;
 
-/// What is allowed of the start of a run, and hardly meant.
+/// What is allowed of the start of a run, and hardly meant; nothing of a start that is refused.
 pub fn start_notes(model: &Entry, spec: &RunSpec) -> Vec<String> {
-    let mut notes: Vec<String> = turned(model.layout(), &spec.start).collect();
     let nominal = RunSpec { start: Vec::new(), energy_of: Vec::new(), ..spec.clone() };
-    if let (Ok(start), Ok(nominal)) = (model.configuration(spec), model.configuration(&nominal)) {
-        notes.extend(line_violation(&start, &nominal).map(|behind| behind.to_string()));
-        notes.extend(crossed_outline(&start));
-    }
-    notes
+    let (Ok(start), Ok(nominal)) = (model.configuration(spec), model.configuration(&nominal)) else {
+        return Vec::new();
+    };
+    let behind = line_violation(&start, &nominal).map(|behind| behind.to_string());
+    turned(model.layout(), &spec.start).chain(behind).chain(crossed_outline(&start)).collect()
 }
 
 /// Angles of more than a turn, which may be degrees.
