@@ -198,13 +198,15 @@ fn packages_programs_and_files_of_the_script_are_there() {
         words.windows(2).filter(|pair| pair[0] == option).map(|pair| pair[1]).collect::<Vec<_>>()
     };
     let packages: Vec<_> = after("-p").into_iter().filter(|word| word.starts_with("liftoff")).collect();
-    assert_eq!(packages.len(), 2);
+    assert_eq!(packages.len(), 3);
     for package in packages {
         assert!(
             manifests.iter().any(|manifest| manifest["package"]["name"].as_str() == Some(package)),
             "{package}"
         );
     }
+    let example = &parse_toml("runtime/cli/Cargo.toml")["example"][0]["name"];
+    assert_eq!(after("--example"), [example.as_str().expect("a name")]);
     let program = parse_toml("models/Cargo.toml");
     assert_eq!(after("--bin"), [program["bin"][0]["name"].as_str().expect("a name")]);
     assert_eq!(after("--features"), ["jit"]);
