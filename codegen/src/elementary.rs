@@ -9,11 +9,13 @@ pub enum Elementary {
     Log,
     /// tanh x.
     Tanh,
+    /// The angle between −π/2 and π/2 whose tangent is x.
+    Atan,
 }
 
 impl Elementary {
     /// All.
-    pub const ALL: [Self; 3] = [Self::Exp, Self::Log, Self::Tanh];
+    pub const ALL: [Self; 4] = [Self::Exp, Self::Log, Self::Tanh, Self::Atan];
 
     /// As declarations, conditions, C and SymPy write it.
     pub const fn name(self) -> &'static str {
@@ -21,6 +23,7 @@ impl Elementary {
             Self::Exp => "exp",
             Self::Log => "log",
             Self::Tanh => "tanh",
+            Self::Atan => "atan",
         }
     }
 
@@ -31,7 +34,7 @@ impl Elementary {
 
     /// Places on the tape of a series.
     pub const fn columns(self) -> usize {
-        if matches!(self, Self::Tanh) { 2 } else { 1 }
+        if matches!(self, Self::Tanh | Self::Atan) { 2 } else { 1 }
     }
 
     /// Its value at x.
@@ -40,6 +43,7 @@ impl Elementary {
             Self::Exp => x.exp(),
             Self::Log => x.ln(),
             Self::Tanh => x.tanh(),
+            Self::Atan => x.atan(),
         }
     }
 }

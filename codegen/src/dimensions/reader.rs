@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use syn::{BinOp, Expr, ExprCall, ExprMethodCall, Ident, Lit, UnOp};
+use syn::{BinOp, Expr, ExprBinary, ExprCall, ExprMethodCall, Ident, Lit, UnOp};
 
 use super::Dimension;
 use super::affine::AffineDimension;
@@ -194,7 +194,7 @@ impl<'d> DimensionReader<'d> {
     fn call(&mut self, call: &'d ExprCall) -> Option<ExpressionDimension> {
         let argument = call.args.first()?;
         let Expr::Path(function) = &*call.func else { return None };
-        match function.path.get_ident()?.to_string().as_str() {
+        match plain(function.path.get_ident()?).as_str() {
             "x" | "y" => Some(ExpressionDimension::known(LENGTH)),
             "vx" | "vy" => Some(ExpressionDimension::known(VELOCITY)),
             "rate" => {
@@ -205,15 +205,43 @@ impl<'d> DimensionReader<'d> {
                 let length = coordinate == Some(LENGTH);
                 Some(ExpressionDimension::known(if length { VELOCITY } else { RATE }))
             }
-            // Alike, as the terms of a sum.
-            "min" | "max" | "clamp" => {
-                let first = self.infer(argument);
-                call.args.iter().skip(1).fold(first, |known, argument| match (known, self.infer(argument)) {
-                    (Some(known), Some(other)) => Some(self.sum(known, other, argument)),
-                    (known, other) => known.or(other),
-                })
+            "if" => {
+                self.condition(argument);
+                self.alike(&mut call.args.iter().skip(1))
             }
+            "atan2" => {
+                self.alike(&mut call.args.iter());
+                Some(ExpressionDimension::known(NONE))
+            }
+            "sign" => {
+                self.infer(argument);
+                Some(ExpressionDimension::known(NONE))
+            }
+            "min" | "max" | "clamp" => self.alike(&mut call.args.iter()),
             name => self.function(name, argument),
+        }
+    }
+
+    /// Alike, as the terms of a sum.
+    fn alike(&mut self, values: &mut dyn Iterator<Item = &'d Expr>) -> Option<ExpressionDimension> {
+        let first = self.infer(values.next()?);
+        values.fold(first, |known, value| match (known, self.infer(value)) {
+            (Some(known), Some(other)) => Some(self.sum(known, other, value)),
+            (known, other) => known.or(other),
+        })
+    }
+
+    /// What a condition compares.
+    fn condition(&mut self, condition: &'d Expr) {
+        match condition {
+            Expr::Paren(inner) => self.condition(&inner.expr),
+            Expr::Binary(ExprBinary { left, op: BinOp::And(_) | BinOp::Or(_), right, .. }) => {
+                self.condition(left);
+                self.condition(right);
+            }
+            comparison => {
+                self.infer(comparison);
+            }
         }
     }
 

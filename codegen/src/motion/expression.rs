@@ -43,6 +43,7 @@ impl Expression {
             Formula::Constant(series) => Self::series(series.clone()),
             Formula::Time => Self::Time,
             Formula::Slip => Self::series(slip.clone()),
+            Formula::Switch(i) => Self::series(Series::symbol(Symbol::Switch(*i as u16))),
             Formula::Motion { reading, rate } => {
                 let (series, constant) = kinematics.derive_reading(system, *reading);
                 match (rate, constant == Angle::zero()) {
@@ -150,6 +151,9 @@ impl Expression {
             Function::Elementary(Elementary::Log) => number(1, 1).over(own()),
             Function::Elementary(Elementary::Tanh) => {
                 number(1, 1).minus(own().apply(function).apply(Function::Power(2)))
+            }
+            Function::Elementary(Elementary::Atan) => {
+                number(1, 1).over(number(1, 1).plus(own().apply(Function::Power(2))))
             }
         }
     }

@@ -303,7 +303,7 @@ impl Program {
         self.push(Operation::Sqrt(a))
     }
 
-    /// eᵃ, log a, tanh a.
+    /// eᵃ, log a, tanh a, atan a.
     pub fn elementary(&mut self, function: Elementary, a: Id) -> Id {
         self.push(Operation::Elementary(function, a))
     }

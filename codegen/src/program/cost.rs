@@ -103,7 +103,7 @@ impl fmt::Display for Cost {
             write!(f, ", {roots} √")?;
         }
         if *elementary > 0 {
-            write!(f, ", {elementary} exp log tanh")?;
+            write!(f, ", {elementary} exp log tanh atan")?;
         }
         write!(f, ", {angles} sin cos")
     }

@@ -66,7 +66,7 @@ pub enum Operation {
     Sin(Id),
     /// cos a.
     Cos(Id),
-    /// eᵃ, log a, tanh a.
+    /// eᵃ, log a, tanh a, atan a.
     Elementary(Elementary, Id),
 }
 

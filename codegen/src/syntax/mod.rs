@@ -84,6 +84,9 @@ pub(crate) use crate::nearest::{nearest, unknown};
 pub(crate) use report::Report;
 pub(crate) use value::without_unit;
 
+/// The function that chooses between two values.
+const CHOICE: &str = "if";
+
 /// A position `(x, y)`.
 pub type Pair = [Expr; 2];
 
@@ -193,7 +196,7 @@ pub fn parse(tokens: TokenStream) -> syn::Result<Description> {
     limits::check_declaration(&tokens)?;
     let declaration = tokens.to_string();
     let input: syn::DeriveInput =
-        syn::parse2(if declaration.contains("r#") { unraw(tokens) } else { tokens })?;
+        syn::parse2(if has_raw_names(&declaration, &tokens) { respell(tokens) } else { tokens })?;
     let mut description = Description::new(input.ident.clone(), input.vis.clone(), declaration);
     description.summary = item::summary(&input.attrs);
     item::fields(&input, &mut description)?;
@@ -295,14 +298,22 @@ pub(crate) fn ident(name: &str) -> Ident {
     syn::parse_str(name).unwrap_or_else(|_| Ident::new_raw(name, Span::call_site()))
 }
 
-/// Without `r#` where it is not needed, so that one name is written one way.
-fn unraw(tokens: TokenStream) -> TokenStream {
+/// Whether a name is written with `r#`, or is to be.
+fn has_raw_names(declaration: &str, tokens: &TokenStream) -> bool {
+    let chooses = || identifiers(tokens).iter().any(|name| name == CHOICE);
+    declaration.contains("r#") || declaration.contains(CHOICE) && chooses()
+}
+
+/// With `r#` where it is needed and nowhere else, so that one name is written one way. `if` is a
+/// function here.
+fn respell(tokens: TokenStream) -> TokenStream {
     let token = |token| match token {
         TokenTree::Group(group) => {
-            let mut inside = Group::new(group.delimiter(), unraw(group.stream()));
+            let mut inside = Group::new(group.delimiter(), respell(group.stream()));
             inside.set_span(group.span());
             TokenTree::Group(inside)
         }
+        TokenTree::Ident(name) if name == CHOICE => TokenTree::Ident(Ident::new_raw(CHOICE, name.span())),
         TokenTree::Ident(name) => TokenTree::Ident(Some(name.unraw()).filter(is_free).unwrap_or(name)),
         other => other,
     };

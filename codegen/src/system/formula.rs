@@ -3,11 +3,12 @@
 //! series.
 
 use quote::ToTokens;
-use syn::{BinOp, Expr, ExprCall, ExprMethodCall, Ident, UnOp};
+use syn::{BinOp, Expr, ExprBinary, ExprCall, ExprMethodCall, Ident, UnOp};
 
 use super::bodies::Structure;
 use super::expression::whole;
 use super::scope::Scope;
+use super::signals;
 use super::{Declared, Formula, Function, Operator, Reading, Signal};
 use crate::algebra::{Rational, Series, work};
 use crate::elementary::Elementary;
@@ -15,8 +16,12 @@ use crate::limits;
 use crate::syntax::{plain, unknown};
 
 const FORMS: &str = "expected a number, a parameter, `t`, a coordinate, `rate(phi)`, `x(P)`, `y(P)`, `vx(P)`, `vy(P)`, \
-                     + − * /, `sqrt(…)`, `sin(…)`, `cos(…)`, `tan(…)`, `exp(…)`, `log(…)`, `tanh(…)`, `abs(…)`, \
-                     `min(a, b)`, `max(a, b)`, `clamp(x, low, high)` or `.powi(n)`";
+                     + − * /, `sqrt(…)`, `sin(…)`, `cos(…)`, `tan(…)`, `exp(…)`, `log(…)`, `tanh(…)`, \
+                     `atan(…)`, `atan2(y, x)`, `abs(…)`, `sign(…)`, `min(a, b)`, `max(a, b)`, `clamp(x, low, high)`, \
+                     `if(a > b, x, y)` or `.powi(n)`";
+
+/// What is said of a function that jumps where none may.
+const JUMPS: &str = "`if`, `sign` and `atan2` jump, which";
 
 /// What expressions may read.
 pub(super) struct Readable<'a> {
@@ -40,6 +45,8 @@ enum Reads {
     Motion,
     /// Time alone, of what is named.
     Time(&'static str),
+    /// The same without jumps.
+    Smooth(&'static str),
     /// The slip velocity alone.
     Slip,
 }
@@ -62,7 +69,7 @@ impl Readable<'_> {
 
     /// The same of a prescribed motion.
     pub fn prescribed(&self, scope: &mut Scope, expr: &Expr, why: &'static str) -> Option<Formula> {
-        let formula = FormulaReader { scope, readable: self, reads: Reads::Time(why) }.parse(expr)?;
+        let formula = FormulaReader { scope, readable: self, reads: Reads::Smooth(why) }.parse(expr)?;
         scope.note(Signal::new(&scope.description.constants, expr, &formula, true));
         Some(formula)
     }
@@ -163,7 +170,7 @@ impl FormulaReader<'_, '_, '_> {
     fn motion(&mut self, reading: Reading, rate: bool, at: &impl ToTokens) -> Option<Formula> {
         let text = match self.reads {
             Reads::Motion => return Some(Formula::Motion { reading, rate }),
-            Reads::Time(why) => why,
+            Reads::Time(why) | Reads::Smooth(why) => why,
             Reads::Slip => {
                 "friction may depend on parameters and on the slip velocity `v`, on no other motion"
             }
@@ -174,12 +181,12 @@ impl FormulaReader<'_, '_, '_> {
 
     fn call(&mut self, call: &ExprCall) -> Option<Formula> {
         let name = match &*call.func {
-            Expr::Path(path) => path.path.get_ident().map(ToString::to_string).unwrap_or_default(),
+            Expr::Path(path) => path.path.get_ident().map(plain).unwrap_or_default(),
             _ => String::new(),
         };
         let count = match name.as_str() {
-            "min" | "max" => 2,
-            "clamp" => 3,
+            "min" | "max" | "atan2" => 2,
+            "clamp" | "if" => 3,
             _ => 1,
         };
         let Some(argument) = call.args.first().filter(|_| call.args.len() == count) else {
@@ -190,8 +197,12 @@ impl FormulaReader<'_, '_, '_> {
             }
             return self.refuse(call, call);
         };
-        if count > 1 {
-            return self.bounded(&name, call);
+        match name.as_str() {
+            "if" => return self.choice(call),
+            "atan2" => return self.direction(call),
+            "sign" => return self.sign(argument, call),
+            _ if count > 1 => return self.bounded(&name, call),
+            _ => {}
         }
         let (axis, rate) = match name.as_str() {
             "rate" => {
@@ -287,6 +298,147 @@ impl FormulaReader<'_, '_, '_> {
         let distance = self.magnitude(difference, at)?;
         let twice = self.join(sign, sum, distance, at)?;
         self.join(Operator::Multiply, Formula::Constant(Series::constant(Rational::HALF)), twice, at)
+    }
+
+    /// `if(a > b, x, y)`: s x + (1 − s) y, s the switch of the condition.
+    fn choice(&mut self, call: &ExprCall) -> Option<Formula> {
+        self.may_jump(call)?;
+        let condition = self.condition(&call.args[0]);
+        let [x, y] = [1, 2].map(|i| self.parse(&call.args[i]));
+        let (condition, x, y) = (condition?, x?, y?);
+        let switch = self.switch("if", &condition);
+        let one = Formula::Constant(Series::one());
+        let other = self.join(Operator::Subtract, one, switch.clone(), call)?;
+        let parts = [(switch, x), (other, y)].map(|(factor, value)| match value.is_zero() {
+            true => Some(value),
+            false => self.join(Operator::Multiply, factor, value, call),
+        });
+        let [x, y] = parts;
+        match (x?, y?) {
+            (x, y) if y.is_zero() => Some(x),
+            (x, y) if x.is_zero() => Some(y),
+            (x, y) => self.join(Operator::Add, x, y, call),
+        }
+    }
+
+    /// `sign(x)`: s − r, s the switch of x > 0, r that of x < 0.
+    fn sign(&mut self, argument: &Expr, call: &ExprCall) -> Option<Formula> {
+        self.may_jump(call)?;
+        let [above, below] = [self.comparison(argument, '>', None)?, self.comparison(argument, '<', None)?];
+        let [above, below] = [above, below].map(|condition| self.switch("sign", &condition));
+        self.join(Operator::Subtract, above, below, call)
+    }
+
+    /// `atan2(y, x)`, of (x, y) turned by α back to a half plane around the first axis: α − (1 − s) π +
+    /// 2 atan (v/(u + |(u, v)|)), u = ± (x cos α + y sin α), v = ± (y cos α − x sin α), with + and
+    /// s = 1 but in the eighth below the cut, y < 0 and x < y. That eighth ends at a ray where little
+    /// can rest; tan α/2 = ⅕.
+    fn direction(&mut self, call: &ExprCall) -> Option<Formula> {
+        self.may_jump(call)?;
+        let (y, x) = (self.parse(&call.args[0]), self.parse(&call.args[1]));
+        let [v, u] = [&call.args[0], &call.args[1]].map(|expr| self.text(expr));
+        let (y, x, v, u) = (y?, x?, v?, u?);
+        if let (Formula::Constant(_), Formula::Constant(_)) = (&y, &x) {
+            let text = "`atan2` of what does not vary; write `atan(y / x)`";
+            self.scope.report.over(call, text);
+            return None;
+        }
+        let s = self.switch("atan2", &format!("max({v}, {u} - {v}) > 0"));
+        let number = |n: i64| Formula::Constant(Series::integer(n));
+        let pi = Formula::Constant(Series::symbol(self.scope.constants.pi()));
+        let mut join = |operator, a: &Formula, b: &Formula| self.join(operator, a.clone(), b.clone(), call);
+        let twice = join(Operator::Multiply, &number(2), &s)?;
+        let side = join(Operator::Subtract, &twice, &number(1))?;
+        let mut turned = |[a, b]: [i64; 2]| {
+            let (along, across) =
+                (join(Operator::Multiply, &number(a), &x)?, join(Operator::Multiply, &number(b), &y)?);
+            let sum = join(Operator::Add, &along, &across)?;
+            join(Operator::Multiply, &side, &sum)
+        };
+        let (u, v) = (turned([12, 5])?, turned([-5, 12])?);
+        let [x, y] = [x, y].map(|part| self.apply(Function::Power(2), part, call));
+        let square = self.join(Operator::Add, x?, y?, call)?;
+        let length = self.apply(Function::Sqrt, square, call)?;
+        let length = self.join(Operator::Multiply, number(13), length, call)?;
+        let below = self.join(Operator::Add, u, length, call)?;
+        let half = self.join(Operator::Divide, v, below, call)?;
+        let fifth = Formula::Constant(Series::constant(Rational::new(1, 5)));
+        let angles = [half, fifth].map(|tangent| {
+            let angle = self.apply(Function::Elementary(Elementary::Atan), tangent, call)?;
+            self.join(Operator::Multiply, number(2), angle, call)
+        });
+        let [angle, turn] = angles;
+        let whole = self.join(Operator::Add, angle?, turn?, call)?;
+        let off = self.join(Operator::Subtract, s, number(1), call)?;
+        let off = self.join(Operator::Multiply, pi, off, call)?;
+        self.join(Operator::Add, whole, off, call)
+    }
+
+    /// Refuses what jumps where nothing may.
+    fn may_jump(&mut self, call: &ExprCall) -> Option<()> {
+        let why = match self.reads {
+            Reads::Motion | Reads::Time(_) => return Some(()),
+            Reads::Smooth(_) => "what is prescribed must not; give a drive a condition, `while(\"…\")`",
+            Reads::Slip => "a coefficient of friction must not; `tanh(v / w)` is steep and smooth",
+        };
+        self.scope.mention(call);
+        self.scope.report.over(call, format!("{JUMPS} {why}"));
+        None
+    }
+
+    /// 1 while a condition holds, else 0.
+    fn switch(&mut self, name: &str, condition: &str) -> Formula {
+        let label = format!("{name}({condition})").replace(", ", ",");
+        Formula::Switch(self.scope.switch_on(&label, condition))
+    }
+
+    /// A condition as those of runs are written: `a > b`, with `&&` and `||` between comparisons.
+    fn condition(&mut self, expr: &Expr) -> Option<String> {
+        match expr {
+            Expr::Paren(inner) => self.condition(&inner.expr).map(|inside| format!("({inside})")),
+            Expr::Group(inner) => self.condition(&inner.expr),
+            Expr::Binary(ExprBinary { left, op, right, .. }) => {
+                let word = match op {
+                    BinOp::And(_) => "and",
+                    BinOp::Or(_) => "or",
+                    BinOp::Gt(_) | BinOp::Ge(_) => return self.comparison(left, '>', Some(right)),
+                    BinOp::Lt(_) | BinOp::Le(_) => return self.comparison(left, '<', Some(right)),
+                    _ => return self.no_condition(expr),
+                };
+                let (left, right) = (self.condition(left), self.condition(right));
+                Some(format!("{} {word} {}", left?, right?))
+            }
+            _ => self.no_condition(expr),
+        }
+    }
+
+    fn no_condition(&mut self, expr: &Expr) -> Option<String> {
+        self.scope.mention(expr);
+        self.scope.report.over(expr, "`if` begins with a condition: `if(phi > 0, a, b)`");
+        None
+    }
+
+    /// `a > b`; b is 0 where there is none.
+    fn comparison(&mut self, left: &Expr, sign: char, right: Option<&Expr>) -> Option<String> {
+        let reads = std::mem::replace(&mut self.reads, Reads::Motion);
+        let (a, b) = (self.parse(left), right.map(|right| self.parse(right)));
+        self.reads = reads;
+        let (a, b) = (a?, b.unwrap_or(Some(Formula::Constant(Series::zero())))?);
+        let text = match (&a, &b) {
+            (Formula::Constant(_), Formula::Constant(_)) => "a condition depends on time or motion",
+            _ if a.jumps() || b.jumps() => "what a condition compares must not jump",
+            _ => {
+                let below = right.map_or(Some("0".to_owned()), |right| self.text(right));
+                return Some(format!("{} {sign} {}", self.text(left)?, below?));
+            }
+        };
+        self.scope.report.over(left, text);
+        None
+    }
+
+    /// An expression as conditions of runs are written.
+    fn text(&mut self, expr: &Expr) -> Option<String> {
+        signals::text(&self.scope.description.constants, expr)
     }
 
     fn join(&mut self, operator: Operator, a: Formula, b: Formula, at: &impl ToTokens) -> Option<Formula> {

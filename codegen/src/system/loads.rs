@@ -5,7 +5,7 @@ use proc_macro2::Span;
 
 use crate::algebra::Series;
 
-/// The condition that springs and loads act on.
+/// A condition that springs and loads act on, or that their values are chosen by.
 #[derive(Clone, Debug)]
 pub struct Switch {
     /// What it switches: `spring AB, force P`.
@@ -124,6 +124,8 @@ pub enum Formula {
     Time,
     /// The slip velocity v of a contact, in its friction.
     Slip,
+    /// 1 while the condition of a switch holds, else 0.
+    Switch(usize),
     /// A coordinate or position, or its rate.
     Motion {
         /// What is read.
@@ -143,6 +145,16 @@ impl Formula {
         if let Self::Constant(series) = self { Some(series) } else { None }
     }
 
+    /// Whether it jumps where a condition begins or ceases to hold.
+    pub(super) fn jumps(&self) -> bool {
+        match self {
+            Self::Switch(_) => true,
+            Self::Apply(_, argument) => argument.jumps(),
+            Self::Join(_, left, right) => left.jumps() || right.jumps(),
+            Self::Constant(_) | Self::Time | Self::Motion { .. } | Self::Slip => false,
+        }
+    }
+
     /// Whether it is 0.
     pub fn is_zero(&self) -> bool {
         self.as_series().is_some_and(Series::is_zero)
@@ -157,7 +169,7 @@ impl Formula {
     pub(super) fn reads_motion(&self) -> bool {
         match self {
             Self::Constant(_) | Self::Time => false,
-            Self::Motion { .. } | Self::Slip => true,
+            Self::Motion { .. } | Self::Slip | Self::Switch(_) => true,
             Self::Apply(_, argument) => argument.reads_motion(),
             Self::Join(_, left, right) => left.reads_motion() || right.reads_motion(),
         }
@@ -190,7 +202,7 @@ pub enum Function {
     Tan,
     /// xⁿ.
     Power(i32),
-    /// eˣ, log x, tanh x.
+    /// eˣ, log x, tanh x, atan x.
     Elementary(Elementary),
 }
 

@@ -148,15 +148,22 @@ impl<'a> Scope<'a> {
     pub fn switch(&mut self, label: &str, armed: Option<&syntax::SwitchDeclaration>) -> Option<usize> {
         let condition = &armed?.condition;
         self.use_words(condition);
-        let known = self.switches.iter().position(|switch| switch.condition == *condition);
+        Some(self.switch_on(label, condition))
+    }
+
+    /// The switch of a condition that something with this label has.
+    pub fn switch_on(&mut self, label: &str, condition: &str) -> usize {
+        let known = self.switches.iter().position(|switch| switch.condition == condition);
         match known.map(|i| (i, &mut self.switches[i].label)) {
             Some((i, labels)) => {
-                *labels += &format!(", {label}");
-                Some(i)
+                if labels.split(", ").all(|known| known != label) {
+                    *labels += &format!(", {label}");
+                }
+                i
             }
             None => {
-                self.switches.push(Switch { label: label.to_owned(), condition: condition.clone() });
-                Some(self.switches.len() - 1)
+                self.switches.push(Switch { label: label.to_owned(), condition: condition.to_owned() });
+                self.switches.len() - 1
             }
         }
     }

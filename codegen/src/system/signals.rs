@@ -26,7 +26,7 @@ impl Signal {
         formula: &Formula,
         drives: bool,
     ) -> Option<Self> {
-        // Kinks of loads are cut out of steps.
+        // Kinks and jumps of loads are cut out of steps.
         if !drives && has_kink(formula) {
             return None;
         }
@@ -38,7 +38,7 @@ impl Signal {
 /// The degree of a polynomial; none of what is no polynomial, or one of a high degree.
 fn degree(formula: &Formula) -> Option<i32> {
     let degree = match formula {
-        Formula::Constant(_) => 0,
+        Formula::Constant(_) | Formula::Switch(_) => 0,
         Formula::Time | Formula::Slip | Formula::Motion { .. } => 1,
         Formula::Apply(Function::Negate, argument) => degree(argument)?,
         Formula::Apply(Function::Power(n @ 0..), argument) => degree(argument)?.checked_mul(*n)?,
@@ -50,9 +50,10 @@ fn degree(formula: &Formula) -> Option<i32> {
     (degree <= DEGREE).then_some(degree)
 }
 
-/// Whether there is a root of what may vanish.
+/// Whether there is a root of what may vanish, or a switch.
 fn has_kink(formula: &Formula) -> bool {
     match formula {
+        Formula::Switch(_) => true,
         Formula::Apply(Function::Sqrt, radicand) if !is_positive(radicand) => true,
         Formula::Apply(_, argument) => has_kink(argument),
         Formula::Join(_, left, right) => has_kink(left) || has_kink(right),
@@ -87,7 +88,7 @@ fn is_square(formula: &Formula) -> bool {
 }
 
 /// An expression as conditions have it.
-fn text(constants: &[(Ident, Expr)], expr: &Expr) -> Option<String> {
+pub(super) fn text(constants: &[(Ident, Expr)], expr: &Expr) -> Option<String> {
     let inner = |expr: &Expr| text(constants, expr);
     match expr {
         Expr::Lit(literal) => match &literal.lit {

@@ -19,6 +19,9 @@ pub(crate) fn apply<S: Number>(function: Function, x: S) -> S {
         Function::Exp => x.exp(),
         Function::Log => x.ln(),
         Function::Tanh => x.tanh(),
+        Function::Atan => x.atan(),
+        Function::Sign if x == S::ZERO => S::ZERO,
+        Function::Sign => x / x.abs(),
     }
 }
 
@@ -30,7 +33,36 @@ pub(crate) fn join<S: Number>(operator: Operator, a: S, b: S) -> Option<S> {
         Operator::Multiply => a * b,
         Operator::Divide => a / b,
         Operator::Power => return power(a, b),
+        Operator::Atan2 => direction(a, b),
+        Operator::Where => {
+            if a > S::ZERO {
+                b
+            } else {
+                S::ZERO
+            }
+        }
+        Operator::Unless => {
+            if a > S::ZERO {
+                S::ZERO
+            } else {
+                b
+            }
+        }
     })
+}
+
+/// The direction of (x, y): a right angle less one with a tangent up to 1 where y is the larger.
+fn direction<S: Number>(y: S, x: S) -> S {
+    let quarter = S::pi() * S::ratio(1, 2);
+    if y.abs() > x.abs() {
+        return if y > S::ZERO { quarter - (x / y).atan() } else { -quarter - (x / y).atan() };
+    }
+    match x < S::ZERO {
+        true if y < S::ZERO => (y / x).atan() - S::pi(),
+        true => (y / x).atan() + S::pi(),
+        false if x == S::ZERO => x,
+        false => (y / x).atan(),
+    }
 }
 
 /// xⁿ for whole n up to 64.

@@ -34,6 +34,8 @@ pub enum Formula {
     Log(Box<Formula>),
     /// tanh a.
     Tanh(Box<Formula>),
+    /// atan a.
+    Atan(Box<Formula>),
     /// |a|, away from zero.
     Abs(Box<Formula>),
 }
@@ -74,6 +76,10 @@ impl Formula {
             Self::Tanh(a) => chain(of(a), |x| {
                 let slope = x.cosh().powi(-2);
                 [x.tanh(), slope, -2.0 * x.tanh() * slope]
+            }),
+            Self::Atan(a) => chain(of(a), |x| {
+                let slope = 1.0 / (1.0 + x * x);
+                [x.atan(), slope, -2.0 * x * slope * slope]
             }),
             Self::Abs(a) => chain(of(a), |x| [x.abs(), x.signum(), 0.0]),
         }

@@ -179,6 +179,7 @@ fn method(call: &ExprMethodCall, variables: &Variables) -> Value {
         ("exp", []) => Value::One(receiver.exp()),
         ("ln", []) => Value::One(receiver.ln()),
         ("tanh", []) => Value::One(receiver.tanh()),
+        ("atan", []) => Value::One(receiver.atan()),
         ("sin_cos", []) => {
             let (sin, cos) = receiver.sin_cos();
             Value::array([sin, cos])
@@ -200,6 +201,7 @@ fn order(name: &str, arguments: &[Value]) -> Value {
         ("exp", [_, a]) => a.one().exp(),
         ("ln", [_, a]) => a.one().ln(),
         ("tanh", [_, a]) => a.one().tanh(),
+        ("atan", [_, a]) => a.one().atan(),
         ("magnitude", [_, a]) if a.one().coefficient(0) < 0.0 => -a.one(),
         ("magnitude", [_, a]) => a.one(),
         ("versed", [value, cos]) => at_zero(value.one() + cos.one()) - cos.one(),

@@ -30,6 +30,7 @@ fn evaluate(program: &Program, outputs: &[Id], input: &dyn Fn(Symbol) -> Series)
             Operation::Elementary(Elementary::Exp, a) => at(a).exp(),
             Operation::Elementary(Elementary::Log, a) => at(a).ln(),
             Operation::Elementary(Elementary::Tanh, a) => at(a).tanh(),
+            Operation::Elementary(Elementary::Atan, a) => at(a).atan(),
         };
     }
     outputs.iter().map(|id| values[id.index()]).collect()

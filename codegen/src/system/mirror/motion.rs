@@ -54,6 +54,7 @@ impl Instant<'_> {
         match formula {
             Formula::Constant(series) => self.numbers.evaluate(series),
             Formula::Time | Formula::Slip => self.generic(0, 0),
+            Formula::Switch(i) => self.generic(9, *i),
             Formula::Motion { reading, rate } => self.evaluate_reading(*reading, *rate),
             Formula::Apply(function, of) => {
                 let x = self.value(of);

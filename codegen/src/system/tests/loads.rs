@@ -164,11 +164,37 @@ fn the_least_and_the_greatest_are_halves_of_sums() {
     assert_eq!(formula("clamp(t, 0, phi)").1, formula("max(0, min(t, phi))").1);
 }
 
+/// A choice is two loads with complementary switches; equal conditions have one switch.
+#[test]
+fn a_choice_is_made_by_a_switch() {
+    let (system, value) = formula("if(x(C) * 2 > a && rate(phi) < 0, m * a, t)");
+    let [switch] = &system.switches[..] else { panic!("{:?}", system.switches) };
+    assert_eq!(switch.condition, "(x(C) * 2) > a and phi' < 0");
+    let switch = Box::new(Formula::Switch(0));
+    let Formula::Join(Operator::Add, chosen, other) = value else { panic!("{value:?}") };
+    assert!(matches!(*chosen, Formula::Join(Operator::Multiply, s, _) if s == switch));
+    let Formula::Join(Operator::Multiply, rest, time) = *other else { panic!("{other:?}") };
+    assert!(matches!(*rest, Formula::Join(Operator::Subtract, _, s) if s == switch));
+    assert_eq!(*time, Formula::Time);
+    let system = bars(
+        "#[couple(AB = if(t > 1, m, 0) + if(t > 1, t, a))] #[force(C = (sign(phi), 0), while(\"phi > 0\"))]",
+    );
+    let conditions: Vec<&str> = system.switches.iter().map(|switch| switch.condition.as_str()).collect();
+    let labels: Vec<&str> = system.switches.iter().map(|switch| switch.label.as_str()).collect();
+    assert_eq!(conditions, ["phi > 0", "phi < 0", "t > 1"]);
+    assert_eq!(labels, ["sign(phi > 0), force C", "sign(phi < 0)", "if(t > 1)"]);
+}
+
 #[test]
 fn mistakes_in_loads_are_reported() {
     let forms = "expected a number, a parameter, `t`, a coordinate, `rate(phi)`, `x(P)`, `y(P)`, `vx(P)`, `vy(P)`, \
-                 + − * /, `sqrt(…)`, `sin(…)`, `cos(…)`, `tan(…)`, `exp(…)`, `log(…)`, `tanh(…)`, `abs(…)`, \
-                 `min(a, b)`, `max(a, b)`, `clamp(x, low, high)` or `.powi(n)`";
+                 + − * /, `sqrt(…)`, `sin(…)`, `cos(…)`, `tan(…)`, `exp(…)`, `log(…)`, `tanh(…)`, \
+                 `atan(…)`, `atan2(y, x)`, `abs(…)`, `sign(…)`, `min(a, b)`, `max(a, b)`, `clamp(x, low, high)`, \
+                 `if(a > b, x, y)` or `.powi(n)`";
+    let jumps = "`if`, `sign` and `atan2` jump, which";
+    let prescribed = format!("{jumps} what is prescribed must not; give a drive a condition, `while(\"…\")`");
+    let friction = format!("{jumps} a coefficient of friction must not; `tanh(v / w)` is steep and smooth");
+    let begins = "`if` begins with a condition: `if(phi > 0, a, b)`";
     let cases = [
         ("#[force(X = (m, 0))]", "there is no point `X`; declared: `A`, `B`, `C`"),
         (
@@ -189,6 +215,16 @@ fn mistakes_in_loads_are_reported() {
         ("#[couple(AB = exp(t, 2))]", forms),
         ("#[couple(AB = min(t))]", "`min` takes 2 arguments"),
         ("#[couple(AB = clamp(t, 1))]", "`clamp` takes 3 arguments"),
+        ("#[couple(AB = if(t > 1, m))]", "`if` takes 3 arguments"),
+        ("#[couple(AB = if(t, m, a))]", begins),
+        ("#[couple(AB = if(t + 1, m, a))]", begins),
+        ("#[couple(AB = if(l > a, m, a))]", "a condition depends on time or motion"),
+        ("#[couple(AB = sign(l))]", "a condition depends on time or motion"),
+        ("#[couple(AB = if(sign(t) > phi, m, a))]", "what a condition compares must not jump"),
+        ("#[couple(AB = atan2(l, a))]", "`atan2` of what does not vary; write `atan(y / x)`"),
+        ("#[couple(AB = atan2(t))]", "`atan2` takes 2 arguments"),
+        ("#[drive(phi = if(t > 1, a, l))]", &prescribed),
+        ("#[support(B = floor, friction = if(v > 1, a, l))]", &friction),
         ("#[couple(AB = t / (l - l))]", "division by zero"),
         ("#[couple(AB = sqrt(-1) * t)]", "the root of a negative number"),
         ("#[couple(AB = t.powi(a))]", "expected a whole number between −64 and 64"),

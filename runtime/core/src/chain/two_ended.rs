@@ -74,6 +74,11 @@ impl<S: Real> Real for TwoEnded<S> {
     }
 
     #[inline(always)]
+    fn atan(self) -> Self {
+        self.each(S::atan)
+    }
+
+    #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         let ([a, c], [b, d]) =
             (self.0.map(S::sin_cos).map(|(s, _)| s), self.0.map(S::sin_cos).map(|(_, c)| c));

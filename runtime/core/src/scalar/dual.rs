@@ -139,6 +139,12 @@ impl<S: Real, const N: usize> Real for Dual<S, N> {
         self.chain(value, S::ratio(1, 1) - value * value)
     }
 
+    #[inline(never)]
+    fn atan(self) -> Self {
+        let below = S::ratio(1, 1) + self.value * self.value;
+        self.chain(self.value.atan(), S::ratio(1, 1) / below)
+    }
+
     fn mul_add(self, a: Self, b: Self) -> Self {
         let rate = |i: usize| {
             let scaled = self.gradient[i].mul_add(a.value, b.gradient[i]);

@@ -218,6 +218,13 @@ impl<S: Real, const K: usize> Real for Jet<S, K> {
     }
 
     #[inline]
+    fn atan(self) -> Self {
+        let one = Self::ratio(1, 1);
+        let slope = one / (one + self * self);
+        self.integral(self.0[0].atan(), |n, _| slope.0[n])
+    }
+
+    #[inline]
     fn mul_add(self, a: Self, b: Self) -> Self {
         Self(core::array::from_fn(|n| (0..=n).fold(b.0[n], |sum, k| self.0[k].mul_add(a.0[n - k], sum))))
     }

@@ -169,6 +169,11 @@ impl<const V: usize, X: Vector> Real for Lanes<V, X> {
     }
 
     #[inline(always)]
+    fn atan(self) -> Self {
+        Self::from_fn(|lane| Real::atan(self.lane(lane)))
+    }
+
+    #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         let ([sin], [cos]) = Self::sin_cos_each([self]);
         (sin, cos)

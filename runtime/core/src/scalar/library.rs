@@ -14,10 +14,12 @@ pub(super) trait Library: Sized {
     fn ln(self) -> Self;
     /// `tanh self`.
     fn tanh(self) -> Self;
+    /// `atan self`.
+    fn atan(self) -> Self;
 }
 
 macro_rules! library {
-    ($float:ident: $sqrt:path, $mul_add:path, $sin_cos:path, $exp:path, $ln:path, $tanh:path) => {
+    ($float:ident: $sqrt:path, $mul_add:path, $sin_cos:path, $exp:path, $ln:path, $tanh:path, $atan:path) => {
         impl Library for $float {
             #[inline(always)]
             fn sqrt(self) -> Self {
@@ -48,15 +50,20 @@ macro_rules! library {
             fn tanh(self) -> Self {
                 $tanh(self)
             }
+
+            #[inline(always)]
+            fn atan(self) -> Self {
+                $atan(self)
+            }
         }
     };
 }
 
 #[cfg(feature = "std")]
-library!(f32: f32::sqrt, f32::mul_add, f32::sin_cos, f32::exp, f32::ln, f32::tanh);
+library!(f32: f32::sqrt, f32::mul_add, f32::sin_cos, f32::exp, f32::ln, f32::tanh, f32::atan);
 #[cfg(feature = "std")]
-library!(f64: f64::sqrt, f64::mul_add, f64::sin_cos, f64::exp, f64::ln, f64::tanh);
+library!(f64: f64::sqrt, f64::mul_add, f64::sin_cos, f64::exp, f64::ln, f64::tanh, f64::atan);
 #[cfg(not(feature = "std"))]
-library!(f32: libm::sqrtf, libm::fmaf, libm::sincosf, libm::expf, libm::logf, libm::tanhf);
+library!(f32: libm::sqrtf, libm::fmaf, libm::sincosf, libm::expf, libm::logf, libm::tanhf, libm::atanf);
 #[cfg(not(feature = "std"))]
-library!(f64: libm::sqrt, libm::fma, libm::sincos, libm::exp, libm::log, libm::tanh);
+library!(f64: libm::sqrt, libm::fma, libm::sincos, libm::exp, libm::log, libm::tanh, libm::atan);

@@ -71,6 +71,8 @@ pub trait Real:
     fn ln(self) -> Self;
     /// `tanh self`.
     fn tanh(self) -> Self;
+    /// The angle between −π/2 and π/2 with this tangent.
+    fn atan(self) -> Self;
     /// The sines and the cosines of several angles, with the bits that each has by itself; side by
     /// side where that pays.
     #[inline(always)]

@@ -41,6 +41,11 @@ macro_rules! primitive {
             }
 
             #[inline]
+            fn atan(self) -> Self {
+                Library::atan(self)
+            }
+
+            #[inline]
             fn is_zero(self) -> bool {
                 self == 0.0
             }

@@ -190,6 +190,28 @@ fn jets_of_exponentials_agree_with_each_other() {
     }
 }
 
+/// The tangent of an arctangent, to 1e-30 of double-doubles, order by order of jets.
+#[test]
+fn arctangents_have_their_tangents() {
+    for x in [0.0, 1e-20, 0.3, -0.7, 1.0, -25.0, 1e9] {
+        let x = DoubleDouble::from_f64(x) / DoubleDouble::from_f64(3.0);
+        let (sin, cos) = x.atan().sin_cos();
+        let off = distance(sin, x * cos);
+        assert!(off < 1e-30 * (1.0 + x.to_f64().abs()), "{x:?}: {off:e}");
+    }
+    for (x, sign) in [(f64::INFINITY, 1.0), (f64::NEG_INFINITY, -1.0)] {
+        assert_eq!(DoubleDouble::from_f64(x).atan().to_f64(), sign * core::f64::consts::FRAC_PI_2);
+    }
+    let x = Jet::<f64, 6>::new([0.3, 1.2, -0.7, 0.4, 0.9, -0.2]);
+    let (sin, cos) = x.atan().sin_cos();
+    let back = sin / cos;
+    for k in 0..6 {
+        assert!((back.coefficient(k) - x.coefficient(k)).abs() < 40.0 * f64::EPSILON, "order {k}");
+    }
+    let dual = Dual4::new(0.3, [1.2, 0.0, 0.0, 0.0]).atan();
+    assert!((x.atan().coefficient(1) - dual.gradient()[0]).abs() < 4.0 * f64::EPSILON);
+}
+
 /// √(t² + 2t³ + …) = t + t² + …, t/√(t²) = 1 and |t²| beside them, for t ≥ 0.
 #[test]
 fn jets_are_one_sided_at_zeros() {

@@ -15,6 +15,7 @@
 //! e = eᵃ       eₙ = aₙ e₀ + m / n              column k aₖ, e
 //! l = log a    lₙ = (aₙ − m / n) / a₀          column a, k lₖ
 //! h = tanh a   hₙ = aₙ g₀ + m / n              column k aₖ, g = 1 − h², and h, h
+//! y = atan a   yₙ = (aₙ − m / n) / g₀          column g = 1 + a², k yₖ, and a, a
 //! ```
 //!
 //! What an order adds last is a product with a value, so that little stands between a coefficient
@@ -47,6 +48,8 @@ pub trait SeriesOps<S: Real> {
     fn ln(&mut self, column: usize, a: S) -> S;
     /// tanh a; takes two columns.
     fn tanh(&mut self, column: usize, a: S) -> S;
+    /// atan a; takes two columns.
+    fn atan(&mut self, column: usize, a: S) -> S;
     /// sin φ and cos φ, whose values are `values`; takes two columns.
     fn sin_cos(&mut self, column: usize, angle: S, values: impl FnOnce() -> (S, S)) -> (S, S);
     /// 1 − cos φ, whose value is `value`.
@@ -148,6 +151,14 @@ impl<S: Real, P: Storage<S>> SeriesOps<S> for Values<'_, P> {
         self.keep(column, S::ratio(1, 1) - value * value, value);
         self.keep(column + 1, value + value, value);
         value
+    }
+
+    #[inline(always)]
+    fn atan(&mut self, column: usize, a: S) -> S {
+        let inverse = S::ratio(1, 1) / (S::ratio(1, 1) + a * a);
+        self.keep(column, inverse, inverse);
+        self.keep(column + 1, a + a, a);
+        a.atan()
     }
 
     #[inline(always)]
@@ -257,6 +268,17 @@ impl<S: Real, P: Storage<S>> SeriesOps<S> for Coefficients<'_, P> {
         self.tape.write(self.n, column, a * S::ratio(n, 1), -square);
         self.tape.write(self.n, column + 1, tangent, tangent);
         tangent
+    }
+
+    #[inline(always)]
+    fn atan(&mut self, column: usize, a: S) -> S {
+        let n = self.n as i64;
+        let ((inverse, _), (twice, _)) = (self.tape.kept(column), self.tape.kept(column + 1));
+        let angle = (a - self.tape.sum(column) * S::ratio(1, n)) * inverse;
+        let square = a.mul_add(twice, self.tape.sum(column + 1));
+        self.tape.write(self.n, column, square, angle * S::ratio(n, 1));
+        self.tape.write(self.n, column + 1, a, a);
+        angle
     }
 
     #[inline(always)]

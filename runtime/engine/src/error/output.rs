@@ -96,6 +96,16 @@ pub enum OutputError {
         /// The condition.
         condition: String,
     },
+    /// A condition on what jumps: no method sees where.
+    #[error(
+        "`{condition}`: `{function}` jumps, in outputs and loads; compare what it depends on, with `and` and `or`"
+    )]
+    Jump {
+        /// The condition.
+        condition: String,
+        /// What jumps.
+        function: &'static str,
+    },
     /// More text than any expression has.
     #[error("an expression of {characters} characters: at most {LONGEST} are allowed")]
     Length {

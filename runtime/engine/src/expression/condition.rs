@@ -63,7 +63,7 @@ impl<T: AsRef<str>> IntoConditions for T {
 }
 
 /// A comparison, or several as one.
-struct Clause {
+pub(super) struct Clause {
     relation: Relation,
     sides: [Expression; 2],
     /// How many comparisons.
@@ -72,7 +72,7 @@ struct Clause {
 
 impl Clause {
     /// `a < b or c > d`: holds where one of them does.
-    fn parse_any(parser: &mut Parser<'_>, text: &str) -> Result<Self, OutputError> {
+    pub(super) fn parse_any(parser: &mut Parser<'_>, text: &str) -> Result<Self, OutputError> {
         let mut any = Self::parse_all(parser, text)?;
         while parser.take_word("or") {
             any = any.combine(Self::parse_all(parser, text)?, 1.0, text)?;
@@ -122,7 +122,7 @@ impl Clause {
     }
 
     /// What is above 0 where it holds; nothing of an equation.
-    fn into_margin(self) -> Option<Expression> {
+    pub(super) fn into_margin(self) -> Option<Expression> {
         let [left, right] = self.sides;
         let (above, below) = match self.relation {
             Relation::Equal => return None,
@@ -167,6 +167,12 @@ impl Condition {
         let [left, right] = &sides;
         if left.reads_history() || right.reads_history() {
             return Err(OutputError::History { condition: text.to_owned() });
+        }
+        // Where a direction jumps, it is not equal to what it is compared with.
+        let jump = left.jump().or_else(|| right.jump());
+        let jump = jump.filter(|function| relation != Relation::Equal || *function != "atan2");
+        if let Some(function) = jump {
+            return Err(OutputError::Jump { condition: text.to_owned(), function });
         }
         let fixed = left.is_fixed() && right.is_fixed() || left == right;
         let at = Self::named_time(relation, &sides, &[]);

@@ -58,9 +58,35 @@ impl Enclosure {
                 let value = x.tanh();
                 self.chain(value, Interval::exactly(1.0).minus(value.powi(2)))
             }
+            Function::Atan => {
+                let below = Interval::exactly(1.0).plus(x.powi(2));
+                self.chain(x.atan(), below.reciprocal())
+            }
+            Function::Sign if !x.contains(0.0) => Self::constant(x.low.signum()),
+            Function::Sign => Self { value: Interval::around(0.0, 1.0), slope: Interval::WHOLE },
             Function::Abs if x.low >= 0.0 => self,
             Function::Abs if x.high <= 0.0 => self.apply(Function::Negate),
             Function::Abs => Self { value: x.abs(), slope: self.slope.union(self.slope.negated()) },
+        }
+    }
+
+    /// The direction of (x, y), y being this.
+    fn direction(self, x: Self) -> Self {
+        let value = self.value.atan2(x.value);
+        let turned = self.slope.times(x.value).minus(self.value.times(x.slope));
+        let square = self.value.powi(2).plus(x.value.powi(2));
+        let cut = x.value.low <= 0.0 && self.value.contains(0.0);
+        let slope = if cut { Interval::WHOLE } else { turned.times(square.reciprocal()) };
+        Self { value, slope }
+    }
+
+    /// This where a margin is above 0, else 0.
+    fn given(self, margin: Interval) -> Self {
+        let zero = Self::constant(0.0);
+        match margin {
+            Interval { low, .. } if low > 0.0 => self,
+            Interval { high, .. } if high <= 0.0 => zero,
+            _ => Self { value: self.value.union(zero.value), slope: Interval::WHOLE },
         }
     }
 
@@ -129,6 +155,10 @@ impl Environment for Piece<'_> {
             Operator::Multiply => a.times(b),
             Operator::Divide => a.times(b.reciprocal()),
             Operator::Power => a.power(b),
+            Operator::Atan2 => a.direction(b),
+            Operator::Where => b.given(a.value),
+            Operator::Unless if a.value.contains(0.0) => b.given(Interval::WHOLE),
+            Operator::Unless => b.given(a.value.negated()),
         })
     }
 }

@@ -8,7 +8,7 @@ use super::tree::Expression;
 use crate::error::OutputError;
 
 /// A number that depends on variables, in the language of [`Output`](super::Output): numbers,
-/// `+ - * / ^`, parentheses, `sqrt sin cos tan abs exp log tanh min max clamp`, `pi`, and the
+/// `+ - * / ^`, parentheses, `sqrt sin cos tan abs exp log tanh atan sign min max clamp atan2`, `if(a > b, x, y)`, `pi`, and the
 /// variables' names.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Formula {
@@ -66,7 +66,7 @@ mod tests {
         assert_eq!(error("lambda'"), "no name `lambda'`; did you mean `lambda`?");
         assert_eq!(
             error("N(A)"),
-            "no function `N`; known: sqrt, sin, cos, tan, abs, exp, log, tanh, min, max, clamp"
+            "no function `N`; known: sqrt, sin, cos, tan, abs, exp, log, tanh, atan, sign, min, max, clamp, atan2, if"
         );
     }
 

@@ -152,6 +152,19 @@ impl Interval {
         Self::hull([self.low.tanh(), self.high.tanh()]).widened()
     }
 
+    pub(crate) fn atan(self) -> Self {
+        Self::hull([self.low.atan(), self.high.atan()]).widened()
+    }
+
+    /// The directions of (x, y), y being this.
+    pub(crate) fn atan2(self, x: Self) -> Self {
+        if x.low <= 0.0 && self.contains(0.0) {
+            return Self::around(0.0, PI);
+        }
+        let corner = |y: f64| [y.atan2(x.low), y.atan2(x.high)];
+        Self::hull([corner(self.low), corner(self.high)].concat()).widened()
+    }
+
     /// Bounds of what the library rounds less well than the basic operations.
     fn widened(self) -> Self {
         let Self { low, high } = self;
@@ -192,6 +205,8 @@ mod tests {
                 (a.exp(), x.exp()),
                 (a.ln(), x.ln()),
                 (a.tanh(), x.tanh()),
+                (a.atan(), x.atan()),
+                (a.atan2(b), x.atan2(y)),
             ];
             for (k, (bounds, value)) in holds.into_iter().enumerate() {
                 prop_assert!(!value.is_finite() || bounds.contains(value), "{k}: {a:?} {b:?} {bounds:?} {value:e}");

@@ -1,5 +1,6 @@
 //! Recursive descent: sum → product → sign → power → primary.
 
+use super::condition::Clause;
 use super::resolve::{DRIVE, RATE, Vocabulary};
 use super::token::{Token, tokens, unexpected};
 use super::tree::{Expression, Function, Operator};
@@ -152,8 +153,8 @@ impl<'a> Parser<'a> {
             self.close()?;
             return Ok(Expression::apply(function, argument));
         }
-        if Function::BOUNDED.contains(&name) {
-            return self.bounded(name);
+        if Function::OF_SEVERAL.contains(&name) {
+            return self.several(name);
         }
         let names = self.names.of_model(name)?;
         if name == RATE {
@@ -180,14 +181,28 @@ impl<'a> Parser<'a> {
         names.call(name, &arguments)
     }
 
-    /// `min(a, b)`, `max(a, b)`, and `clamp(x, low, high)`, which is `max(low, min(x, high))`.
-    fn bounded(&mut self, name: &str) -> Result<Expression, OutputError> {
+    /// `min(a, b)`, `max(a, b)`, and `clamp(x, low, high)`, which is `max(low, min(x, high))`;
+    /// `atan2(y, x)`, and `if(a > b, x, y)`.
+    fn several(&mut self, name: &str) -> Result<Expression, OutputError> {
+        if name == "if" {
+            let column = self.column();
+            let margin = Clause::parse_any(self, name)?.into_margin();
+            let margin =
+                margin.ok_or_else(|| unexpected("`<` or `>`", "no comparison".to_owned(), column))?;
+            self.comma()?;
+            let value = self.sum()?;
+            self.comma()?;
+            let chosen = Expression::choice(margin, value, self.sum()?);
+            self.close()?;
+            return Ok(chosen);
+        }
         let first = self.sum()?;
         self.comma()?;
         let second = self.sum()?;
         let value = match name {
             "min" => Expression::extreme(-1.0, first, second),
             "max" => Expression::extreme(1.0, first, second),
+            "atan2" => Expression::join(Operator::Atan2, first, second),
             _ => {
                 self.comma()?;
                 Expression::extreme(1.0, second, Expression::extreme(-1.0, first, self.sum()?))

@@ -71,6 +71,8 @@ impl Environment for PointEnvironment<'_> {
             Function::Exp => value,
             Function::Log => 1.0 / x.value,
             Function::Tanh => 1.0 - value * value,
+            Function::Atan => 1.0 / (1.0 + x.value * x.value),
+            Function::Sign => 0.0,
         };
         Ok(Rounded::new(value, slope * x.error))
     }
@@ -82,6 +84,11 @@ impl Environment for PointEnvironment<'_> {
             Operator::Multiply => a.error * b.value.abs() + b.error * a.value.abs(),
             Operator::Divide => (a.error + value.abs() * b.error) / b.value.abs(),
             Operator::Power => (b.value * value / a.value).abs() * a.error,
+            Operator::Atan2 => {
+                let turned = a.error * b.value.abs() + b.error * a.value.abs();
+                turned / (a.value * a.value + b.value * b.value)
+            }
+            Operator::Where | Operator::Unless => b.error,
         };
         Ok(Rounded::new(value, error))
     }

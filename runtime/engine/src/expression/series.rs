@@ -199,7 +199,9 @@ impl Environment for StepEnvironment<'_> {
             | Function::Abs
             | Function::Exp
             | Function::Log
-            | Function::Tanh => return Err(NoSeries),
+            | Function::Tanh
+            | Function::Atan
+            | Function::Sign => return Err(NoSeries),
         }))
     }
 
@@ -207,10 +209,10 @@ impl Environment for StepEnvironment<'_> {
         Ok(Term::Varying(match (operator, a, b) {
             (_, Term::Constant(a), Term::Constant(b)) => return Ok(Term::Constant(operator.apply(a, b))),
             (Operator::Divide, a, Term::Constant(b)) => a.series() * TermSeries::constant(1.0 / b),
-            (Operator::Divide | Operator::Power, ..) => return Err(NoSeries),
             (Operator::Add, a, b) => a.series() + b.series(),
             (Operator::Subtract, a, b) => a.series() - b.series(),
             (Operator::Multiply, a, b) => a.series() * b.series(),
+            _ => return Err(NoSeries),
         }))
     }
 }

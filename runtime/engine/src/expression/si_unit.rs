@@ -156,6 +156,8 @@ impl Measured {
         let SiUnit { kilogram, metre, second, .. } = self.unit;
         match function {
             Function::Negate | Function::Abs => Some(self),
+            Function::Sign => Some(Self { unit: NUMBER, factor: 1.0 }),
+            Function::Atan => NUMBER.agrees(self.unit).then_some(Self { unit: RADIAN, factor: 1.0 }),
             Function::Sin
             | Function::Cos
             | Function::Tan
@@ -182,6 +184,11 @@ impl Measured {
                 Some(Self { factor: 1.0, ..self })
             }
             Operator::Add | Operator::Subtract => (a == NUMBER).then_some(Self { factor: 1.0, ..other }),
+            Operator::Where | Operator::Unless => Some(Self { factor: 1.0, ..other }),
+            Operator::Atan2 => {
+                let alike = a.agrees(b) || a == NUMBER || b == NUMBER;
+                alike.then_some(Self { unit: RADIAN, factor: 1.0 })
+            }
             Operator::Multiply => Some(Self { unit: a.times(b, 1), factor: self.factor * other.factor }),
             Operator::Divide => Some(Self { unit: a.times(b, -1), factor: self.factor / other.factor }),
             Operator::Power => {

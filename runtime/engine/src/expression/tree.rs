@@ -63,18 +63,22 @@ pub enum Function {
     Log,
     /// tanh x.
     Tanh,
+    /// atan x.
+    Atan,
+    /// x/|x|; 0 at 0.
+    Sign,
 }
 
 impl Function {
     /// What is taken of several numbers.
-    pub(super) const BOUNDED: [&'static str; 3] = ["min", "max", "clamp"];
+    pub(super) const OF_SEVERAL: [&'static str; 5] = ["min", "max", "clamp", "atan2", "if"];
 
     /// All names of functions of numbers.
     pub(super) fn names() -> impl Iterator<Item = &'static str> {
-        Self::NAMED.iter().map(|(name, _)| *name).chain(Self::BOUNDED)
+        Self::NAMED.iter().map(|(name, _)| *name).chain(Self::OF_SEVERAL)
     }
 
-    pub(super) const NAMED: [(&'static str, Self); 8] = [
+    pub(super) const NAMED: [(&'static str, Self); 10] = [
         ("sqrt", Self::Sqrt),
         ("sin", Self::Sin),
         ("cos", Self::Cos),
@@ -83,6 +87,8 @@ impl Function {
         ("exp", Self::Exp),
         ("log", Self::Log),
         ("tanh", Self::Tanh),
+        ("atan", Self::Atan),
+        ("sign", Self::Sign),
     ];
 
     pub(super) fn apply(self, x: f64) -> f64 {
@@ -96,6 +102,9 @@ impl Function {
             Self::Exp => x.exp(),
             Self::Log => x.ln(),
             Self::Tanh => x.tanh(),
+            Self::Atan => x.atan(),
+            Self::Sign if x == 0.0 => x,
+            Self::Sign => x.signum(),
         }
     }
 }
@@ -113,6 +122,12 @@ pub enum Operator {
     Divide,
     /// aᵇ.
     Power,
+    /// The direction of (b, a), from −π to π.
+    Atan2,
+    /// b where a > 0, else 0.
+    Where,
+    /// 0 where a > 0, else b.
+    Unless,
 }
 
 impl Operator {
@@ -123,6 +138,21 @@ impl Operator {
             Self::Multiply => a * b,
             Self::Divide => a / b,
             Self::Power => a.powf(b),
+            Self::Atan2 => a.atan2(b),
+            Self::Where => {
+                if a > 0.0 {
+                    b
+                } else {
+                    0.0
+                }
+            }
+            Self::Unless => {
+                if a > 0.0 {
+                    0.0
+                } else {
+                    b
+                }
+            }
         }
     }
 }
@@ -175,6 +205,24 @@ impl Expression {
         Self::join(Operator::Multiply, Self::Number(0.5), sum)
     }
 
+    /// b where the margin is above 0, else c.
+    pub(super) fn choice(margin: Self, b: Self, c: Self) -> Self {
+        let b = Self::join(Operator::Where, margin.clone(), b);
+        Self::join(Operator::Add, b, Self::join(Operator::Unless, margin, c))
+    }
+
+    /// A function in it that jumps; at its cut a direction does.
+    pub(super) fn jump(&self) -> Option<&'static str> {
+        match self {
+            Self::Apply(Function::Sign, x) if !x.is_fixed() => Some("sign"),
+            Self::Join(Operator::Where | Operator::Unless, ..) => Some("if"),
+            Self::Join(Operator::Atan2, a, b) if !(a.is_fixed() && b.is_fixed()) => Some("atan2"),
+            Self::Apply(_, x) => x.jump(),
+            Self::Join(_, a, b) => a.jump().or_else(|| b.jump()),
+            _ => None,
+        }
+    }
+
     /// Whether it depends on parameters only.
     pub(super) fn is_fixed(&self) -> bool {
         match self {
@@ -202,7 +250,10 @@ impl Expression {
             Self::Apply(_, x) => x.is_fixed(),
             Self::Join(Operator::Divide, a, b) => a.is_entire() && b.is_fixed(),
             Self::Join(Operator::Power, a, n) => a.is_entire() && is_count(n) || a.is_fixed() && n.is_fixed(),
-            Self::Join(_, a, b) => a.is_entire() && b.is_entire(),
+            Self::Join(Operator::Add | Operator::Subtract | Operator::Multiply, a, b) => {
+                a.is_entire() && b.is_entire()
+            }
+            Self::Join(_, a, b) => a.is_fixed() && b.is_fixed(),
             _ => true,
         }
     }

@@ -142,6 +142,7 @@ impl SeriesCode {
                 SeriesOperation::Elementary(Elementary::Exp, column, a) => ops.exp(column, at(a)),
                 SeriesOperation::Elementary(Elementary::Log, column, a) => ops.ln(column, at(a)),
                 SeriesOperation::Elementary(Elementary::Tanh, column, a) => ops.tanh(column, at(a)),
+                SeriesOperation::Elementary(Elementary::Atan, column, a) => ops.atan(column, at(a)),
                 SeriesOperation::Magnitude(column, a) => ops.magnitude(column, at(a)),
                 SeriesOperation::SinCos { column, angle, cos: to_cos, values: [s, c] } => {
                     let (sin, cos) = ops.sin_cos(column, at(angle), || (at(s), at(c)));

@@ -9,8 +9,8 @@ impl<S: Scalar> Builder<'_, S> {
     pub(super) fn formula(&mut self, formula: &Formula) -> Node {
         match formula {
             Formula::Constant(series) => self.constant(series),
-            // The slip velocity: friction is refused before.
-            Formula::Slip => self.tape.number(S::ratio(0, 1)),
+            // The slip velocity and a switch: both are refused before.
+            Formula::Slip | Formula::Switch(_) => self.tape.number(S::ratio(0, 1)),
             Formula::Time => self.tape.time(),
             Formula::Motion { reading, rate } => {
                 let read = self.reading(*reading);
@@ -44,6 +44,7 @@ impl<S: Scalar> Builder<'_, S> {
             }
             Function::Elementary(Elementary::Exp) => self.tape.exponential(argument),
             Function::Elementary(Elementary::Log) => self.tape.logarithm(argument),
+            Function::Elementary(Elementary::Atan) => self.tape.arctangent(argument),
             // 1 − 2/(e²ˣ + 1).
             Function::Elementary(Elementary::Tanh) => {
                 let twice = self.tape.add(argument, argument);

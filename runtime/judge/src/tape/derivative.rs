@@ -63,6 +63,10 @@ impl<S: Scalar> Tape<S> {
                 let dx = self.derivative(x, by);
                 self.divide(dx, x)
             }
+            Operation::Arctangent(x, below) => {
+                let dx = self.derivative(x, by);
+                self.divide(dx, below)
+            }
             Operation::Sine(x) => {
                 let dx = self.derivative(x, by);
                 self.multiply(dx, Node(a.0 + 1))

@@ -26,6 +26,8 @@ enum Operation<S> {
     Root(Node),
     Exponential(Node),
     Logarithm(Node),
+    /// Of the first, 1 + whose square is the second.
+    Arctangent(Node, Node),
     /// Its cosine is the next value.
     Sine(Node),
     /// Its sine is the value before.
@@ -218,6 +220,16 @@ impl<S: Scalar> Tape<S> {
             Some(x) => self.number(x.ln()),
             None => self.push(Operation::Logarithm(a), self.level(a)),
         }
+    }
+
+    /// atan a.
+    pub fn arctangent(&mut self, a: Node) -> Node {
+        if let Some(x) = self.fixed(a) {
+            return self.number(x.atan());
+        }
+        let square = self.multiply(a, a);
+        let below = self.add(Self::ONE, square);
+        self.push(Operation::Arctangent(a, below), self.level(a))
     }
 
     /// sin a, cos a.

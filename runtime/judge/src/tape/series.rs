@@ -82,6 +82,12 @@ impl<S: Scalar> Series<S> {
                     (1..k).fold(S::ZERO, |sum, j| sum + whole::<S>(j as i64) * own[j] * self.get(a, k - j));
                 (self.get(a, k) - inner / whole(k as i64)) / self.get(a, 0)
             }
+            Operation::Arctangent(a, _) if k == 0 => self.get(a, 0).atan(),
+            Operation::Arctangent(a, below) => {
+                let inner = (1..k)
+                    .fold(S::ZERO, |sum, j| sum + whole::<S>(j as i64) * own[j] * self.get(below, k - j));
+                (self.get(a, k) - inner / whole(k as i64)) / self.get(below, 0)
+            }
             Operation::Sine(a) if k == 0 => self.get(a, 0).sin_cos().0,
             Operation::Cosine(a) if k == 0 => self.get(a, 0).sin_cos().1,
             Operation::Sine(a) => turned(c(a), &self.coefficients[at + 1], k),

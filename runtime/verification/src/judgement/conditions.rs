@@ -98,6 +98,8 @@ impl Environment for Names<'_> {
             expression::Function::Exp | expression::Function::Log | expression::Function::Tanh => {
                 return Err(Beyond("exponentials and logarithms"));
             }
+            expression::Function::Atan => return Err(Beyond("directions")),
+            expression::Function::Sign => return Err(Beyond("signs")),
         };
         Ok(Expression::Apply(function, Box::new(x)))
     }
@@ -114,6 +116,8 @@ impl Environment for Names<'_> {
             expression::Operator::Multiply => Operator::Multiply,
             expression::Operator::Divide => Operator::Divide,
             expression::Operator::Power => return power(a, &b),
+            expression::Operator::Atan2 => return Err(Beyond("directions")),
+            expression::Operator::Where | expression::Operator::Unless => return Err(Beyond("choices")),
         };
         Ok(Expression::Join(operator, Box::new(a), Box::new(b)))
     }

@@ -8,6 +8,7 @@ mod bouncing;
 mod budget;
 mod cancelled;
 mod charts;
+mod chosen_loads;
 mod closed_forms;
 mod clutches;
 mod contacts;

@@ -82,6 +82,11 @@ impl Real for Fused {
     }
 
     #[inline(always)]
+    fn atan(self) -> Self {
+        Self(Real::atan(self.0))
+    }
+
+    #[inline(always)]
     fn is_zero(self) -> bool {
         self.0.is_zero()
     }

@@ -1,7 +1,8 @@
 //! Exponentials: x = k ln 2 + r with |r| ≤ ½ ln 2, then eʳ − 1 from r/2⁸ by its series and eight
 //! times p ← p (p + 2), so that small arguments keep their digits.
 //!
-//! The relative error is below 1e-29 + |x|·1e-32 of eˣ and tanh x, the absolute one of log x too.
+//! The relative error is below 1e-29 + |x|·1e-32 of eˣ and tanh x, the absolute one of log x too,
+//! and that of atan x below 1e-30.
 
 use super::{DoubleDouble, two_product};
 use crate::scalar::Real;
@@ -47,6 +48,17 @@ pub(super) fn ln(x: DoubleDouble) -> DoubleDouble {
     }
     let power = exp(y);
     y + ((x - power) / (x + power)).scale(2.0)
+}
+
+/// One correction of the angle φ of a double: tan (y − φ) = (x cos φ − sin φ)/(cos φ + x sin φ),
+/// whose cube is below the last digit.
+pub(super) fn atan(x: DoubleDouble) -> DoubleDouble {
+    let y = DoubleDouble::from_f64(Library::atan(x.hi));
+    if !x.hi.is_finite() {
+        return y;
+    }
+    let (sin, cos) = y.sin_cos();
+    y + (x * cos - sin) / (cos + x * sin)
 }
 
 /// (e²ˣ − 1)/(e²ˣ + 1).

@@ -180,6 +180,10 @@ impl Real for DoubleDouble {
         exponential::tanh(self)
     }
 
+    fn atan(self) -> Self {
+        exponential::atan(self)
+    }
+
     #[inline(never)]
     fn mul_add(self, a: Self, b: Self) -> Self {
         self * a + b

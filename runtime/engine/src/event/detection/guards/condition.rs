@@ -175,7 +175,10 @@ impl Kind for ConditionGuard<'_> {
         let value = self.end.take().unwrap_or_else(|| self.value(step, 1.0));
         self.stays = self.condition.relation() != Relation::Equal
             && (value.abs() <= self.zero || tracking.is_zero(self, step, 1.0));
-        let came_from = || self.sign.unwrap_or_else(|| self.value(step, 0.0) > 0.0);
+        // A step that begins and ends at zero tells between them where it came from.
+        let inner = || [0.0, 0.5].map(|theta| self.value(step, theta));
+        let came_from =
+            || self.sign.unwrap_or_else(|| inner().iter().find(|x| x.abs() > self.zero) > Some(&0.0));
         self.sign = Some(if self.stays { came_from() } else { value > 0.0 });
     }
 }
