@@ -1,6 +1,8 @@
 //! Elementary functions of expressions beside sine, cosine and root.
 
-/// A function of one number, analytic where it has a value.
+use crate::spline::Table;
+
+/// A function of one number, analytic where it has a value, but for the kinks of tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Elementary {
     /// eˣ.
@@ -11,10 +13,12 @@ pub enum Elementary {
     Tanh,
     /// The angle between −π/2 and π/2 whose tangent is x.
     Atan,
+    /// The value of a table at x.
+    Table(Table),
 }
 
 impl Elementary {
-    /// All.
+    /// All that have a name.
     pub const ALL: [Self; 4] = [Self::Exp, Self::Log, Self::Tanh, Self::Atan];
 
     /// As declarations, conditions, C and SymPy write it.
@@ -24,17 +28,26 @@ impl Elementary {
             Self::Log => "log",
             Self::Tanh => "tanh",
             Self::Atan => "atan",
+            Self::Table(_) => "table",
         }
     }
 
     /// As Rust calls it on a number.
     pub const fn method(self) -> &'static str {
-        if matches!(self, Self::Log) { "ln" } else { self.name() }
+        match self {
+            Self::Log => "ln",
+            Self::Table(_) => "spline",
+            _ => self.name(),
+        }
     }
 
     /// Places on the tape of a series.
     pub const fn columns(self) -> usize {
-        if matches!(self, Self::Tanh | Self::Atan) { 2 } else { 1 }
+        match self {
+            Self::Exp | Self::Log => 1,
+            Self::Tanh | Self::Atan => 2,
+            Self::Table(_) => 3,
+        }
     }
 
     /// Its value at x.
@@ -44,6 +57,7 @@ impl Elementary {
             Self::Log => x.ln(),
             Self::Tanh => x.tanh(),
             Self::Atan => x.atan(),
+            Self::Table(table) => table.evaluate(x),
         }
     }
 }

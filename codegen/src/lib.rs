@@ -42,6 +42,7 @@ mod nearest;
 pub mod numbers;
 pub mod phases;
 pub mod program;
+pub mod spline;
 mod syntax;
 pub mod system;
 pub mod text;

@@ -213,6 +213,11 @@ impl<'d> DimensionReader<'d> {
                 self.alike(&mut call.args.iter());
                 Some(ExpressionDimension::known(NONE))
             }
+            // Its values are numbers, whatever they stand for.
+            "table" => {
+                self.infer(argument);
+                Some(ExpressionDimension { number: true, ..ExpressionDimension::known(NONE) })
+            }
             "sign" => {
                 self.infer(argument);
                 Some(ExpressionDimension::known(NONE))

@@ -6,6 +6,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 
 use super::variable;
 use crate::algebra::{Rational, Symbol};
+use crate::elementary::Elementary;
 use crate::program::{Id, Operation, Program};
 
 /// An expression nested deeper than this is split.
@@ -228,8 +229,8 @@ impl BodyWriter<'_> {
                 quote!(#a.sqrt())
             }
             Operation::Elementary(function, a) => {
-                let (a, method) = (self.operand(a), variable(function.method()));
-                quote!(#a.#method())
+                let (a, method, data) = (self.operand(a), variable(function.method()), table(function));
+                quote!(#a.#method(#data))
             }
             Operation::Sin(_) | Operation::Cos(_) => TokenStream::new(),
         };
@@ -249,6 +250,21 @@ impl BodyWriter<'_> {
 fn infix(writer: &BodyWriter, a: Id, sign: TokenStream, b: Id) -> TokenStream {
     let (a, b) = (writer.operand(a), writer.operand(b));
     quote!(#a #sign #b)
+}
+
+/// What a function takes beside its argument: knots and pieces of a table.
+pub(super) fn table(function: Elementary) -> TokenStream {
+    let Elementary::Table(table) = function else { return TokenStream::new() };
+    let number = |x: &f64| {
+        let (sign, x) = ((*x < 0.0).then(|| quote!(-)), Literal::f64_unsuffixed(x.abs()));
+        quote!(#sign #x)
+    };
+    let knots = table.knots.iter().map(number);
+    let pieces = table.pieces.iter().map(|piece| {
+        let piece = piece.iter().map(number);
+        quote!([#(#piece),*])
+    });
+    quote!(&[#(#knots),*], &[#(#pieces),*])
 }
 
 /// An exact number.

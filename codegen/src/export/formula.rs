@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use crate::algebra::{Angle, Quotient, Rational, Series, Symbol, Term};
 use crate::motion::Expression;
-use crate::system::{Function, Operator};
+use crate::spline::Spline;
+use crate::system::{Elementary, Function, Operator};
 
 /// Columns from which on a sum takes a line for each of its terms.
 const WIDE: usize = 100;
@@ -139,9 +140,22 @@ fn applied(function: Function, x: &str) -> String {
         Function::Sin => format!("sin({x})"),
         Function::Cos => format!("cos({x})"),
         Function::Tan => format!("tan({x})"),
+        Function::Elementary(Elementary::Table(table)) => pieces(&table, x),
         Function::Elementary(function) => format!("sympy.{}({x})", function.name()),
         Function::Power(n) => format!("({x})**{}", exponent(n.into())),
     }
+}
+
+/// The value of a table, piece by piece.
+fn pieces(table: &Spline, x: &str) -> String {
+    let piece = |i: usize| {
+        let ([a, b, c, d], from) = (table.pieces[i], table.knots[i.saturating_sub(1)]);
+        let u = format!("(({x}) - ({from:?}))");
+        format!("{a:?} + {u}*({b:?} + {u}*({c:?} + {u}*({d:?})))")
+    };
+    let last = table.knots.len();
+    let chosen = (0..last).map(|i| format!("({}, ({x}) < {:?}), ", piece(i), table.knots[i]));
+    format!("sympy.Piecewise({}({}, True))", chosen.collect::<String>(), piece(last))
 }
 
 fn exponent(n: i64) -> String {

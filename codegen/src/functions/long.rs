@@ -33,7 +33,7 @@ pub(super) fn functions(system: &System, kinematics: &Kinematics, motion: &Motio
     let chain = Chain::recognise(&mut lowering, system, kinematics, motion);
     let free = PhaseFunctions::of_all(lowering.program(), motion, accelerations, energy);
     let phases = vec![PhaseFunctions { chain, ..free }];
-    let kinks = kinks::kinks(&program, &kernel);
+    let kinks = kinks::kinks(&mut program, &kernel);
     Functions {
         program,
         kernel,

@@ -211,7 +211,7 @@ impl Functions {
         let held = held::held_motions(&mut program, system, kinematics, motion, &kernel, &phases);
         let projected = needs_projected_series(motion, &phases)
             .then(|| PhaseFunctions::of_all(&mut program, motion, Vec::new(), energy));
-        let kinks = kinks::kinks(&program, &kernel);
+        let kinks = kinks::kinks(&mut program, &kernel);
         Self {
             program,
             kernel,

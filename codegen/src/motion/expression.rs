@@ -152,6 +152,10 @@ impl Expression {
             Function::Elementary(Elementary::Tanh) => {
                 number(1, 1).minus(own().apply(function).apply(Function::Power(2)))
             }
+            Function::Elementary(Elementary::Table(table)) => match table.slope() {
+                Some(slope) => own().apply(Function::Elementary(Elementary::Table(slope))),
+                None => number(0, 1),
+            },
             Function::Elementary(Elementary::Atan) => {
                 number(1, 1).over(number(1, 1).plus(own().apply(Function::Power(2))))
             }

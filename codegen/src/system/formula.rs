@@ -13,12 +13,17 @@ use super::{Declared, Formula, Function, Operator, Reading, Signal};
 use crate::algebra::{Rational, Series, work};
 use crate::elementary::Elementary;
 use crate::limits;
+use crate::spline::Table;
 use crate::syntax::{plain, unknown};
 
 const FORMS: &str = "expected a number, a parameter, `t`, a coordinate, `rate(phi)`, `x(P)`, `y(P)`, `vx(P)`, `vy(P)`, \
                      + − * /, `sqrt(…)`, `sin(…)`, `cos(…)`, `tan(…)`, `exp(…)`, `log(…)`, `tanh(…)`, \
                      `atan(…)`, `atan2(y, x)`, `abs(…)`, `sign(…)`, `min(a, b)`, `max(a, b)`, `clamp(x, low, high)`, \
-                     `if(a > b, x, y)` or `.powi(n)`";
+                     `if(a > b, x, y)`, \
+                     `table(x, [x0, x1], [y0, y1])` or `.powi(n)`";
+
+/// A table has no more places: each is a kink that steps are looked through for.
+const MOST_PLACES: usize = 512;
 
 /// What is said of a function that jumps where none may.
 const JUMPS: &str = "`if`, `sign` and `atan2` jump, which";
@@ -186,7 +191,7 @@ impl FormulaReader<'_, '_, '_> {
         };
         let count = match name.as_str() {
             "min" | "max" | "atan2" => 2,
-            "clamp" | "if" => 3,
+            "clamp" | "if" | "table" => 3,
             _ => 1,
         };
         let Some(argument) = call.args.first().filter(|_| call.args.len() == count) else {
@@ -200,6 +205,7 @@ impl FormulaReader<'_, '_, '_> {
         match name.as_str() {
             "if" => return self.choice(call),
             "atan2" => return self.direction(call),
+            "table" => return self.table(call),
             "sign" => return self.sign(argument, call),
             _ if count > 1 => return self.bounded(&name, call),
             _ => {}
@@ -336,8 +342,12 @@ impl FormulaReader<'_, '_, '_> {
     fn direction(&mut self, call: &ExprCall) -> Option<Formula> {
         self.may_jump(call)?;
         let (y, x) = (self.parse(&call.args[0]), self.parse(&call.args[1]));
+        let (y, x) = (y?, x?);
         let [v, u] = [&call.args[0], &call.args[1]].map(|expr| self.text(expr));
-        let (y, x, v, u) = (y?, x?, v?, u?);
+        let Some((v, u)) = v.zip(u) else {
+            self.scope.report.over(call, "`atan2` is of no table");
+            return None;
+        };
         if let (Formula::Constant(_), Formula::Constant(_)) = (&y, &x) {
             let text = "`atan2` of what does not vary; write `atan(y / x)`";
             self.scope.report.over(call, text);
@@ -372,6 +382,51 @@ impl FormulaReader<'_, '_, '_> {
         let off = self.join(Operator::Subtract, s, number(1), call)?;
         let off = self.join(Operator::Multiply, pi, off, call)?;
         self.join(Operator::Add, whole, off, call)
+    }
+
+    /// `table(x, [x0, x1], [y0, y1])`.
+    fn table(&mut self, call: &ExprCall) -> Option<Formula> {
+        let x = self.parse(&call.args[0]);
+        if let Reads::Smooth(_) | Reads::Slip = self.reads {
+            let text =
+                "a table is for loads: beyond its ends it is constant, where a drive would have a kink";
+            self.scope.report.over(call, text);
+            return None;
+        }
+        let places = self.numbers(&call.args[1])?;
+        let values = self.numbers(&call.args[2])?;
+        let text = if places.len() != values.len() {
+            format!("a table has as many values as places; {} and {}", values.len(), places.len())
+        } else if !(2..=MOST_PLACES).contains(&values.len()) {
+            format!("a table has from 2 to {MOST_PLACES} values")
+        } else if let Some(pair) = places.windows(2).find(|pair| pair[1] <= pair[0]) {
+            format!("the places of a table rise; {} follows {}", pair[1].to_f64(), pair[0].to_f64())
+        } else {
+            let values: Vec<f64> = values.into_iter().map(Rational::to_f64).collect();
+            let table = Elementary::Table(Table::new(places, &values));
+            return self.apply(Function::Elementary(table), x?, call);
+        };
+        self.scope.report.over(&call.args[1], text);
+        None
+    }
+
+    /// `[0, 1.5, 2]`.
+    fn numbers(&mut self, list: &Expr) -> Option<Vec<Rational>> {
+        let Expr::Array(list) = list else {
+            self.scope.mention(list);
+            let text = "a list of numbers: `table(x, [0, 1, 2], [3, 5, 4])`";
+            self.scope.report.over(list, text);
+            return None;
+        };
+        let numbers = list.elems.iter().map(|element| {
+            let value = self.scope.number(element)?.as_constant();
+            if value.is_none() {
+                let text = "a table has numbers; write a parameter as a factor beside it";
+                self.scope.report.over(element, text);
+            }
+            value
+        });
+        numbers.collect::<Vec<_>>().into_iter().collect()
     }
 
     /// Refuses what jumps where nothing may.
@@ -429,7 +484,10 @@ impl FormulaReader<'_, '_, '_> {
             _ if a.jumps() || b.jumps() => "what a condition compares must not jump",
             _ => {
                 let below = right.map_or(Some("0".to_owned()), |right| self.text(right));
-                return Some(format!("{} {sign} {}", self.text(left)?, below?));
+                match self.text(left).zip(below) {
+                    Some((above, below)) => return Some(format!("{above} {sign} {below}")),
+                    None => "a condition compares no table",
+                }
             }
         };
         self.scope.report.over(left, text);

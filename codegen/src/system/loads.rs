@@ -94,7 +94,7 @@ pub enum LoadKind {
 
 impl LoadKind {
     /// Its components, or its value.
-    pub(super) fn values(&self) -> &[Formula] {
+    pub fn values(&self) -> &[Formula] {
         match self {
             Self::Force { value, .. } => value,
             Self::Couple { value, .. } => core::slice::from_ref(value),
@@ -143,6 +143,17 @@ impl Formula {
     /// What it is, if parameters determine it.
     pub fn as_series(&self) -> Option<&Series> {
         if let Self::Constant(series) = self { Some(series) } else { None }
+    }
+
+    /// Whether it has a table.
+    pub fn has_table(&self) -> bool {
+        match self {
+            Self::Apply(function, argument) => {
+                matches!(function, Function::Elementary(Elementary::Table(_))) || argument.has_table()
+            }
+            Self::Join(_, left, right) => left.has_table() || right.has_table(),
+            Self::Constant(_) | Self::Time | Self::Motion { .. } | Self::Slip | Self::Switch(_) => false,
+        }
     }
 
     /// Whether it jumps where a condition begins or ceases to hold.

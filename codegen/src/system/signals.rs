@@ -3,7 +3,7 @@
 
 use syn::{BinOp, Expr, Ident, Lit, UnOp};
 
-use super::{Formula, Function, Operator};
+use super::{Elementary, Formula, Function, Operator};
 use crate::syntax::plain;
 
 /// A polynomial of up to this degree in time and motion is seen by every method.
@@ -50,10 +50,10 @@ fn degree(formula: &Formula) -> Option<i32> {
     (degree <= DEGREE).then_some(degree)
 }
 
-/// Whether there is a root of what may vanish, or a switch.
+/// Whether there is a root of what may vanish, a switch or a table.
 fn has_kink(formula: &Formula) -> bool {
     match formula {
-        Formula::Switch(_) => true,
+        Formula::Switch(_) | Formula::Apply(Function::Elementary(Elementary::Table(_)), _) => true,
         Formula::Apply(Function::Sqrt, radicand) if !is_positive(radicand) => true,
         Formula::Apply(_, argument) => has_kink(argument),
         Formula::Join(_, left, right) => has_kink(left) || has_kink(right),

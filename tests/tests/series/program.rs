@@ -31,6 +31,7 @@ fn evaluate(program: &Program, outputs: &[Id], input: &dyn Fn(Symbol) -> Series)
             Operation::Elementary(Elementary::Log, a) => at(a).ln(),
             Operation::Elementary(Elementary::Tanh, a) => at(a).tanh(),
             Operation::Elementary(Elementary::Atan, a) => at(a).atan(),
+            Operation::Elementary(Elementary::Table(table), a) => at(a).spline(&table.knots, &table.pieces),
         };
     }
     outputs.iter().map(|id| values[id.index()]).collect()

@@ -143,7 +143,9 @@ impl SeriesWriter<'_> {
             Operation::Elementary(function, a) => {
                 let (a, method) = (self.term(a), variable(function.method()));
                 self.columns += function.columns() - 1;
-                (quote!(order.#method(#column, #a)), None)
+                let data = body::table(function);
+                let data = (!data.is_empty()).then(|| quote!(, #data));
+                (quote!(order.#method(#column, #a #data)), None)
             }
             _ => return None,
         };

@@ -4,8 +4,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::algebra::{Rational, Symbol};
+use crate::elementary::Elementary;
 use crate::export::identifiers::Identifiers;
 use crate::program::{Id, Operation, Program};
+use crate::spline::Spline;
 
 /// An expression of more letters has a variable.
 const LONG: usize = 72;
@@ -126,6 +128,9 @@ impl CWriter<'_> {
             Operation::Sqrt(a) => (format!("sqrt({})", self.written[&a].0), Level::Atom),
             Operation::Sin(a) => (format!("sin({})", self.written[&a].0), Level::Atom),
             Operation::Cos(a) => (format!("cos({})", self.written[&a].0), Level::Atom),
+            Operation::Elementary(Elementary::Table(table), a) => {
+                (pieces(&table, &self.written[&a].0), Level::Atom)
+            }
             Operation::Elementary(function, a) => {
                 (format!("{}({})", function.name(), self.written[&a].0), Level::Atom)
             }
@@ -140,6 +145,21 @@ impl CWriter<'_> {
         let (text, level) = &self.written[&id];
         if *level < least { format!("({text})") } else { text.clone() }
     }
+}
+
+/// The value of a table, piece by piece.
+fn pieces(table: &Spline, x: &str) -> String {
+    let piece = |i: usize| {
+        let ([a, b, c, d], from) = (table.pieces[i], table.knots[i.saturating_sub(1)]);
+        let u = format!("(({x}) - ({from:?}))");
+        if b == 0.0 && c == 0.0 && d == 0.0 {
+            return format!("{a:?}");
+        }
+        format!("{a:?} + {u}*({b:?} + {u}*({c:?} + {u}*({d:?})))")
+    };
+    let last = table.knots.len();
+    let chosen = (0..last).map(|i| format!("({x}) < {:?} ? {} : ", table.knots[i], piece(i)));
+    format!("({}{})", chosen.collect::<String>(), piece(last))
 }
 
 /// An exact number: a quotient of whole numbers where both are `double`s, which is rounded once as

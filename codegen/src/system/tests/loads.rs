@@ -190,7 +190,8 @@ fn mistakes_in_loads_are_reported() {
     let forms = "expected a number, a parameter, `t`, a coordinate, `rate(phi)`, `x(P)`, `y(P)`, `vx(P)`, `vy(P)`, \
                  + − * /, `sqrt(…)`, `sin(…)`, `cos(…)`, `tan(…)`, `exp(…)`, `log(…)`, `tanh(…)`, \
                  `atan(…)`, `atan2(y, x)`, `abs(…)`, `sign(…)`, `min(a, b)`, `max(a, b)`, `clamp(x, low, high)`, \
-                 `if(a > b, x, y)` or `.powi(n)`";
+                 `if(a > b, x, y)`, \
+                 `table(x, [x0, x1], [y0, y1])` or `.powi(n)`";
     let jumps = "`if`, `sign` and `atan2` jump, which";
     let prescribed = format!("{jumps} what is prescribed must not; give a drive a condition, `while(\"…\")`");
     let friction = format!("{jumps} a coefficient of friction must not; `tanh(v / w)` is steep and smooth");
@@ -225,6 +226,20 @@ fn mistakes_in_loads_are_reported() {
         ("#[couple(AB = atan2(t))]", "`atan2` takes 2 arguments"),
         ("#[drive(phi = if(t > 1, a, l))]", &prescribed),
         ("#[support(B = floor, friction = if(v > 1, a, l))]", &friction),
+        ("#[couple(AB = table(t, [0, 1]))]", "`table` takes 3 arguments"),
+        ("#[couple(AB = table(t, m, [0, 1]))]", "a list of numbers: `table(x, [0, 1, 2], [3, 5, 4])`"),
+        ("#[couple(AB = table(t, [0, 1, 2], [0, 1]))]", "a table has as many values as places; 2 and 3"),
+        ("#[couple(AB = table(t, [0], [1]))]", "a table has from 2 to 512 values"),
+        ("#[couple(AB = table(t, [0, 2, 1], [0, 1, 2]))]", "the places of a table rise; 1 follows 2"),
+        (
+            "#[couple(AB = table(t, [0, 1], [0, m]))]",
+            "a table has numbers; write a parameter as a factor beside it",
+        ),
+        ("#[couple(AB = if(table(t, [0, 1], [0, 1]) > t, m, a))]", "a condition compares no table"),
+        (
+            "#[drive(phi = table(t, [0, 1], [0, 1]))]",
+            "a table is for loads: beyond its ends it is constant, where a drive would have a kink",
+        ),
         ("#[couple(AB = t / (l - l))]", "division by zero"),
         ("#[couple(AB = sqrt(-1) * t)]", "the root of a negative number"),
         ("#[couple(AB = t.powi(a))]", "expected a whole number between −64 and 64"),

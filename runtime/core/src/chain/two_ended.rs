@@ -78,6 +78,11 @@ impl<S: Real> Real for TwoEnded<S> {
         self.each(S::atan)
     }
 
+    fn piece(self, knots: &[f64], pieces: &[[f64; 4]]) -> [Self; 5] {
+        let [a, b] = self.0.map(|x| x.piece(knots, pieces));
+        core::array::from_fn(|k| Self([a[k], b[k]]))
+    }
+
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         let ([a, c], [b, d]) =

@@ -145,6 +145,10 @@ impl<S: Real, const N: usize> Real for Dual<S, N> {
         self.chain(self.value.atan(), S::ratio(1, 1) / below)
     }
 
+    fn piece(self, knots: &[f64], pieces: &[[f64; 4]]) -> [Self; 5] {
+        self.value.piece(knots, pieces).map(Self::constant)
+    }
+
     fn mul_add(self, a: Self, b: Self) -> Self {
         let rate = |i: usize| {
             let scaled = self.gradient[i].mul_add(a.value, b.gradient[i]);

@@ -224,6 +224,10 @@ impl<S: Real, const K: usize> Real for Jet<S, K> {
         self.integral(self.0[0].atan(), |n, _| slope.0[n])
     }
 
+    fn piece(self, knots: &[f64], pieces: &[[f64; 4]]) -> [Self; 5] {
+        self.0[0].piece(knots, pieces).map(Self::constant)
+    }
+
     #[inline]
     fn mul_add(self, a: Self, b: Self) -> Self {
         Self(core::array::from_fn(|n| (0..=n).fold(b.0[n], |sum, k| self.0[k].mul_add(a.0[n - k], sum))))

@@ -173,6 +173,10 @@ impl<const V: usize, X: Vector> Real for Lanes<V, X> {
         Self::from_fn(|lane| Real::atan(self.lane(lane)))
     }
 
+    fn piece(self, knots: &[f64], pieces: &[[f64; 4]]) -> [Self; 5] {
+        core::array::from_fn(|k| Self::from_fn(|lane| self.lane(lane).piece(knots, pieces)[k]))
+    }
+
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         let ([sin], [cos]) = Self::sin_cos_each([self]);

@@ -73,6 +73,16 @@ pub trait Real:
     fn tanh(self) -> Self;
     /// The angle between −π/2 and π/2 with this tangent.
     fn atan(self) -> Self;
+    /// The piece of a spline that its value lies in: where that begins, and its coefficients.
+    fn piece(self, knots: &[f64], pieces: &[[f64; 4]]) -> [Self; 5];
+    /// The value of a spline: Σ cₖ (x − a)ᵏ with a the knot before x, or the first; there is one
+    /// piece more than there are knots.
+    #[inline]
+    fn spline(self, knots: &[f64], pieces: &[[f64; 4]]) -> Self {
+        let [from, a, b, c, d] = self.piece(knots, pieces);
+        let u = self - from;
+        d.mul_add(u, c).mul_add(u, b).mul_add(u, a)
+    }
     /// The sines and the cosines of several angles, with the bits that each has by itself; side by
     /// side where that pays.
     #[inline(always)]

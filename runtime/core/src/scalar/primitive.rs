@@ -45,6 +45,12 @@ macro_rules! primitive {
                 Library::atan(self)
             }
 
+            fn piece(self, knots: &[f64], pieces: &[[f64; 4]]) -> [Self; 5] {
+                let piece = knots.partition_point(|knot| *knot as Self <= self);
+                let [a, b, c, d] = pieces[piece];
+                [knots[piece.saturating_sub(1)], a, b, c, d].map(|x| x as Self)
+            }
+
             #[inline]
             fn is_zero(self) -> bool {
                 self == 0.0

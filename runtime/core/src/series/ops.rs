@@ -16,6 +16,7 @@
 //! l = log a    lₙ = (aₙ − m / n) / a₀          column a, k lₖ
 //! h = tanh a   hₙ = aₙ g₀ + m / n              column k aₖ, g = 1 − h², and h, h
 //! y = atan a   yₙ = (aₙ − m / n) / g₀          column g = 1 + a², k yₖ, and a, a
+//! s of a table: Horner's products             columns of 0, of c₃ u + c₂ and u, of the next and u
 //! ```
 //!
 //! What an order adds last is a product with a value, so that little stands between a coefficient
@@ -50,6 +51,8 @@ pub trait SeriesOps<S: Real> {
     fn tanh(&mut self, column: usize, a: S) -> S;
     /// atan a; takes two columns.
     fn atan(&mut self, column: usize, a: S) -> S;
+    /// The value of a spline at a, all of which is in one piece; takes three columns.
+    fn spline(&mut self, column: usize, a: S, knots: &[f64], pieces: &[[f64; 4]]) -> S;
     /// sin φ and cos φ, whose values are `values`; takes two columns.
     fn sin_cos(&mut self, column: usize, angle: S, values: impl FnOnce() -> (S, S)) -> (S, S);
     /// 1 − cos φ, whose value is `value`.
@@ -159,6 +162,18 @@ impl<S: Real, P: Storage<S>> SeriesOps<S> for Values<'_, P> {
         self.keep(column, inverse, inverse);
         self.keep(column + 1, a + a, a);
         a.atan()
+    }
+
+    #[inline]
+    fn spline(&mut self, column: usize, a: S, knots: &[f64], pieces: &[[f64; 4]]) -> S {
+        let [from, c0, c1, c2, c3] = a.piece(knots, pieces);
+        let u = a - from;
+        let inner = c3.mul_add(u, c2);
+        let outer = inner.mul_add(u, c1);
+        self.keep(column, c3, c3);
+        self.keep(column + 1, inner, u);
+        self.keep(column + 2, outer, u);
+        outer.mul_add(u, c0)
     }
 
     #[inline(always)]
@@ -279,6 +294,14 @@ impl<S: Real, P: Storage<S>> SeriesOps<S> for Coefficients<'_, P> {
         self.tape.write(self.n, column, square, angle * S::ratio(n, 1));
         self.tape.write(self.n, column + 1, a, a);
         angle
+    }
+
+    #[inline]
+    fn spline(&mut self, column: usize, a: S, _: &[f64], _: &[[f64; 4]]) -> S {
+        let (c3, _) = self.tape.kept(column);
+        let inner = c3 * a;
+        let outer = self.product(column + 1, inner, a);
+        self.product(column + 2, outer, a)
     }
 
     #[inline(always)]

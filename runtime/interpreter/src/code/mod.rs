@@ -96,6 +96,7 @@ pub(crate) fn run<S: Real>(instructions: &[Instruction], ratios: &[[i64; 2]], re
             Operation::Elementary(Elementary::Log) => at(a).ln(),
             Operation::Elementary(Elementary::Tanh) => at(a).tanh(),
             Operation::Elementary(Elementary::Atan) => at(a).atan(),
+            Operation::Elementary(Elementary::Table(table)) => at(a).spline(&table.knots, &table.pieces),
             Operation::SinCos => {
                 let (sin, cos) = at(a).sin_cos();
                 registers[b as usize] = cos;

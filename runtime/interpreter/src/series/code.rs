@@ -143,6 +143,9 @@ impl SeriesCode {
                 SeriesOperation::Elementary(Elementary::Log, column, a) => ops.ln(column, at(a)),
                 SeriesOperation::Elementary(Elementary::Tanh, column, a) => ops.tanh(column, at(a)),
                 SeriesOperation::Elementary(Elementary::Atan, column, a) => ops.atan(column, at(a)),
+                SeriesOperation::Elementary(Elementary::Table(table), column, a) => {
+                    ops.spline(column, at(a), &table.knots, &table.pieces)
+                }
                 SeriesOperation::Magnitude(column, a) => ops.magnitude(column, at(a)),
                 SeriesOperation::SinCos { column, angle, cos: to_cos, values: [s, c] } => {
                     let (sin, cos) = ops.sin_cos(column, at(angle), || (at(s), at(c)));

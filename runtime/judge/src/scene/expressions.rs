@@ -44,6 +44,8 @@ impl<S: Scalar> Builder<'_, S> {
             }
             Function::Elementary(Elementary::Exp) => self.tape.exponential(argument),
             Function::Elementary(Elementary::Log) => self.tape.logarithm(argument),
+            // Refused before.
+            Function::Elementary(Elementary::Table(_)) => argument,
             Function::Elementary(Elementary::Atan) => self.tape.arctangent(argument),
             // 1 − 2/(e²ˣ + 1).
             Function::Elementary(Elementary::Tanh) => {

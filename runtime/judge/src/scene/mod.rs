@@ -123,6 +123,9 @@ pub enum SceneError {
     /// times.
     #[error("{0} is active on a condition only; the judge treats every part as always active")]
     Switch(String),
+    /// A load by a table, whose pieces the judge's series do not tell apart.
+    #[error("`{0}` has a table, which is not judged")]
+    Table(String),
 }
 
 /// More maximal coordinates than these are not judged.
@@ -151,6 +154,20 @@ impl<S: Scalar> Scene<S> {
         }
         if let Some(switch) = system.switches.first() {
             return Err(SceneError::Switch(switch.label.clone()));
+        }
+        let loads =
+            system.loads.iter().map(|load| (&load.name, load.kind.values().iter().collect::<Vec<_>>()));
+        let springs = system.springs.iter().map(|spring| {
+            let law = [spring.stiffness.as_ref(), Some(&spring.length), spring.damping.as_ref()];
+            (&spring.name, law.into_iter().flatten().collect())
+        });
+        let torsions = system.torsions.iter().map(|torsion| {
+            let law = [torsion.stiffness.as_ref(), Some(&torsion.angle), torsion.damping.as_ref()];
+            (&torsion.name, law.into_iter().flatten().collect())
+        });
+        let mut all = loads.chain(springs).chain(torsions);
+        if let Some((name, _)) = all.find(|(_, law)| law.iter().any(|formula| formula.has_table())) {
+            return Err(SceneError::Table(name.clone()));
         }
         Builder::new(&system, parameters, n).finish(coordinates)
     }

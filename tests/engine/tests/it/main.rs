@@ -56,6 +56,7 @@ mod starts;
 mod stops;
 mod switched_loads;
 mod switches;
+mod tables;
 mod threads;
 mod timed_springs;
 mod uncoupled;

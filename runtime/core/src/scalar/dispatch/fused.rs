@@ -86,6 +86,10 @@ impl Real for Fused {
         Self(Real::atan(self.0))
     }
 
+    fn piece(self, knots: &[f64], pieces: &[[f64; 4]]) -> [Self; 5] {
+        self.0.piece(knots, pieces).map(Self)
+    }
+
     #[inline(always)]
     fn is_zero(self) -> bool {
         self.0.is_zero()

@@ -184,6 +184,12 @@ impl Real for DoubleDouble {
         exponential::atan(self)
     }
 
+    fn piece(self, knots: &[f64], pieces: &[[f64; 4]]) -> [Self; 5] {
+        let piece = knots.partition_point(|knot| Self::from_f64(*knot) <= self);
+        let [a, b, c, d] = pieces[piece];
+        [knots[piece.saturating_sub(1)], a, b, c, d].map(Self::from_f64)
+    }
+
     #[inline(never)]
     fn mul_add(self, a: Self, b: Self) -> Self {
         self * a + b
