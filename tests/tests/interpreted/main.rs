@@ -1,5 +1,6 @@
 //! Interpreted models against the compiled ones of the same declarations.
 
+mod choices;
 mod clutches;
 mod equations;
 mod guides;
@@ -16,7 +17,7 @@ use liftoff_studio::run_spec::Values;
 
 /// Every model twice: compiled, and its declaration derived once more and interpreted.
 fn each(mut compare: impl FnMut(&Entry, &Arc<Interpreted>)) {
-    for entry in models().with(guides::models()).with(clutches::models()).iter() {
+    for entry in models().with(guides::models()).with(clutches::models()).with(choices::models()).iter() {
         let analysis = liftoff_codegen::analyse(entry.layout().declaration.parse().unwrap()).unwrap();
         compare(entry, &Interpreted::from_analysis(&analysis));
     }

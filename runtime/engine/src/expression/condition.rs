@@ -4,11 +4,12 @@
 use core::fmt;
 use std::sync::Arc;
 
+use super::clause::{Clause, Relation};
 use super::environment::{self, Environment};
 use super::evaluate;
 use super::parse::Parser;
 use super::resolve::Vocabulary;
-use super::tree::{Expression, Operator};
+use super::tree::Expression;
 use crate::context::RunContext;
 use crate::error::OutputError;
 use crate::integration::phase_point::PhasePoint;
@@ -17,9 +18,6 @@ use crate::numerics::zero::roundoff;
 
 /// Of the size of two sides, what they may differ by where they are equal.
 const ROUNDED: f64 = roundoff(64.0);
-
-/// Comparisons that `and` and `or` join; each doubles what is computed of the others.
-const MOST_CLAUSES: usize = 8;
 
 /// A condition on a motion; it is met when it becomes true, not where a run starts with it.
 ///
@@ -31,14 +29,6 @@ pub struct Condition {
     sides: Arc<[Expression; 2]>,
     /// The right side, where it is a number.
     constant: Option<f64>,
-}
-
-/// How the sides are compared.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Relation {
-    Equal,
-    Less,
-    Greater,
 }
 
 /// What can be taken for conditions on a model, one of which is to be met: text or a [`Condition`].
@@ -62,85 +52,11 @@ impl<T: AsRef<str>> IntoConditions for T {
     }
 }
 
-/// A comparison, or several as one.
-pub(super) struct Clause {
-    relation: Relation,
-    sides: [Expression; 2],
-    /// How many comparisons.
-    count: usize,
-}
-
-impl Clause {
-    /// `a < b or c > d`: holds where one of them does.
-    pub(super) fn parse_any(parser: &mut Parser<'_>, text: &str) -> Result<Self, OutputError> {
-        let mut any = Self::parse_all(parser, text)?;
-        while parser.take_word("or") {
-            any = any.combine(Self::parse_all(parser, text)?, 1.0, text)?;
-        }
-        Ok(any)
-    }
-
-    /// `a < b and c > d`: holds where both do.
-    fn parse_all(parser: &mut Parser<'_>, text: &str) -> Result<Self, OutputError> {
-        let mut all = Self::parse(parser, text)?;
-        while parser.take_word("and") {
-            all = all.combine(Self::parse(parser, text)?, -1.0, text)?;
-        }
-        Ok(all)
-    }
-
-    fn parse(parser: &mut Parser<'_>, text: &str) -> Result<Self, OutputError> {
-        if parser.take_clause() {
-            parser.enter()?;
-            let inner = Self::parse_any(parser, text)?;
-            parser.close()?;
-            parser.leave();
-            return Ok(inner);
-        }
-        let left = parser.sum()?;
-        let relation = if parser.take('<') {
-            Some(Relation::Less)
-        } else if parser.take('>') {
-            Some(Relation::Greater)
-        } else {
-            parser.take('=').then_some(Relation::Equal)
-        };
-        let right = if relation.is_some() { parser.sum()? } else { Expression::Number(0.0) };
-        Ok(Self { relation: relation.unwrap_or(Relation::Equal), sides: [left, right], count: 1 })
-    }
-
-    /// Where the least (`sign` −1) or the greatest (1) of both margins is above 0.
-    fn combine(self, other: Self, sign: f64, text: &str) -> Result<Self, OutputError> {
-        let count = self.count + other.count;
-        if count > MOST_CLAUSES {
-            return Err(OutputError::Clauses { most: MOST_CLAUSES });
-        }
-        let equation = || OutputError::Combined { condition: text.trim().to_owned() };
-        let [one, other] = [self, other].map(Self::into_margin);
-        let margin = Expression::extreme(sign, one.ok_or_else(equation)?, other.ok_or_else(equation)?);
-        Ok(Self { relation: Relation::Greater, sides: [margin, Expression::Number(0.0)], count })
-    }
-
-    /// What is above 0 where it holds; nothing of an equation.
-    pub(super) fn into_margin(self) -> Option<Expression> {
-        let [left, right] = self.sides;
-        let (above, below) = match self.relation {
-            Relation::Equal => return None,
-            Relation::Greater => (left, right),
-            Relation::Less => (right, left),
-        };
-        Some(match below {
-            Expression::Number(0.0) => above,
-            below => Expression::join(Operator::Subtract, above, below),
-        })
-    }
-}
-
 impl Condition {
     /// Reads a condition with the names of a model.
     pub fn parse(layout: &'static Layout, text: &str) -> Result<Self, OutputError> {
         let mut parser = Parser::new(text, Vocabulary::new(layout))?;
-        let Clause { relation, sides, .. } = Clause::parse_any(&mut parser, text)?;
+        let Clause { relation, sides, .. } = parser.parse_any(text)?;
         parser.end()?;
         Self::refined(text.trim(), relation, sides)
     }
@@ -151,7 +67,7 @@ impl Condition {
         let mut all = Vec::new();
         loop {
             let start = parser.column();
-            let Clause { relation, sides, .. } = Clause::parse_all(&mut parser, text)?;
+            let Clause { relation, sides, .. } = parser.parse_all(text)?;
             let own: String = text.chars().take(parser.column() - 1).skip(start - 1).collect();
             all.push(Self::refined(own.trim(), relation, sides)?);
             if !parser.take_word("or") {

@@ -1,5 +1,6 @@
 //! Quantities of a motion as text: `y(D)`, `phi'`, `N(A, C, E) / (m * g)`, and conditions on them.
 
+mod clause;
 mod condition;
 mod constant;
 mod enclosure;
@@ -19,7 +20,7 @@ mod tests;
 mod token;
 mod tree;
 
-pub(crate) use condition::Relation;
+pub(crate) use clause::Relation;
 pub use condition::{Condition, IntoConditions};
 pub(crate) use enclosure::Enclosure;
 pub use environment::{Environment, Variable};

@@ -1,6 +1,6 @@
 //! Recursive descent: sum → product → sign → power → primary.
 
-use super::condition::Clause;
+use super::clause::{Clause, Relation};
 use super::resolve::{DRIVE, RATE, Vocabulary};
 use super::token::{Token, tokens, unexpected};
 use super::tree::{Expression, Function, Operator};
@@ -53,7 +53,7 @@ impl<'a> Parser<'a> {
     }
 
     /// Takes `(` if it is next and has a comparison up to its `)`: an expression has none.
-    pub(super) fn take_clause(&mut self) -> bool {
+    fn take_clause(&mut self) -> bool {
         let mut open = 0;
         let inside = self.tokens[self.at..].iter().map(|(token, _)| token).take_while(|token| {
             open += match token {
@@ -65,6 +65,44 @@ impl<'a> Parser<'a> {
         });
         let is_comparison = |token: &Token| matches!(token, Token::Symbol('<' | '>' | '='));
         inside.into_iter().any(is_comparison) && self.take('(')
+    }
+
+    /// `a < b or c > d`: holds where one of them does. `text` is what an error names.
+    pub(super) fn parse_any(&mut self, text: &str) -> Result<Clause, OutputError> {
+        let mut any = self.parse_all(text)?;
+        while self.take_word("or") {
+            any = any.combine(self.parse_all(text)?, 1.0, text)?;
+        }
+        Ok(any)
+    }
+
+    /// `a < b and c > d`: holds where both do.
+    pub(super) fn parse_all(&mut self, text: &str) -> Result<Clause, OutputError> {
+        let mut all = self.parse_clause(text)?;
+        while self.take_word("and") {
+            all = all.combine(self.parse_clause(text)?, -1.0, text)?;
+        }
+        Ok(all)
+    }
+
+    fn parse_clause(&mut self, text: &str) -> Result<Clause, OutputError> {
+        if self.take_clause() {
+            self.enter()?;
+            let inner = self.parse_any(text)?;
+            self.close()?;
+            self.leave();
+            return Ok(inner);
+        }
+        let left = self.sum()?;
+        let relation = if self.take('<') {
+            Some(Relation::Less)
+        } else if self.take('>') {
+            Some(Relation::Greater)
+        } else {
+            self.take('=').then_some(Relation::Equal)
+        };
+        let right = if relation.is_some() { self.sum()? } else { Expression::Number(0.0) };
+        Ok(Clause { relation: relation.unwrap_or(Relation::Equal), sides: [left, right], count: 1 })
     }
 
     pub(super) fn sum(&mut self) -> Result<Expression, OutputError> {
@@ -106,12 +144,12 @@ impl<'a> Parser<'a> {
         Ok(signed)
     }
 
-    pub(super) fn enter(&mut self) -> Result<(), OutputError> {
+    fn enter(&mut self) -> Result<(), OutputError> {
         self.depth += 1;
         if self.depth > DEEPEST { Err(OutputError::Depth { column: self.column() }) } else { Ok(()) }
     }
 
-    pub(super) fn leave(&mut self) {
+    fn leave(&mut self) {
         self.depth -= 1;
     }
 
@@ -186,7 +224,7 @@ impl<'a> Parser<'a> {
     fn several(&mut self, name: &str) -> Result<Expression, OutputError> {
         if name == "if" {
             let column = self.column();
-            let margin = Clause::parse_any(self, name)?.into_margin();
+            let margin = self.parse_any(name)?.into_margin();
             let margin =
                 margin.ok_or_else(|| unexpected("`<` or `>`", "no comparison".to_owned(), column))?;
             self.comma()?;
@@ -254,7 +292,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    pub(super) fn close(&mut self) -> Result<(), OutputError> {
+    fn close(&mut self) -> Result<(), OutputError> {
         if self.take(')') { Ok(()) } else { Err(self.expected("`)`")) }
     }
 

@@ -294,10 +294,11 @@ fn length_and_depth_are_bounded() {
 /// Words of the language in any order, and any characters: read or refused, within its bounds.
 #[test]
 fn whatever_is_written_is_read_or_refused() {
-    const WORDS: [&str; 47] = [
-        " and ", " or ", "==", "&&", "||", "rate", "°", "phi", "phi'", "m", "l", "x", "y", "(", ")", "+",
-        "-", "*", "/", "^", "=", "<", ">", ",", "N", "A", "E", "D", "B", "sin", "sqrt", "abs", "fx", "gap",
-        "ratio", "1", "2.5e3", ".", "1e", "e-", "'", "mm", "deg", "kg/s^2", " ", "µ", "\0",
+    const WORDS: [&str; 50] = [
+        " and ", " or ", "==", "&&", "||", "rate", "°", "if(", "atan2(", "sign(", "phi", "phi'", "m", "l",
+        "x", "y", "(", ")", "+", "-", "*", "/", "^", "=", "<", ">", ",", "N", "A", "E", "D", "B", "sin",
+        "sqrt", "abs", "fx", "gap", "ratio", "1", "2.5e3", ".", "1e", "e-", "'", "mm", "deg", "kg/s^2", " ",
+        "µ", "\0",
     ];
     let mut state = 1u64;
     let mut draw = |below: usize| {
@@ -346,6 +347,9 @@ fn units_follow_from_what_is_multiplied() {
         ("mu(P)", Some("")),
         ("phi - 0.5", Some("rad")),
         ("m * l^3", Some("kg m³")),
+        ("atan2(y(D), l)", Some("rad")),
+        ("if(phi > 0 and t < 1, l, 2 * l) * sign(l)", Some("m")),
+        ("atan2(m, l)", None),
         ("T + l", None),
         ("sin(l)", None),
         ("sqrt(l)", None),
