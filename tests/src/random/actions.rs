@@ -115,7 +115,7 @@ impl Builder<'_> {
 
     fn expression(&mut self, depth: usize) -> Expression {
         use Expression::{
-            Atan2, Cos, Difference, Exp, Log, Max, Min, Number, Product, Quotient, Sin, Sqrt, Square, Sum,
+            Atan, Cos, Difference, Exp, Log, Max, Min, Number, Product, Quotient, Sin, Sqrt, Square, Sum,
             Tan, Tanh,
         };
         if depth == 0 || self.source.chance(0.25) {
@@ -123,7 +123,7 @@ impl Builder<'_> {
         }
         let one = || Box::new(Expression::literal(100));
         let a = Box::new(self.expression(depth - 1));
-        match self.source.below(15) {
+        match self.source.below(14) {
             0 => Sum(a, Box::new(self.expression(depth - 1))),
             1 => Difference(a, Box::new(self.expression(depth - 1))),
             2 | 3 => Product(a, Box::new(self.expression(depth - 1))),
@@ -135,11 +135,10 @@ impl Builder<'_> {
             6 => Sin(a),
             9 => Exp(Box::new(Sin(a))),
             10 => Log(Box::new(Sum(one(), Box::new(Square(a))))),
+            11 if depth == 1 => Atan(a),
             11 => Tanh(a),
             12 => Min(a, Box::new(self.expression(depth - 1))),
             13 => Max(a, Box::new(self.expression(depth - 1))),
-            // Right of the origin.
-            14 => Atan2(Box::new(self.expression(depth - 1)), Box::new(Sum(one(), Box::new(Square(a))))),
             7 => Number(self.spec.parameters.positive(self.source, "f")).times(Cos(a)),
             _ => Tan(Box::new(Product(Box::new(Expression::literal(40)), Box::new(Sin(a))))),
         }

@@ -27,13 +27,13 @@ pub enum Expression {
     Exp(Box<Expression>),
     Log(Box<Expression>),
     Tanh(Box<Expression>),
-    Atan2(Box<Expression>, Box<Expression>),
+    Atan(Box<Expression>),
     Min(Box<Expression>, Box<Expression>),
     Max(Box<Expression>, Box<Expression>),
 }
 
 use Expression::{
-    Atan2, Coordinate as Q, Cos, Difference, Exp, Log, Max, Min, Number, Position, Product, Quotient, Sin,
+    Atan, Coordinate as Q, Cos, Difference, Exp, Log, Max, Min, Number, Position, Product, Quotient, Sin,
     Sqrt, Square, Sum, Tan, Tanh, Time,
 };
 
@@ -80,7 +80,7 @@ impl Expression {
             Exp(a) => format!("exp({})", of(a)),
             Log(a) => format!("log({})", of(a)),
             Tanh(a) => format!("tanh({})", of(a)),
-            Atan2(a, b) => format!("atan2({}, {})", of(a), of(b)),
+            Atan(a) => format!("atan({})", of(a)),
             Min(a, b) => format!("min({}, {})", of(a), of(b)),
             Max(a, b) => format!("max({}, {})", of(a), of(b)),
         }
@@ -124,7 +124,7 @@ impl Expression {
             Exp(a) => Formula::Exp(of(a)),
             Log(a) => Formula::Log(of(a)),
             Tanh(a) => Formula::Tanh(of(a)),
-            Atan2(a, b) => Formula::Atan(Box::new(product(of(a), Box::new(Formula::Inverse(of(b)))))),
+            Atan(a) => Formula::Atan(of(a)),
             Min(a, b) => extreme(-1.0, a, b),
             Max(a, b) => extreme(1.0, a, b),
             Tan(a) => product(

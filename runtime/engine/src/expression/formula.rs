@@ -66,7 +66,7 @@ mod tests {
         assert_eq!(error("lambda'"), "no name `lambda'`; did you mean `lambda`?");
         assert_eq!(
             error("N(A)"),
-            "no function `N`; known: sqrt, sin, cos, tan, abs, exp, log, tanh, atan, sign, min, max, clamp, atan2, if"
+            "no function `N`; known: sqrt, sin, cos, tan, abs, exp, log, tanh, atan, sign, min, max, …"
         );
     }
 

@@ -145,6 +145,7 @@ impl Expression {
             Self::Gap(_) => METRE,
             Self::Kinetic | Self::Potential | Self::Energy | Self::Dissipated => JOULE,
             Self::Apply(function, x) => return of(x)?.under(*function),
+            Self::Join(Operator::Where | Operator::Unless, _, b) => return of(b),
             Self::Join(operator, a, b) => return of(a)?.joined(*operator, of(b)?, b),
         };
         Some(Measured { unit, factor: 1.0 })
