@@ -242,7 +242,7 @@ fn a_plank_is_lifted_from_many_rough_feet() {
 #[derive(BarSystem)]
 #[liftoff(dimensionless)]
 #[gravity(9.81)]
-#[body(b, points(P0 = (0, 0), P1 = (2, 0), P2 = (0.4, 0), P3 = (0.8, 0), F = (1.3, 0.02)), mass = 1, inertia = 0.4, centre = (1, 0.01))]
+#[body(b, points(P0 = (0, 0), P2 = (0.4, 0), P3 = (0.8, 0), P1 = (2, 0), F = (1.3, 0.02)), mass = 1, inertia = 0.4, centre = (1, 0.01))]
 #[support(P0 = floor)]
 #[support(P1 = floor)]
 #[support(P2 = floor)]
