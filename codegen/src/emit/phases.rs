@@ -87,8 +87,8 @@ fn closed_form(
         quote!([#(state[#places]),*])
     };
     let pivot = (!phase.pivots.is_empty()).then(|| {
-        let pivots =
-            body(analysis, constants, entries, &phase.pivots, |results| quote!(Pivots::collect([#(#results),*])));
+        let collect = |results: &[TokenStream]| quote!(Pivots::collect([#(#results),*]));
+        let pivots = body(analysis, constants, entries, &phase.pivots, collect);
         quote!(fn pivots<S: Scalar>(k: &Constants<S>, state: &[S; #n]) -> Pivots<S> { #pivots })
     });
     let energy = if is_full(analysis, phase) {

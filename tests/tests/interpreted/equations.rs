@@ -87,7 +87,7 @@ fn of_phase(phase: &dyn PhaseEquations, layout: &Layout, state: &[f64]) -> Vec<f
     let mut embedded = vec![0.0; layout.entries()];
     phase.embed(&y, &mut embedded);
     let Energy { kinetic, potential } = phase.energy(&y);
-    [f, reactions, embedded, vec![kinetic, potential, phase.pivot(&y)]]
+    [f, reactions, embedded, vec![kinetic, potential, phase.pivots(&y).least]]
         .iter()
         .for_each(|part| values.extend(part));
     if let Some(jacobian) = phase.jacobian() {

@@ -11,8 +11,8 @@ use super::projected::{KernelOrders, TakeOrder, projected_series};
 use super::{Jacobian, PhaseEquations, System};
 use crate::integrate::{ExpansionBy, PhaseExpansion};
 use crate::model::{
-    self, Array, BarSystem, ClosedForm, ContactSet, Energy, Form, KernelSeries, OfState, PhaseSeries, Pivots,
-    PhaseVisitor, Varying,
+    self, Array, BarSystem, ClosedForm, ContactSet, Energy, Form, KernelSeries, OfState, PhaseSeries,
+    PhaseVisitor, Pivots, Varying,
 };
 use crate::scalar::dispatch::{ForDouble, by_doubles};
 use crate::scalar::{Double, DoubleDouble, Dual4, Scalar};

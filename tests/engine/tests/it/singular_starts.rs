@@ -237,3 +237,31 @@ fn a_bar_without_room_ends_in_an_error_or_rests() {
     let trajectory = run.unwrap_or_else(|error| error.into_trajectory());
     assert!(trajectory.final_state()[0].abs() < 1e-3, "{:?}", trajectory.final_state());
 }
+
+/// A bar on a rough foot.
+#[derive(BarSystem)]
+#[gravity(10)]
+#[bar(AB, mass = 2, length = 1)]
+#[support(A = floor, rough)]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+#[coordinate(p = angle(AB), from = right)]
+#[figure(A = (0, 0), B = (0.6, 0.8))]
+struct OnRoughFoot;
+
+/// A rough foot that is said to slip is stopped at once: m l²/3 p′ = −½ m l sin p x′ about it. None
+/// is stopped that is pulled by what stops it.
+#[test]
+fn a_rough_foot_that_slips_is_struck() {
+    let start = |slip: f64| {
+        let pose = Pose::new("x", 0.0).with("y", 0.0).with("p", 1.0);
+        Simulation::new(&OnRoughFoot).unwrap().start(pose.with("x'", slip).with("p'", 0.0)).unwrap()
+    };
+    let run = start(-0.2).limit(0.1).run().unwrap();
+    let struck = &run.events()[1];
+    assert_eq!((struck.t, struck.kind), (0.0, EventKind::Impact));
+    let rate = run.value(&run.output("p'").unwrap(), 0.0);
+    assert!((rate - 1.5 * 0.2 * f64::sin(1.0)).abs() < 1e-12, "{rate}");
+    let refused = start(0.2).limit(0.1).run().unwrap_err();
+    assert_eq!(refused.trajectory().end_time(), 0.0, "{refused}");
+}

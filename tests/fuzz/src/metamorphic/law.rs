@@ -555,8 +555,7 @@ impl Law<'_> {
                 continue;
             }
             // A reaction grows beyond all bounds before an impact without collision.
-            let diverges =
-                |event: &Event| event.t == pair[1] && event.note == Some(Note::WithoutCollision);
+            let diverges = |event: &Event| event.t == pair[1] && event.note == Some(Note::WithoutCollision);
             let inset = if run.events().iter().any(diverges) { 1e-2 } else { 1e-7 } * long;
             let count = ((long / total * WINDOWS as f64).ceil() as usize).max(1);
             let at = |k: usize| from + inset + (long - 2.0 * inset) * k as f64 / count as f64;

@@ -8,6 +8,7 @@ use crate::event::{Event, EventKind, Guard, Note, reactions};
 use crate::expression::Condition;
 use crate::integration::equilibrium::is_equilibrium;
 use crate::model::ContactSet;
+use crate::numerics::zero::SOLVED;
 use crate::simulation::RunCause;
 use crate::simulation::awaited::Role;
 use crate::simulation::decide::DecisionInput;
@@ -98,7 +99,7 @@ impl Snapshot<'_> {
         Ok(())
     }
 
-    /// Contacts with g = 0 > ġ at the start.
+    /// Contacts with g = 0 > ġ at the start, and rough ones that slip and are pressed.
     fn striking(&self) -> ContactSet {
         let context = &self.setup.context;
         let (contacts, touching) = (self.layout().contacts.len(), self.closed());
@@ -109,12 +110,17 @@ impl Snapshot<'_> {
         let n = self.layout().coordinates.len();
         let (positions, rates) = (&self.state[..n], &self.state[n..2 * n]);
         let range = [deepest(self.setup.tolerance), CLOSED];
+        let is_pressed = |i: usize| {
+            self.layout().contacts[i].rough
+                && equations.gap_rate(i, rates) <= SOLVED * equations.terms(i, rates)
+                && equations.gap_acceleration(i, &self.accelerations(&self.state, touching)) < 0.0
+        };
         let closes = |i: &usize| {
             !touching.contains(*i)
                 && !self.layout().contacts[*i].kind.is_drive()
                 && !self.contacts.absent().contains(*i)
                 && touches(context, &equations, (*i, positions), range)
-                && equations.gap_rate(*i, rates) < 0.0
+                && (equations.gap_rate(*i, rates) < 0.0 || is_pressed(*i))
         };
         (0..contacts).filter(closes).collect()
     }
