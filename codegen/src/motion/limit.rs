@@ -30,7 +30,10 @@ pub(super) fn measure(
             let value = value.less_constant(driven, scene.system, scene.kinematics);
             let value = match value {
                 Expression::Value(_) => bound.clone(),
-                angle => opaque_terms.motion("limit".to_owned(), angle),
+                angle => {
+                    let name = format!("limit{}", opaque_terms.0.len() + 1);
+                    opaque_terms.motion(name, angle)
+                }
             };
             let series = scene.kinematics.driven(scene.system, driven).0;
             let actions = actions(scene, driven, &Series::one());
