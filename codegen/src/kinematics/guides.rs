@@ -8,14 +8,9 @@
 //! | a driven coordinate | `q − f(t) = 0` |
 //! | a driven distance, d₀ that of the figure | `(d² − f(t)²)/2d₀ = 0` |
 
-use core::f64::consts::{FRAC_PI_2, PI, TAU};
-
-use super::{Joint, JointKind, Kinematics, evaluate_reading};
+use super::{Joint, JointKind, Kinematics};
 use crate::algebra::{Angle, Rational, Series, Symbol};
 use crate::system::{CoordinateKind, Drive, Driven, Guide, Reading, Reference, Slider, System};
-
-/// A straight angle of a figure is within half a turn, whatever its numbers round to.
-const WITHIN: f64 = 1e-9;
 
 impl Kinematics {
     /// Appends the sliders, then the drives that hold throughout.
@@ -77,25 +72,11 @@ impl Kinematics {
         }
     }
 
-    /// The full turns to be added to the difference of two directions. Quarter turns are kept modulo
-    /// four, and from −π/2 to π it is 3π/2; where each direction is within half a turn in the
-    /// nominal figure, their difference need not be, and it is made so.
-    pub fn lost_turns(&self, system: &System, from: usize, to: usize) -> i64 {
+    /// The full turns that the difference of two directions has lost: quarter turns are kept modulo
+    /// four, and from −π/2 to π it is 3π/2.
+    pub fn lost_turns(&self, from: usize, to: usize) -> i64 {
         let [from, to] = [from, to].map(|body| &self.directions[body]);
-        let difference = to - from;
-        let lost = (to.signed_quarters() - from.signed_quarters() - difference.signed_quarters()) / 4;
-        // Numbers of angles have quarter turns from 0 to 3.
-        let quarters = difference.signed_quarters() - i64::from(difference.quarter_turns());
-        let shown = system.samples.first().map_or(0.0, |numbers| {
-            let value = |symbol| match symbol {
-                Symbol::Coordinate { index, .. } => {
-                    evaluate_reading(system, numbers, &self.coordinates[usize::from(index)].reading)
-                }
-                _ => numbers.evaluate(&Series::symbol(symbol)),
-            };
-            difference.evaluate(&value) + FRAC_PI_2 * (4 * lost + quarters) as f64
-        });
-        if shown.abs() > PI + WITHIN { lost - (shown / TAU).round() as i64 } else { lost }
+        (to.signed_quarters() - from.signed_quarters() - (to - from).signed_quarters()) / 4
     }
 
     /// d², of two points.

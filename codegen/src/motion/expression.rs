@@ -62,7 +62,7 @@ impl Expression {
         let (_, constant) = kinematics.driven(system, driven);
         let value = if constant == Angle::zero() { self } else { self.minus(Self::Angle(constant)) };
         match driven {
-            Driven::Turn { from, body } => value.plus_turns(-kinematics.lost_turns(system, *from, *body)),
+            Driven::Turn { from, body } => value.plus_turns(-kinematics.lost_turns(*from, *body)),
             _ => value,
         }
     }

@@ -84,7 +84,7 @@ impl Loads {
         let of = |formula| Expression::from_formula(formula, scene.system, scene.kinematics);
         let turn = Expression::Angle(turned.clone());
         let turn = match torsion.from {
-            Some(from) => turn.plus_turns(scene.kinematics.lost_turns(scene.system, from, torsion.body)),
+            Some(from) => turn.plus_turns(scene.kinematics.lost_turns(from, torsion.body)),
             None => turn,
         };
         let rest = if torsion.angle.is_zero() { turn } else { turn.minus(of(&torsion.angle)) };
