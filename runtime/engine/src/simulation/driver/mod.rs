@@ -259,10 +259,6 @@ impl<'a> Driver<'a> {
         }
         self.respond(|now| {
             now.record(EventKind::End, ContactSet::EMPTY, None);
-            let setup = now.setup;
-            for condition in &setup.ends.conditions {
-                now.log(LoggedDecision::ConditionNotMet(condition.clone()));
-            }
             Ok(())
         })?;
         Ok(Next::Finished)
