@@ -1,5 +1,5 @@
-//! Tables: values between places by a cubic spline that is not a knot at its second place and at the
-//! last but one (C. de Boor, *A Practical Guide to Splines*, 2001, ch. IV); constant beyond its
+//! Tables: values between places by a cubic spline that is not a knot at its second place and at
+//! the last but one (C. de Boor, *A Practical Guide to Splines*, 2001, ch. IV); constant beyond its
 //! ends.
 
 use core::hash::{Hash, Hasher};
@@ -86,6 +86,21 @@ impl Spline {
         let [a, b, c, d] = self.pieces[piece];
         let u = x - self.knots[piece.saturating_sub(1)];
         ((d * u + c) * u + b) * u + a
+    }
+
+    /// Its pieces as C and Python write them, of what is written as x, each with the knot where it
+    /// ends.
+    pub fn write_pieces(&self, x: &str) -> Vec<(Option<f64>, String)> {
+        let piece = |i: usize| {
+            let ([a, b, c, d], from) = (self.pieces[i], self.knots[i.saturating_sub(1)]);
+            let u = format!("(({x}) - ({from:?}))");
+            let text = match [b, c, d] {
+                [0.0, 0.0, 0.0] => format!("{a:?}"),
+                _ => format!("{a:?} + {u}*({b:?} + {u}*({c:?} + {u}*({d:?})))"),
+            };
+            (self.knots.get(i).copied(), text)
+        };
+        (0..self.pieces.len()).map(piece).collect()
     }
 
     /// The places at which pieces differ.

@@ -148,14 +148,11 @@ fn applied(function: Function, x: &str) -> String {
 
 /// The value of a table, piece by piece.
 fn pieces(table: &Spline, x: &str) -> String {
-    let piece = |i: usize| {
-        let ([a, b, c, d], from) = (table.pieces[i], table.knots[i.saturating_sub(1)]);
-        let u = format!("(({x}) - ({from:?}))");
-        format!("{a:?} + {u}*({b:?} + {u}*({c:?} + {u}*({d:?})))")
+    let piece = |(end, text): (Option<f64>, String)| match end {
+        Some(end) => format!("({text}, ({x}) < {end:?}), "),
+        None => format!("({text}, True)"),
     };
-    let last = table.knots.len();
-    let chosen = (0..last).map(|i| format!("({}, ({x}) < {:?}), ", piece(i), table.knots[i]));
-    format!("sympy.Piecewise({}({}, True))", chosen.collect::<String>(), piece(last))
+    format!("sympy.Piecewise({})", table.write_pieces(x).into_iter().map(piece).collect::<String>())
 }
 
 fn exponent(n: i64) -> String {

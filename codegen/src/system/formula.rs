@@ -335,10 +335,10 @@ impl FormulaReader<'_, '_, '_> {
         self.join(Operator::Subtract, above, below, call)
     }
 
-    /// `atan2(y, x)`, of (x, y) turned by α back to a half plane around the first axis: α − (1 − s) π +
-    /// 2 atan (v/(u + |(u, v)|)), u = ± (x cos α + y sin α), v = ± (y cos α − x sin α), with + and
-    /// s = 1 but in the eighth below the cut, y < 0 and x < y. That eighth ends at a ray where little
-    /// can rest; tan α/2 = ⅕.
+    /// `atan2(y, x)`, of (x, y) turned by α back to a half plane around the first axis:
+    /// α − (1 − s) π + 2 atan (v/(u + |(u, v)|)), u = ± (x cos α + y sin α),
+    /// v = ± (y cos α − x sin α), with + and s = 1 but in the eighth below the cut, y < 0 and x < y.
+    /// That eighth ends at a ray where little can rest; tan α/2 = ⅕.
     fn direction(&mut self, call: &ExprCall) -> Option<Formula> {
         self.may_jump(call)?;
         let (y, x) = (self.parse(&call.args[0]), self.parse(&call.args[1]));

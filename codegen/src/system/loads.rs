@@ -145,25 +145,24 @@ impl Formula {
         if let Self::Constant(series) = self { Some(series) } else { None }
     }
 
+    /// Whether it or a part of it is such.
+    fn any(&self, is: &dyn Fn(&Self) -> bool) -> bool {
+        is(self)
+            || match self {
+                Self::Apply(_, argument) => argument.any(is),
+                Self::Join(_, left, right) => left.any(is) || right.any(is),
+                Self::Constant(_) | Self::Time | Self::Motion { .. } | Self::Slip | Self::Switch(_) => false,
+            }
+    }
+
     /// Whether it has a table.
     pub fn has_table(&self) -> bool {
-        match self {
-            Self::Apply(function, argument) => {
-                matches!(function, Function::Elementary(Elementary::Table(_))) || argument.has_table()
-            }
-            Self::Join(_, left, right) => left.has_table() || right.has_table(),
-            Self::Constant(_) | Self::Time | Self::Motion { .. } | Self::Slip | Self::Switch(_) => false,
-        }
+        self.any(&|part| matches!(part, Self::Apply(Function::Elementary(Elementary::Table(_)), _)))
     }
 
     /// Whether it jumps where a condition begins or ceases to hold.
     pub(super) fn jumps(&self) -> bool {
-        match self {
-            Self::Switch(_) => true,
-            Self::Apply(_, argument) => argument.jumps(),
-            Self::Join(_, left, right) => left.jumps() || right.jumps(),
-            Self::Constant(_) | Self::Time | Self::Motion { .. } | Self::Slip => false,
-        }
+        self.any(&|part| matches!(part, Self::Switch(_)))
     }
 
     /// Whether it is 0.
@@ -178,12 +177,7 @@ impl Formula {
 
     /// Whether a coordinate, a position or a rate occurs.
     pub(super) fn reads_motion(&self) -> bool {
-        match self {
-            Self::Constant(_) | Self::Time => false,
-            Self::Motion { .. } | Self::Slip | Self::Switch(_) => true,
-            Self::Apply(_, argument) => argument.reads_motion(),
-            Self::Join(_, left, right) => left.reads_motion() || right.reads_motion(),
-        }
+        self.any(&|part| matches!(part, Self::Motion { .. } | Self::Slip | Self::Switch(_)))
     }
 }
 

@@ -149,17 +149,11 @@ impl CWriter<'_> {
 
 /// The value of a table, piece by piece.
 fn pieces(table: &Spline, x: &str) -> String {
-    let piece = |i: usize| {
-        let ([a, b, c, d], from) = (table.pieces[i], table.knots[i.saturating_sub(1)]);
-        let u = format!("(({x}) - ({from:?}))");
-        if b == 0.0 && c == 0.0 && d == 0.0 {
-            return format!("{a:?}");
-        }
-        format!("{a:?} + {u}*({b:?} + {u}*({c:?} + {u}*({d:?})))")
+    let piece = |(end, text): (Option<f64>, String)| match end {
+        Some(end) => format!("({x}) < {end:?} ? {text} : "),
+        None => text,
     };
-    let last = table.knots.len();
-    let chosen = (0..last).map(|i| format!("({x}) < {:?} ? {} : ", table.knots[i], piece(i)));
-    format!("({}{})", chosen.collect::<String>(), piece(last))
+    format!("({})", table.write_pieces(x).into_iter().map(piece).collect::<String>())
 }
 
 /// An exact number: a quotient of whole numbers where both are `double`s, which is rounded once as

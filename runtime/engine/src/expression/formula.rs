@@ -8,8 +8,8 @@ use super::tree::Expression;
 use crate::error::OutputError;
 
 /// A number that depends on variables, in the language of [`Output`](super::Output): numbers,
-/// `+ - * / ^`, parentheses, `sqrt sin cos tan abs exp log tanh atan sign min max clamp atan2`, `if(a > b, x, y)`, `pi`, and the
-/// variables' names.
+/// `+ - * / ^`, parentheses, `sqrt sin cos tan abs exp log tanh atan sign min max clamp atan2`,
+/// `if(a > b, x, y)`, `pi`, and the variables' names.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Formula {
     text: String,

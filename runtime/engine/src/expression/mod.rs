@@ -44,8 +44,8 @@ use tree::Expression;
 
 /// A quantity of a motion.
 ///
-/// Numbers, `+ - * / ^`, parentheses, `sqrt sin cos tan abs exp log tanh atan sign min max clamp atan2`,
-/// `if(a > b, x, y)`, `pi`,
+/// Numbers, `+ - * / ^`, parentheses,
+/// `sqrt sin cos tan abs exp log tanh atan sign min max clamp atan2`, `if(a > b, x, y)`, `pi`,
 /// parameters, `t`; coordinates `phi`, rates `phi'`, accelerations `phi''`, also `rate(phi)`;
 /// angles may have a unit, `30 deg`; position, velocity and acceleration of a point `x(P) y(P)
 /// vx(P) vy(P) ax(P) ay(P)`, its speed `speed(P)`; the reaction of a support or tension of a thread

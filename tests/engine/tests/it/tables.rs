@@ -1,5 +1,5 @@
-//! Loads by tables against SciPy 1.17 (`CubicSpline`, its antiderivatives, and `solve_ivp` from knot
-//! to knot), by every method.
+//! Loads by tables against SciPy 1.17 (`CubicSpline`, its antiderivatives, and `solve_ivp` from
+//! knot to knot), by every method.
 
 use liftoff::method::MethodId;
 use liftoff::prelude::*;

@@ -53,25 +53,27 @@ impl Snapshot<'_> {
         dependent.iter().filter(|i| kind(i).is_one_sided()).collect()
     }
 
-    /// Which of them has sunk deepest in a later state of the phase, and goes on to sink. The event
-    /// that ends the phase may come before the gap has left its bound.
+    /// Half the bound of a gap: the event that ends a phase may come before the gap has left it.
+    fn parting_bound(&self, contact: usize) -> f64 {
+        let unit = self.layout().unit(contact, self.setup.context.scales.length);
+        0.5 * CLOSED.min(self.relative_bound()) * unit
+    }
+
+    /// Which of them has sunk deepest in a later state of the phase, and goes on to sink.
     pub(in crate::simulation) fn deepest_dependent(&self, later: &[f64]) -> Option<usize> {
         let equations = self.setup.context.system().equations(later);
-        let deep = -0.5 * CLOSED.min(self.relative_bound());
-        let unit = |i: usize| self.layout().unit(i, self.setup.context.scales.length);
         let n = self.layout().coordinates.len();
         let gap = |i: usize| equations.gap()[i];
-        let sinks = |&i: &usize| gap(i) < deep * unit(i) && equations.gap_rate(i, &later[n..2 * n]) < 0.0;
+        let sinks =
+            |&i: &usize| gap(i) < -self.parting_bound(i) && equations.gap_rate(i, &later[n..2 * n]) < 0.0;
         self.dependent().iter().filter(sinks).min_by(|&i, &k| gap(i).total_cmp(&gap(k)))
     }
 
-    /// Which of them have parted in a later state of the phase: the event may be that of one of them,
-    /// and others, such as its image, reach the bound with it but for rounding.
+    /// Which of them have parted in a later state of the phase: the event may be that of one of
+    /// them, and others, such as its image, reach the bound with it but for rounding.
     pub(in crate::simulation) fn parted_dependent(&self, later: &[f64]) -> ContactSet {
         let equations = self.setup.context.system().equations(later);
-        let far = 0.5 * CLOSED.min(self.relative_bound());
-        let unit = |i: usize| self.layout().unit(i, self.setup.context.scales.length);
-        let parts = |&i: &usize| equations.gap()[i] > far * unit(i);
+        let parts = |&i: &usize| equations.gap()[i] > self.parting_bound(i);
         self.dependent().iter().filter(parts).collect()
     }
 

@@ -157,8 +157,8 @@ impl PhaseRun<'_> {
             .then(|| SingularityMonitor::new(phase.info().set, self.context, self.tolerance))
             .flatten();
         let keeps = self.observer.records();
-        let is_blind = self.observer.is_blind() && self.context.is_conservative() && loops.is_none();
-        let is_blind = is_blind && !eliminates(&*phase);
+        let is_blind = self.observer.is_blind() && self.context.is_conservative();
+        let is_blind = is_blind && loops.is_none() && !eliminates(&*phase);
         self.progress.is_unseen = self.detector.is_empty() && !keeps && is_blind;
         let mut recording = Recording::new((Arc::clone(&phase), self.closed), (self.t, start.clone()), keeps);
         let mut touches = Vec::new();
