@@ -8,7 +8,9 @@
 //! | a driven coordinate | `q − f(t) = 0` |
 //! | a driven distance, d₀ that of the figure | `(d² − f(t)²)/2d₀ = 0` |
 
-use super::{Joint, JointKind, Kinematics};
+use core::f64::consts::{FRAC_PI_2, TAU};
+
+use super::{Joint, JointKind, Kinematics, evaluate_reading, wrapped};
 use crate::algebra::{Angle, Rational, Series, Symbol};
 use crate::system::{CoordinateKind, Drive, Driven, Guide, Reading, Reference, Slider, System};
 
@@ -72,11 +74,24 @@ impl Kinematics {
         }
     }
 
-    /// The full turns that the difference of two directions has lost: quarter turns are kept modulo
-    /// four, and from −π/2 to π it is 3π/2.
-    pub fn lost_turns(&self, from: usize, to: usize) -> i64 {
-        let [from, to] = [from, to].map(|body| &self.directions[body]);
-        (to.signed_quarters() - from.signed_quarters() - (to - from).signed_quarters()) / 4
+    /// The full turns to be added to the direction of a body, or to its difference from that of
+    /// another, which puts it within half a turn in the nominal figure: quarter turns are kept modulo
+    /// four, and what is counted from the left is less than a turn.
+    pub fn lost_turns(&self, system: &System, from: Option<usize>, to: usize) -> i64 {
+        let from = from.map_or_else(Angle::zero, |from| self.directions[from].clone());
+        let angle = &self.directions[to] - &from;
+        // Numbers of angles have quarter turns from 0 to 3.
+        let quarters = angle.signed_quarters() - i64::from(angle.quarter_turns());
+        let shown = system.samples.first().map_or(0.0, |numbers| {
+            let value = |symbol| match symbol {
+                Symbol::Coordinate { index, .. } => {
+                    evaluate_reading(system, numbers, &self.coordinates[usize::from(index)].reading)
+                }
+                _ => numbers.evaluate(&Series::symbol(symbol)),
+            };
+            angle.evaluate(&value) + FRAC_PI_2 * quarters as f64
+        });
+        ((wrapped(shown) - shown) / TAU).round() as i64
     }
 
     /// d², of two points.

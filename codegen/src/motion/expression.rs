@@ -3,7 +3,7 @@
 use crate::algebra::{Angle, Quotient, Rational, Series, Symbol};
 use crate::elementary::Elementary;
 use crate::kinematics::Kinematics;
-use crate::system::{Driven, Formula, Function, Operator, System};
+use crate::system::{Driven, Formula, Function, Operator, Reading, System};
 
 /// An expression of series, angles and time.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,10 +46,14 @@ impl Expression {
             Formula::Switch(i) => Self::series(Series::symbol(Symbol::Switch(*i as u16))),
             Formula::Motion { reading, rate } => {
                 let (series, constant) = kinematics.derive_reading(system, *reading);
+                let turns = match reading {
+                    Reading::Direction(body) => kinematics.lost_turns(system, None, *body),
+                    _ => 0,
+                };
                 match (rate, constant == Angle::zero()) {
                     (true, _) => Self::series(series.rate()),
-                    (false, true) => Self::series(series),
-                    (false, false) => Self::series(series).plus(Self::Angle(constant)),
+                    (false, true) => Self::series(series).plus_turns(turns),
+                    (false, false) => Self::series(series).plus(Self::Angle(constant)).plus_turns(turns),
                 }
             }
             Formula::Apply(function, inner) => of(inner).apply(*function),
@@ -62,7 +66,12 @@ impl Expression {
         let (_, constant) = kinematics.driven(system, driven);
         let value = if constant == Angle::zero() { self } else { self.minus(Self::Angle(constant)) };
         match driven {
-            Driven::Turn { from, body } => value.plus_turns(-kinematics.lost_turns(*from, *body)),
+            Driven::Turn { from, body } => {
+                value.plus_turns(-kinematics.lost_turns(system, Some(*from), *body))
+            }
+            Driven::Reading(Reading::Direction(body)) => {
+                value.plus_turns(-kinematics.lost_turns(system, None, *body))
+            }
             _ => value,
         }
     }

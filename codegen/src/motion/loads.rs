@@ -82,11 +82,8 @@ impl Loads {
         };
         let name = torsion.name.replace(", ", "_");
         let of = |formula| Expression::from_formula(formula, scene.system, scene.kinematics);
-        let turn = Expression::Angle(turned.clone());
-        let turn = match torsion.from {
-            Some(from) => turn.plus_turns(scene.kinematics.lost_turns(from, torsion.body)),
-            None => turn,
-        };
+        let turns = scene.kinematics.lost_turns(scene.system, torsion.from, torsion.body);
+        let turn = Expression::Angle(turned.clone()).plus_turns(turns);
         let rest = if torsion.angle.is_zero() { turn } else { turn.minus(of(&torsion.angle)) };
         let mut torque = Series::zero();
         if let Some(k) = &torsion.stiffness {

@@ -16,7 +16,7 @@ use liftoff::prelude::*;
 #[gravity(g)]
 #[body(
     sleeve,
-    points(M = (0, 0), U = (r, h), L = (r, -h), G = (a, 0)),
+    points(M = (0, 0), L = (r, -h), G = (a, 0), U = (r, h)),
     mass = m_sleeve,
     inertia = j_sleeve,
     centre = (0, 0),

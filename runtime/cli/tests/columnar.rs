@@ -1,6 +1,6 @@
 //! Columnar files of runs and sweeps, read by pyarrow, pandas and DuckDB where there are these, beside the comma-separated ones.
 
-#[path = "../../../models/tests/processes/mod.rs"]
+#[path = "../../../models/tests/it/processes/mod.rs"]
 mod processes;
 
 mod example;

@@ -1,6 +1,6 @@
 //! Sweeps that the processes of MPI share, killed ones among them.
 
-#[path = "../../../models/tests/processes/mod.rs"]
+#[path = "../../../models/tests/it/processes/mod.rs"]
 mod processes;
 
 #[allow(dead_code, unused_imports, reason = "tests of files ask for more")]

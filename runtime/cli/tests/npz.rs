@@ -1,6 +1,6 @@
 //! Archives of arrays of runs and sweeps, read by NumPy where there is it, beside the comma-separated files.
 
-#[path = "../../../models/tests/processes/mod.rs"]
+#[path = "../../../models/tests/it/processes/mod.rs"]
 mod processes;
 
 mod example;

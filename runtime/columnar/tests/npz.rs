@@ -1,6 +1,6 @@
 //! Tables over several batches as NumPy reads them, where there is a Python that has it.
 
-#[path = "../../../models/tests/processes/mod.rs"]
+#[path = "../../../models/tests/it/processes/mod.rs"]
 mod processes;
 
 use liftoff_columnar::{Column, Format, Heading, Kind, Table, Value};

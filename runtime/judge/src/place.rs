@@ -62,7 +62,7 @@ impl<S: Scalar> Scene<S> {
         state.v.iter_mut().zip(&change).for_each(|(v, &change)| *v = *v + change);
     }
 
-    /// Torsion springs measure angles that lie within half a turn at the figure.
+    /// Springs and drives measure angles that lie within half a turn at the figure.
     pub(crate) fn wind(&mut self, turned: &[(Node, Node)]) {
         if turned.is_empty() {
             return;

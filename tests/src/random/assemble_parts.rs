@@ -1,11 +1,13 @@
 //! What a spec has beside bars, pins, masses and supports as the oracle's data.
 
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
 use nalgebra::Vector2;
 
 use super::assemble::{Places, coordinate, normal, vector};
 use super::parts::{SliderSpec, Target, Track, Weld};
 use super::quantity::Quantity;
-use super::spec::Spec;
+use super::spec::{Declared, Origin, Spec};
 use crate::oracle;
 use crate::oracle::{
     AngleTie, Assembly, Contact, Coordinate, Couple, Drive, Guide, Load, Spring, Support, Torsion,
@@ -30,12 +32,17 @@ pub fn parts(spec: &Spec, places: &Places, assembly: &mut Assembly) {
         length: number(&spring.length),
         damping: number(&spring.damping),
     }));
-    assembly.torsions.extend(parts.torsions.iter().map(|torsion| Torsion {
-        on: torsion.second.unwrap_or(torsion.first),
-        from: torsion.second.map(|_| torsion.first),
-        stiffness: number(&torsion.stiffness),
-        angle: number(&torsion.angle),
-        damping: number(&torsion.damping),
+    assembly.torsions.extend(parts.torsions.iter().map(|torsion| {
+        let on = torsion.second.unwrap_or(torsion.first);
+        let from = torsion.second.map(|_| torsion.first);
+        let shown = counted_direction(spec, on) - from.map_or(0.0, |from| counted_direction(spec, from));
+        Torsion {
+            on,
+            from,
+            stiffness: number(&torsion.stiffness),
+            angle: number(&torsion.angle) + shown - unwind(shown),
+            damping: number(&torsion.damping),
+        }
     }));
     assembly.loads.extend(parts.forces.iter().map(|force| Load {
         at: places[&force.point],
@@ -67,9 +74,30 @@ fn slider(slider: &SliderSpec, places: &Places) -> oracle::Slider {
 fn reading(spec: &Spec, target: &Target, places: &Places) -> Coordinate {
     match target {
         Target::Coordinate(index) => coordinate(spec, &spec.coordinates[*index], places),
-        Target::Direction(bar) => Coordinate::Angle { terms: vec![(*bar, 1.0)], offset: 0.0 },
+        Target::Direction(bar) => {
+            let shown = counted_direction(spec, *bar);
+            Coordinate::Angle { terms: vec![(*bar, 1.0)], offset: shown - unwind(shown) }
+        }
         Target::Position(point, axis) => Coordinate::Position { at: places[point], axis: *axis, sign: 1.0 },
     }
+}
+
+/// The direction of a bar in the figure as its declared angle counts it.
+fn counted_direction(spec: &Spec, bar: usize) -> f64 {
+    let heading = spec.bars[bar].heading.angle();
+    let base = spec.coordinates.iter().find_map(|declared| match declared {
+        Declared::Angle { bar: own, origin: Origin::Direction(quarters, _), .. } if *own == bar => {
+            Some(*quarters as f64 * FRAC_PI_2)
+        }
+        _ => None,
+    });
+    base.map_or(heading, |base| base + unwind(heading - base))
+}
+
+/// An angle within half a turn; a straight one is positive.
+fn unwind(angle: f64) -> f64 {
+    let rest = angle.rem_euclid(TAU);
+    if rest > PI + 1e-9 { rest - TAU } else { rest }
 }
 
 /// A weld keeps the difference that the headings have.

@@ -1,6 +1,6 @@
 //! The program that tests of columnar files run, and a sweep for it.
 
-#[path = "../../../../models/tests/processes/outcome.rs"]
+#[path = "../../../../models/tests/it/processes/outcome.rs"]
 mod outcome;
 
 pub use outcome::{read_file, refused};

@@ -4,7 +4,7 @@ use crate::error::NameError;
 
 impl NameError {
     /// The error for an unknown name, with the known ones and the nearest of them: within two edits
-    /// that leave half of it standing, or that only add to it or take from its end.
+    /// that leave half of both standing, or that only add to it or take from its end.
     pub fn new<'a>(kind: &'static str, name: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
         nearest(kind, name, &known.into_iter().collect::<Vec<_>>())
     }
@@ -31,6 +31,7 @@ fn nearest(kind: &'static str, name: &str, known: &[&str]) -> NameError {
 fn edits(given: &str, candidate: &str) -> Option<usize> {
     let edits = strsim::levenshtein(given, candidate);
     let continued = given.starts_with(candidate) || candidate.starts_with(given);
-    let most = if continued { 2 } else { 2.min(candidate.chars().count() / 2) };
+    let shorter = given.chars().count().min(candidate.chars().count());
+    let most = if continued { 2 } else { 2.min(shorter / 2) };
     (edits <= most).then_some(edits)
 }

@@ -107,11 +107,7 @@ impl<S: Scalar> Builder<'_, S> {
     }
 
     fn torsion(&mut self, torsion: &Torsion) {
-        let on = self.direction(torsion.body);
-        let turned = torsion.from.map_or(on, |from| self.tape.subtract(on, self.direction(from)));
-        let turns = self.tape.adjustable();
-        self.turned.push((turned, turns));
-        let turned = self.tape.subtract(turned, turns);
+        let turned = self.angle_between(torsion.from, torsion.body);
         if let Some(stiffness) = &torsion.stiffness {
             let (stiffness, angle) = (self.formula(stiffness), self.formula(&torsion.angle));
             let twist = self.tape.subtract(turned, angle);

@@ -121,7 +121,7 @@ impl<S: Scalar> Builder<'_, S> {
                 let square = self.square(self.points[a], self.points[b]);
                 self.tape.root(square)
             }
-            Driven::Turn { from, body } => self.tape.subtract(self.direction(body), self.direction(from)),
+            Driven::Turn { from, body } => self.angle_between(Some(from), body),
             Driven::Along { point, body } => {
                 let first = self.points[self.system.bodies[body].from];
                 let reach = self.difference(self.points[point], first);

@@ -56,9 +56,18 @@ impl<S: Scalar> Builder<'_, S> {
     pub(super) fn reading(&mut self, reading: Reading) -> Node {
         match reading {
             Reading::Coordinate(i) => self.coordinate(i),
-            Reading::Direction(body) => self.direction(body),
+            Reading::Direction(body) => self.angle_between(None, body),
             Reading::Position(point, axis) => self.points[point][axis],
         }
+    }
+
+    /// The direction of a body, or its angle from another, within half a turn at the figure.
+    pub(super) fn angle_between(&mut self, from: Option<usize>, to: usize) -> Node {
+        let to = self.direction(to);
+        let turned = from.map_or(to, |from| self.tape.subtract(to, self.direction(from)));
+        let turns = self.tape.adjustable();
+        self.turned.push((turned, turns));
+        self.tape.subtract(turned, turns)
     }
 
     pub(super) fn angle_of(&mut self, direction: &ConstrainedAngle) -> Node {

@@ -103,3 +103,38 @@ fn figures_of_other_parameters_are_refused() {
     let side = Simulation::new(&Leaning { w: -1.0, ..leaning }).err();
     assert_eq!(side, Some(ModelError::Side { support: "B".to_owned(), by: 0.5 }));
 }
+
+/// Two bars on a pin, bent by 0.4 to the left; the same turned by half a turn.
+#[derive(BarSystem)]
+#[bar(OA, mass = m, length = 1)]
+#[bar(AB, mass = m, length = 1)]
+#[pin(O = (0, 0))]
+#[torsion(OA, AB, stiffness = 10)]
+#[figure(A = (-0.98, 0.19899748742132398), B = (-1.96, 0))]
+struct BentLeft {
+    m: f64,
+}
+
+#[derive(BarSystem)]
+#[bar(OA, mass = m, length = 1)]
+#[bar(AB, mass = m, length = 1)]
+#[pin(O = (0, 0))]
+#[torsion(OA, AB, stiffness = 10)]
+#[figure(A = (0.98, -0.19899748742132398), B = (1.96, 0))]
+struct BentRight {
+    m: f64,
+}
+
+/// An angle between two bars is within half a turn where they are drawn, also where one points
+/// above the left and the other below it.
+#[test]
+fn an_angle_between_bars_is_that_of_the_figure() {
+    fn find_energies(bent: &impl BarSystem) -> [f64; 2] {
+        let run = Simulation::new(bent).unwrap().limit(0.5).run().unwrap();
+        [0.0, 0.5].map(|t| run.value(&run.output("V").unwrap(), t))
+    }
+    let (left, right) = (find_energies(&BentLeft { m: 1.0 }), find_energies(&BentRight { m: 1.0 }));
+    let bent = 2.0 * 0.19899748742132398f64.asin();
+    assert!((left[0] - 5.0 * bent * bent).abs() < 1e-12, "{left:?}");
+    assert!(left.iter().zip(right).all(|(a, b)| (a - b).abs() < 1e-9), "{left:?} {right:?}");
+}

@@ -314,8 +314,7 @@ impl<'a> Draft<'a> {
         if first.is_none() && self.is_half {
             return;
         }
-        let base = first.map_or(0.0, |k| self.scene.bodies[k].angle);
-        let angle = self.scene.bodies[second].angle - base + short(self.source, -0.5, 0.5);
+        let angle = self.scene.measure_angle(first, second) + short(self.source, -0.5, 0.5);
         let damping = if self.source.chance(0.4) { short(self.source, 0.05, 1.0) } else { 0.0 };
         let stiffness = short(self.source, 1.0, 30.0);
         self.scene.torsions.push(Torsion { first, second, stiffness, angle, damping });

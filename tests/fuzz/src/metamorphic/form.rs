@@ -122,7 +122,7 @@ impl Form {
             Change::Units(units) => Self { map: Map { units, ..map }, ..with(scale_units(&scene, units)) },
             Change::Order(seed) => Self { order: Some(seed), ..with(scene) },
             Change::Parameters => Self { are_parameters: true, ..with(scene) },
-            Change::Reversed(seed) => with(reverse_some(scene, seed)),
+            Change::Reversed(seed) => with(reverse_some(&scene, seed)),
             Change::Looks(seed) => with(change_looks(scene, seed)),
             Change::References(seed) => with(change_references(scene, seed)),
             Change::Beside(seed) => with(put_beside(&scene, seed)),
@@ -183,22 +183,13 @@ fn turn_scene(scene: &Scene, by: f64, shift: Vector) -> Scene {
         position: add(turn(by, position), shift),
         velocity: turn(by, velocity),
     };
-    let mut scene = move_places(scene, place);
-    scene.gravity = turn(by, scene.gravity);
-    scene.bodies.iter_mut().for_each(|body| body.angle += by);
-    line_angles(&mut scene).for_each(|angle| *angle += by);
-    scene.forces.iter_mut().for_each(|force| force.along = turn(by, force.along));
-    scene
-        .torsions
-        .iter_mut()
-        .filter(|torsion| torsion.first.is_none())
-        .for_each(|torsion| torsion.angle += by);
-    for drive in &mut scene.drives {
-        if let Target::Angle(_) = drive.target {
-            drive.wave.mean += by;
-        }
-    }
-    scene
+    let mut turned = move_places(scene, place);
+    turned.gravity = turn(by, scene.gravity);
+    turned.bodies.iter_mut().for_each(|body| body.angle += by);
+    line_angles(&mut turned).for_each(|angle| *angle += by);
+    turned.forces.iter_mut().for_each(|force| force.along = turn(by, force.along));
+    turned.turn_as_in(scene, 1.0);
+    turned
 }
 
 fn scale_units(scene: &Scene, [length, time, mass]: [f64; 3]) -> Scene {
@@ -259,8 +250,8 @@ fn scale_units(scene: &Scene, [length, time, mass]: [f64; 3]) -> Scene {
     scene
 }
 
-fn reverse_some(mut scene: Scene, seed: u64) -> Scene {
-    let mut source = Source::new(seed);
+fn reverse_some(original: &Scene, seed: u64) -> Scene {
+    let (mut source, mut scene) = (Source::new(seed), original.clone());
     let chosen: Vec<bool> = scene.bodies.iter().map(|_| source.chance(0.7)).collect();
     for k in (0..chosen.len()).filter(|k| chosen[*k]) {
         let Body { length, ends, angle, centre, spots, .. } = &mut scene.bodies[k];
@@ -268,27 +259,15 @@ fn reverse_some(mut scene: Scene, seed: u64) -> Scene {
         *centre = other(*centre);
         spots.iter_mut().for_each(|(_, at)| *at = other(*at));
         ends.swap(0, 1);
-        let by = if *angle > 0.0 { -PI } else { PI };
-        *angle += by;
+        *angle += if *angle > 0.0 { -PI } else { PI };
         for support in &mut scene.supports {
             match &mut support.shape {
                 Shape::Bar { body, is_left } if *body == k => *is_left = !*is_left,
                 _ => {}
             }
         }
-        for torsion in &mut scene.torsions {
-            torsion.angle += if torsion.second == k { by } else { 0.0 };
-            torsion.angle -= if torsion.first == Some(k) { by } else { 0.0 };
-        }
-        for drive in &mut scene.drives {
-            drive.wave.mean += match drive.target {
-                Target::Angle(body) if body == k => by,
-                Target::Between(first, _) if first == k => -by,
-                Target::Between(_, second) if second == k => by,
-                _ => 0.0,
-            };
-        }
     }
+    scene.turn_as_in(original, 1.0);
     scene
 }
 
@@ -320,8 +299,8 @@ fn change_references(mut scene: Scene, seed: u64) -> Scene {
 }
 
 fn put_beside(scene: &Scene, seed: u64) -> Scene {
-    let other = rename(&draw_other(scene, seed), |name| format!("{name}z"), scene.bodies.len());
-    join(scene, turn_scene(&other, 0.0, [8.0, 0.0]))
+    let other = turn_scene(&draw_other(scene, seed), 0.0, [8.0, 0.0]);
+    join(scene, rename(&other, |name| format!("{name}z"), scene.bodies.len()))
 }
 
 /// What [`Change::Beside`] puts beside a scene: a copy of it, or another one.

@@ -39,10 +39,10 @@ pub fn line_angles(scene: &mut Scene) -> impl Iterator<Item = &mut f64> {
 }
 
 /// The image in the line x = 0.
-pub fn reflect(scene: &Scene) -> Scene {
+pub fn reflect(original: &Scene) -> Scene {
     let flip = |[x, y]: Vector| [-x, y];
     let place = |Place { position, velocity }| Place { position: flip(position), velocity: flip(velocity) };
-    let mut scene = move_places(scene, place);
+    let mut scene = move_places(original, place);
     scene.gravity = flip(scene.gravity);
     for body in &mut scene.bodies {
         body.angle = PI - body.angle;
@@ -59,19 +59,7 @@ pub fn reflect(scene: &Scene) -> Scene {
     }
     scene.forces.iter_mut().for_each(|force| force.along = flip(force.along));
     scene.couples.iter_mut().for_each(|couple| couple.wave = couple.wave.opposite());
-    for torsion in &mut scene.torsions {
-        torsion.angle = if torsion.first.is_none() { PI } else { 0.0 } - torsion.angle;
-    }
-    for drive in &mut scene.drives {
-        match drive.target {
-            Target::Angle(_) => {
-                drive.wave = drive.wave.opposite();
-                drive.wave.mean += PI;
-            }
-            Target::Between(..) => drive.wave = drive.wave.opposite(),
-            Target::Distance(_) => {}
-        }
-    }
+    scene.turn_as_in(original, -1.0);
     scene
 }
 

@@ -294,10 +294,10 @@ impl Law<'_> {
 
     /// The angle between two bodies, counted through, and its rate.
     fn measure_torsion(&self, row: &Row, first: Option<usize>, second: usize) -> (f64, f64) {
-        let bodies = &self.scene.bodies;
-        let rate = |k: usize| self.compute_turning(row, &bodies[k])[0];
-        let [angle, pace] = [bodies[second].angle + self.measure_turn(row, second), rate(second)];
-        first.map_or((angle, pace), |k| (angle - bodies[k].angle - self.measure_turn(row, k), pace - rate(k)))
+        let motion =
+            |k: usize| [self.measure_turn(row, k), self.compute_turning(row, &self.scene.bodies[k])[0]];
+        let ([turned, rate], [other, pace]) = (motion(second), first.map_or([0.0; 2], motion));
+        (self.scene.measure_angle(first, second) + turned - other, rate - pace)
     }
 
     /// By how much a body has turned since the start: by its ends, and by a coordinate how often.

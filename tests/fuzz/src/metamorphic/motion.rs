@@ -1,6 +1,7 @@
 //! A run as rows of outputs: what `liftoff run FILE.rs --json` prints of it.
 
 use std::collections::BTreeMap;
+use std::f64::consts::FRAC_PI_2;
 use std::fmt;
 
 use liftoff::{Event, EventKind, Instant, LoggedDecision, Output, RunCause, Trajectory};
@@ -8,7 +9,7 @@ use liftoff_studio::{RunSpec, source};
 
 use super::form::Form;
 use super::print::name_target;
-use super::scene::{Reference, Scene, Vector};
+use super::scene::{Reference, Scene, Vector, unwind};
 
 pub const TOLERANCE: f64 = 1e-10;
 
@@ -101,11 +102,11 @@ fn list_start(scene: &Scene, coordinates: &[liftoff_core::model::Coordinate]) ->
                 let body = &scene.bodies[k];
                 match body.reference {
                     Reference::Quarters(quarters) => {
-                        [body.angle - f64::from(quarters) * std::f64::consts::FRAC_PI_2, body.rate]
+                        [unwind(body.angle - f64::from(quarters) * FRAC_PI_2), body.rate]
                     }
                     Reference::Body(other) => {
                         let other = &scene.bodies[other];
-                        [body.angle - other.angle, body.rate - other.rate]
+                        [unwind(body.angle - other.angle), body.rate - other.rate]
                     }
                 }
             }),

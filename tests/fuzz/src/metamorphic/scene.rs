@@ -1,6 +1,7 @@
 //! A planar scene in numbers, in the pose and with the velocities of its start.
 
 use std::collections::BTreeMap;
+use std::f64::consts::{PI, TAU};
 
 pub type Vector = [f64; 2];
 
@@ -301,11 +302,41 @@ impl Scene {
     /// What is prescribed, as it is at the start.
     pub fn measure_target(&self, target: &Target) -> f64 {
         match target {
-            Target::Angle(body) => self.bodies[*body].angle,
-            Target::Between(first, second) => self.bodies[*second].angle - self.bodies[*first].angle,
+            Target::Angle(body) => self.measure_angle(None, *body),
+            Target::Between(first, second) => self.measure_angle(Some(*first), *second),
             Target::Distance([a, b]) => norm(subtract(self.points[b].position, self.points[a].position)),
         }
     }
+
+    /// The direction of a body at the start, or its angle from another: within half a turn.
+    pub fn measure_angle(&self, from: Option<usize>, to: usize) -> f64 {
+        let direction = |k: usize| unwind(self.bodies[k].angle);
+        unwind(direction(to) - from.map_or(0.0, direction))
+    }
+
+    /// Springs and drives turned from the start as far as those of another scene, in the same sense
+    /// or the opposite one.
+    pub fn turn_as_in(&mut self, other: &Self, sense: f64) {
+        for k in 0..self.torsions.len() {
+            let Torsion { first, second, .. } = self.torsions[k];
+            let bent = other.torsions[k].angle - other.measure_angle(first, second);
+            self.torsions[k].angle = self.measure_angle(first, second) + sense * bent;
+        }
+        for k in 0..self.drives.len() {
+            let target = &self.drives[k].target;
+            if !matches!(target, Target::Distance(_)) {
+                let Wave { mean, amplitude, .. } = other.drives[k].wave;
+                let mean = self.measure_target(target) + sense * (mean - other.measure_target(target));
+                self.drives[k].wave = Wave { mean, amplitude: sense * amplitude, ..other.drives[k].wave };
+            }
+        }
+    }
+}
+
+/// An angle within half a turn; a straight one is positive.
+pub fn unwind(angle: f64) -> f64 {
+    let rest = angle.rem_euclid(TAU);
+    if rest > PI + 1e-9 { rest - TAU } else { rest }
 }
 
 impl Scene {
