@@ -121,7 +121,7 @@ pub(super) fn solve<'w, S: Scalar>(
     let lever = if found.nullity == 0 {
         S::ratio(1, 1)
     } else {
-        lever(layout, closed, |row, j| kernel.jacobian(row)[j])
+        lever(layout, closed, |row, j| kernel.jacobian(row)[j], |j| kernel.mass(j)[j])
     };
     let weight = |k: usize| {
         if layout.is_turned(closed[k]) { S::ratio(1, 1) / (lever * lever) } else { S::ratio(1, 1) }

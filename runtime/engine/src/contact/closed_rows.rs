@@ -19,9 +19,14 @@ pub(super) struct ClosedRows {
     pub(super) levers: Vec<f64>,
 }
 
-/// Those of rows, given entries of J by row and coordinate.
-pub(super) fn levers(layout: &Layout, rows: &[usize], entry: impl Fn(usize, usize) -> f64) -> Vec<f64> {
-    let lever = lever(layout, rows, entry);
+/// Those of rows, given entries of J by row and coordinate, and those of the diagonal of M.
+pub(super) fn levers(
+    layout: &Layout,
+    rows: &[usize],
+    entry: impl Fn(usize, usize) -> f64,
+    mass: impl Fn(usize) -> f64,
+) -> Vec<f64> {
+    let lever = lever(layout, rows, entry, mass);
     rows.iter().map(|&row| if layout.is_turned(row) { lever } else { 1.0 }).collect()
 }
 
@@ -37,7 +42,7 @@ impl ClosedRows {
         };
         let n = layout.coordinates.len();
         let jacobian = DMatrix::from_fn(rows.len(), n, |k, j| equations.jacobian(rows[k])[j] / unit(j));
-        let levers = levers(layout, &rows, |row, j| equations.jacobian(row)[j]);
+        let levers = levers(layout, &rows, |row, j| equations.jacobian(row)[j], |j| equations.mass(j)[j]);
         Self { rows, jacobian, levers }
     }
 

@@ -127,7 +127,8 @@ impl EquilibratedKkt {
         let entry = |row: usize, j: usize| {
             self.matrix[(self.n + row, j)] / (self.scale[self.n + row] * self.scale[j])
         };
-        self.layout.map_or_else(|| vec![1.0; rows.len()], |layout| levers(layout, rows, entry))
+        let mass = |j: usize| self.matrix[(j, j)] / (self.scale[j] * self.scale[j]);
+        self.layout.map_or_else(|| vec![1.0; rows.len()], |layout| levers(layout, rows, entry, mass))
     }
 
     /// Least-norm solution with the given rows closed, each part of the system for itself.

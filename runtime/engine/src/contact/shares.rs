@@ -87,11 +87,15 @@ pub(crate) fn shortest_reactions(
 
 /// Shares the load of rows anew; those of `negative` press with λ < 0.
 pub(super) fn share(
-    ClosedRows { rows, mut jacobian, levers }: ClosedRows,
+    closed: ClosedRows,
     factors: Vec<Factor>,
     negative: &[usize],
     (reactions, dual): (&mut [f64], &mut Option<DVector<f64>>),
 ) {
+    let undetermined = closed.undetermined();
+    let ClosedRows { rows, mut jacobian, mut levers } = closed;
+    // A couple that the motion determines is shared with none, and at a small lever it would be lost.
+    levers.iter_mut().zip(undetermined).filter(|(_, is_free)| !is_free).for_each(|(lever, _)| *lever = 1.0);
     let load = jacobian.tr_mul(&DVector::from_fn(rows.len(), |k, _| reactions[rows[k]]));
     for (k, _) in rows.iter().enumerate().filter(|(_, row)| negative.contains(row)) {
         jacobian.row_mut(k).neg_mut();

@@ -3,6 +3,7 @@
 use core::f64::consts::PI;
 
 use liftoff::LoggedDecision;
+use liftoff::method::{Gauss, Method, Radau, Tsit5};
 use liftoff::prelude::*;
 
 use crate::friction::run;
@@ -184,4 +185,44 @@ fn a_motion_that_depends_on_how_the_load_is_shared_is_reported() {
         record.log().iter().any(|entry| entry.decision == LoggedDecision::MotionNotDetermined)
     };
     assert!(decided(0.5) && !decided(0.2));
+}
+
+/// A block on a rough, driven bar slides to the pivot, where a stop holds it: friction and stop act
+/// along one line.
+#[derive(BarSystem)]
+#[gravity(9.81)]
+#[bar(OB, mass = 1, length = 1)]
+#[pin(O = (0, 0))]
+#[particle(P, mass = 0.5)]
+#[slider(P = bar(OB), friction = 0.2, stops)]
+#[drive(angle(OB) = 0.6 - w * t)]
+#[figure(B = (0.8, 0.6), P = (0.24, 0.18))]
+#[coordinate(x = x(P))]
+struct BlockAtPivot {
+    w: f64,
+}
+
+/// All forces pass through the pivot, and their arms there are rounding: what friction and stop
+/// share of m g sin θ is within the cone of friction, |R| ≤ μ m g cos θ.
+#[test]
+fn a_stop_at_a_pivot_takes_what_friction_leaves() {
+    fn check(w: f64, method: impl Method + 'static) {
+        let simulation = Simulation::new(&BlockAtPivot { w }).unwrap().method(method);
+        let run = simulation.start(Pose::new("x", 0.3)).unwrap().limit(0.6).run().unwrap();
+        assert_eq!(run.events().len(), 4, "{w}: {:?}", run.events());
+        for t in [0.5, 0.6] {
+            let value = |output: &str| run.value(&run.output(output).unwrap(), t);
+            let (sin, cos) = (0.6 - w * t).sin_cos();
+            let [weight, normal] = [0.5 * 9.81 * sin, 0.5 * 9.81 * cos];
+            let [stop, friction] = [value("N(P_O)"), value("R(P)")];
+            assert!((stop + friction - weight).abs() < 1e-9 * weight, "{w} {t}: {stop} {friction}");
+            assert!(friction.abs() <= 0.2 * normal * (1.0 + 1e-9), "{w} {t}: {stop} {friction}");
+            assert!(value("x").abs() < 1e-9);
+        }
+    }
+    for w in [0.0, 0.1, 0.3, -0.1] {
+        check(w, Tsit5);
+        check(w, Radau::default());
+        check(w, Gauss);
+    }
 }
