@@ -95,8 +95,19 @@ pub(super) fn share(
     let undetermined = closed.undetermined();
     let ClosedRows { rows, mut jacobian, mut levers } = closed;
     // A couple that the motion determines is shared with none, and at a small lever it would be lost.
-    levers.iter_mut().zip(undetermined).filter(|(_, is_free)| !is_free).for_each(|(lever, _)| *lever = 1.0);
-    let load = jacobian.tr_mul(&DVector::from_fn(rows.len(), |k, _| reactions[rows[k]]));
+    levers
+        .iter_mut()
+        .zip(&undetermined)
+        .filter(|(_, is_free)| !**is_free)
+        .for_each(|(lever, _)| *lever = 1.0);
+    // A determined reaction that pulls, by rounding, presses nothing.
+    let pulls = |k: usize| {
+        let sign = if negative.contains(&rows[k]) { -1.0 } else { 1.0 };
+        !undetermined[k] && sign * reactions[rows[k]] < 0.0
+    };
+    let kept: Vec<usize> = factors.iter().map(Factor::pressing).filter(|k| pulls(*k)).collect();
+    let held = |k: usize| if kept.contains(&k) { 0.0 } else { reactions[rows[k]] };
+    let load = jacobian.tr_mul(&DVector::from_fn(rows.len(), |k, _| held(k)));
     for (k, _) in rows.iter().enumerate().filter(|(_, row)| negative.contains(row)) {
         jacobian.row_mut(k).neg_mut();
     }
@@ -107,8 +118,8 @@ pub(super) fn share(
     let found = near.or_else(|| shares.shortest()).or_else(|| shares.shortest_on_faces());
     if let Some((shortest, y)) = found {
         *dual = Some(y);
-        for ((&row, &share), lever) in rows.iter().zip(shortest.iter()).zip(&levers) {
-            reactions[row] = lever * if negative.contains(&row) { -share } else { share };
+        for (k, &row) in rows.iter().enumerate().filter(|(k, _)| !kept.contains(k)) {
+            reactions[row] = levers[k] * if negative.contains(&row) { -shortest[k] } else { shortest[k] };
         }
     }
 }
@@ -128,6 +139,14 @@ impl EquilibratedKkt {
 }
 
 impl Factor {
+    /// The place of what presses.
+    fn pressing(&self) -> usize {
+        match *self {
+            Self::Pressing(place) => place,
+            Self::Cone { normal, .. } | Self::Edge { normal, .. } => normal,
+        }
+    }
+
     /// Projects the entries of x, and the rows of a matrix with the derivative there.
     fn project(&self, x: &mut DVector<f64>, rows: &mut DMatrix<f64>) {
         match *self {

@@ -3,7 +3,7 @@
 use core::f64::consts::PI;
 
 use liftoff::LoggedDecision;
-use liftoff::method::{Gauss, Method, Radau, Tsit5};
+use liftoff::method::{Gauss, Method, Radau, Taylor, Tsit5};
 use liftoff::prelude::*;
 
 use crate::friction::run;
@@ -224,5 +224,40 @@ fn a_stop_at_a_pivot_takes_what_friction_leaves() {
         check(w, Tsit5);
         check(w, Radau::default());
         check(w, Gauss);
+        check(w, Taylor);
     }
+}
+
+/// The same with a spring, on a bar that a motor swings to and fro.
+#[derive(BarSystem)]
+#[gravity(9.81)]
+#[bar(OB, mass = 0.5, length = 1)]
+#[pin(O = (0, 0))]
+#[particle(P, mass = 2)]
+#[slider(P = bar(OB), friction = 0.5, stops)]
+#[drive(angle(OB) = -0.9187265414217762 + 0.458 * sin(4.77 * t))]
+#[spring(DP, stiffness = 21.98, length = 0.964)]
+#[ground(D = (0.3, 0.8))]
+#[figure(B = (0.6068328308492823, -0.7948294882573534), P = (0.4760477721378062, -0.6235272514586844))]
+#[coordinate(x = x(P))]
+struct BlockOnRocker;
+
+/// At the stop the bar's pressure changes its side, and friction is within its cone there too.
+#[test]
+fn friction_is_within_its_cone_where_the_pressure_vanishes() {
+    fn check(method: impl Method + 'static) {
+        let simulation = Simulation::new(&BlockOnRocker).unwrap().method(method);
+        let run = simulation.start(Pose::new("x", 0.4760477721378062)).unwrap().limit(2.0).run().unwrap();
+        let sides = run.events().iter().filter(|event| event.kind == EventKind::Side);
+        let at_sides = sides.map(|event| event.t).collect::<Vec<_>>();
+        assert!(at_sides.len() >= 4, "{:?}", run.events());
+        for t in at_sides.into_iter().chain((1..200).map(|k| 0.01 * f64::from(k))) {
+            let [force, normal] = ["R(P)", "N(P)"].map(|output| run.value(&run.output(output).unwrap(), t));
+            assert!(force.abs() <= 0.5 * normal.abs() + 1e-9, "{t}: {force} {normal}");
+        }
+    }
+    check(Tsit5);
+    check(Radau::default());
+    check(Gauss);
+    check(Taylor);
 }

@@ -22,7 +22,8 @@ const ROUNDED: f64 = roundoff(16.0);
 pub(crate) struct SharedFriction {
     /// Those with friction that stick: they slip when no reactions within the cones are left.
     pub(crate) sticking: ContactSet,
-    /// Those among them whose normal reaction is not determined either.
+    /// Those beside and among them whose normal reaction is not determined: they open when no
+    /// reactions within the cones are left, and not when the shortest ones vanish.
     pub(crate) normals: ContactSet,
 }
 
@@ -61,13 +62,14 @@ impl SharedFriction {
         let undetermined = rows.undetermined();
         let is_free = |row: usize| rows.find_index(row).is_some_and(|place| undetermined[place]);
         for friction in layout.frictions.iter().filter(|friction| sticks(friction.contact)) {
-            let normal = is_free(friction.contact);
-            if normal || is_free(friction.row) {
+            if is_free(friction.contact) || is_free(friction.row) {
                 grip.sticking = grip.sticking.with(friction.contact);
             }
-            if normal {
-                grip.normals = grip.normals.with(friction.contact);
-            }
+        }
+        if !grip.sticking.is_empty() {
+            let smooth = |contact: usize| layout.contacts[contact].friction.is_none();
+            let shares = |contact: &usize| (sticks(*contact) || smooth(*contact)) && is_free(*contact);
+            grip.normals = closed.iter().filter(shares).collect();
         }
         grip
     }
