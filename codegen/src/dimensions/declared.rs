@@ -151,6 +151,7 @@ impl<'d> DimensionReader<'d> {
     fn contact_law(&mut self, name: &'d Ident, contact_law: &'d ContactLaw) {
         self.expect_each("the restitution of", name, &contact_law.restitution, NONE);
         self.switch(name, &contact_law.armed);
+        self.switch(name, &contact_law.breaks);
         self.friction(name, contact_law.friction.as_ref());
     }
 
@@ -190,6 +191,7 @@ impl<'d> DimensionReader<'d> {
             let dimension = self.target(&drive.target);
             self.expect_each("the drive of", drive.target.ident(), [&drive.value], dimension);
             self.switch(drive.target.ident(), &drive.armed);
+            self.switch(drive.target.ident(), &drive.breaks);
         }
     }
 

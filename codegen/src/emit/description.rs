@@ -158,7 +158,7 @@ fn contact_tokens(
     let support = contact.support(&analysis.system);
     let (rough, stop) = (support.rough, support.stop);
     let jams = support.friction.as_ref().is_some_and(|friction| friction.jams);
-    let armed = option(support.armed.as_ref());
+    let [armed, breaks] = [&support.armed, &support.breaks].map(|condition| option(condition.as_ref()));
     let kind = match () {
         () if contact.is_thread(&analysis.system) => quote!(Thread),
         () if contact.two_sided => match contact.force {
@@ -193,6 +193,7 @@ fn contact_tokens(
             law: Law::#law,
             stop: #stop,
             armed: #armed,
+            breaks: #breaks,
         }
     }
 }

@@ -105,7 +105,8 @@ impl Contact {
             && other.friction.is_none()
             && own.moving == other.moving
             && own.restitution == other.restitution
-            && (own.law, own.stop, &own.armed) == (other.law, other.stop, &other.armed);
+            && (own.law, own.stop, &own.armed, &own.breaks)
+                == (other.law, other.stop, &other.armed, &other.breaks);
         image || alike && self.row.gap == measured.row.gap && same_foot(&self.foot, &measured.foot)
     }
 

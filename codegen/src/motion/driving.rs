@@ -5,14 +5,13 @@ use super::expression::{Expression, OpaqueTerms};
 use super::measured::Measured;
 use super::row::Row;
 use super::{Vector, dot};
-use crate::algebra::{Rational, Series, Symbol};
+use crate::algebra::{Rational, Series};
 use crate::system::{CoordinateKind, Driven, Reading, Reference};
 
-/// The row of a drive on a condition; `Symbol::opaque(i)` is what the i-th drive prescribes. Its
-/// multiplier is the force.
+/// The row of a drive on a condition. Its multiplier is the force.
 pub(super) fn measure(scene: &Scene, opaque_terms: &mut OpaqueTerms, i: usize) -> Measured {
     let drive = &scene.system.drives[i];
-    let prescribed = Series::symbol(Symbol::opaque(i));
+    let prescribed = opaque_terms.prescribed(i);
     let (gap, actions) = match &drive.driven {
         Driven::Distance { ends, .. } => {
             let one = Expression::series(Series::one());

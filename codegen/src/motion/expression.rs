@@ -26,6 +26,11 @@ impl Expression {
         Self::Value(series.into())
     }
 
+    /// The series that it is.
+    fn as_series(&self) -> Option<&Series> {
+        if let Self::Value(quotient) = self { quotient.as_series() } else { None }
+    }
+
     /// What a declared formula means in the generalised coordinates.
     pub(super) fn from_formula(formula: &Formula, system: &System, kinematics: &Kinematics) -> Self {
         Self::of_slip(formula, system, kinematics, &Series::zero())
@@ -222,6 +227,12 @@ impl OpaqueTerms {
         Self(opaque_terms.collect())
     }
 
+    /// What the i-th drive prescribes; a series stands for itself.
+    pub fn prescribed(&self, i: usize) -> Series {
+        let constant = self.0[i].orders[0].as_series().cloned();
+        constant.unwrap_or_else(|| Series::symbol(Symbol::opaque(i)))
+    }
+
     /// The symbol of a function of time with its first two derivatives.
     pub fn motion(&mut self, name: String, value: Expression) -> Series {
         self.0.push(OpaqueTerm::motion(name, value));
@@ -243,9 +254,7 @@ impl OpaqueTerms {
 
     /// The symbol of an expression; a series stands for itself.
     pub fn symbol(&mut self, name: &str, expression: Expression) -> Series {
-        if let Expression::Value(quotient) = &expression
-            && let Some(series) = quotient.as_series()
-        {
+        if let Some(series) = expression.as_series() {
             return series.clone();
         }
         let known = self.0.iter().position(|opaque_term| opaque_term.orders == [expression.clone()]);

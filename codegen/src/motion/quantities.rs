@@ -9,7 +9,7 @@ use super::parts::CutSide;
 use super::{Motion, Products, Quantity, QuantityKind, dot};
 use crate::algebra::Series;
 use crate::kinematics::JointKind;
-use crate::system::{Drive, Driven, System};
+use crate::system::{Drive, Driven, Reading, System};
 
 /// Systems of more bodies have no joint forces unless they are trees: their length grows with the
 /// square.
@@ -55,6 +55,18 @@ pub(super) fn derive_quantities(
             let (name, kind) = (format!("drive({})", drive.name), driving(scene.system, &drive.driven));
             named.push(Quantity::new(name, kind, once(multiplier(i))));
             named.extend(target(scene, opaque_terms, drive));
+        }
+    }
+    for (point, declared) in scene.system.points.iter().enumerate() {
+        let pushed = [0, 1].map(|axis| {
+            let driven = Driven::Reading(Reading::Position(point, axis));
+            motion
+                .contacts
+                .iter()
+                .position(|contact| contact.drive(scene.system).is_some_and(|drive| drive.driven == driven))
+        });
+        if let [Some(x), Some(y)] = pushed {
+            named.extend(Quantity::joint_force(&declared.name, [x, y].map(|i| once(multiplier(i)))));
         }
     }
     // Of a mirrored loop one row stands for both images: how they share its force is not known.

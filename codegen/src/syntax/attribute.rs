@@ -42,7 +42,7 @@ pub(super) const ATTRIBUTES: [(&str, &str, AttributeParser); 30] = [
     ("ground", "#[ground(O = (0, 0))]", |input, d| {
         figure::positions(input).map(|points| d.ground.extend(points))
     }),
-    ("weld", "#[weld(AB, BC)]", |input, d| weld::parse(input).map(|weld| d.welds.push(weld))),
+    ("weld", "#[weld(AB, BC)]", weld::parse),
     ("slider", "#[slider(P = horizontal(0))]", |input, d| {
         slider::parse(input).map(|slider| d.sliders.push(slider))
     }),

@@ -1,6 +1,6 @@
 //! How a one-sided constraint acts: `rough`, `friction = mu`, `static = mu_s`, `tangential = e_t`,
 //! `jams`, `restitution = e`, `law = newton`, `moreau`, `poisson` or `stronge`, `stop`,
-//! `while("…")`.
+//! `while("…")`, `breaks("…")`.
 
 use syn::Expr;
 
@@ -22,6 +22,8 @@ pub struct ContactLaw {
     pub stop: bool,
     /// The condition that it is there on.
     pub armed: Option<SwitchDeclaration>,
+    /// The condition that ends it.
+    pub breaks: Option<SwitchDeclaration>,
 }
 
 /// Coulomb friction.
@@ -53,7 +55,7 @@ pub enum ImpactLaw {
 }
 
 /// The options that [`ContactLaw::take`] takes of any contact.
-pub(super) const CONTACT_LAW: [&str; 3] = ["restitution", "law", "while"];
+pub(super) const CONTACT_LAW: [&str; 4] = ["restitution", "law", "while", "breaks"];
 /// The options that it takes of a support.
 pub(super) const FRICTION: [&str; 3] = ["friction", "static", "tangential"];
 
@@ -80,6 +82,7 @@ impl ContactLaw {
             law,
             stop: options.flag("stop"),
             armed: options.take_switch(),
+            breaks: options.take_break(),
         })
     }
 }

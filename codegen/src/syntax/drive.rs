@@ -1,12 +1,13 @@
 //! `#[drive(phi = f)]`, `#[drive(angle(AB) = f)]`, `#[drive(x(P) = f)]`, `#[drive(y(P) = f)]`, and
 //! relative motions, `#[drive(distance(A, B) = f)]`, `#[drive(angle(AB, BC) = f)]`,
-//! `#[drive(along(P, AB) = f)]`; `while("…")`.
+//! `#[drive(along(P, AB) = f)]`; `while("…")`,
+//! `breaks("…")`.
 
 use syn::parse::ParseStream;
 use syn::punctuated::Punctuated;
 use syn::{Expr, Ident, Token};
 
-use super::options::{self, Options};
+use super::options::{self, CONDITIONS, Options};
 use super::switch::SwitchDeclaration;
 
 /// A prescribed motion.
@@ -18,6 +19,8 @@ pub struct DriveDeclaration {
     pub value: Expr,
     /// The condition that it is there on.
     pub armed: Option<SwitchDeclaration>,
+    /// The condition that ends it.
+    pub breaks: Option<SwitchDeclaration>,
 }
 
 /// What is driven.
@@ -60,14 +63,15 @@ impl Target {
 pub(super) fn parse(input: ParseStream) -> syn::Result<DriveDeclaration> {
     let target = target(input)?;
     let value = options::assigned(input)?;
-    if !input.peek2(Token![while]) {
+    if !options::is_condition_ahead(input) {
         options::refuse_contact_options(input)?;
+        if input.peek(Token![,]) {
+            return Err(input.error("one drive has one value; write another `#[drive(…)]`"));
+        }
     }
-    if input.peek(Token![,]) && !(input.peek2(Token![while]) && input.peek3(syn::token::Paren)) {
-        return Err(input.error("one drive has one value; write another `#[drive(…)]`"));
-    }
-    let armed = Options::parse(input, &["while"])?.take_switch();
-    Ok(DriveDeclaration { target, value, armed })
+    let mut options = Options::parse(input, &CONDITIONS)?;
+    let (armed, breaks) = (options.take_switch(), options.take_break());
+    Ok(DriveDeclaration { target, value, armed, breaks })
 }
 
 /// Reads what is driven, or bounded.

@@ -14,7 +14,8 @@ pub(super) fn positions(input: ParseStream) -> syn::Result<Vec<(Ident, Pair)>> {
     Ok(Punctuated::<_, Token![,]>::parse_terminated_with(input, position)?.into_iter().collect())
 }
 
-fn position(input: ParseStream) -> syn::Result<(Ident, Pair)> {
+/// Reads one of them.
+pub(super) fn position(input: ParseStream) -> syn::Result<(Ident, Pair)> {
     let name = input.parse()?;
     input.parse::<Token![=]>()?;
     Ok((name, options::pair(input.parse()?)?))

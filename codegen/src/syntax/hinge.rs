@@ -1,5 +1,5 @@
 //! `#[hinge(A, friction = mu, static = mu_s, radius = r)]`, of a pinned point also
-//! `#[pin(A, friction = mu, radius = r)]`.
+//! `#[pin(A, friction = mu, radius = r)]`; `#[pin(O = (x, y), while("…"), breaks("…"))]`.
 
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
@@ -7,8 +7,9 @@ use syn::{Expr, Ident, Token};
 
 use super::Description;
 use super::contact_law::{FrictionLaw, friction};
+use super::drive::{DriveDeclaration, Target};
 use super::figure;
-use super::options::{self, Options};
+use super::options::{self, CONDITIONS, Options};
 
 /// A hinge with friction: a journal of a radius in its bearing.
 #[derive(Clone, Debug)]
@@ -31,6 +32,14 @@ pub(super) fn parse(input: ParseStream) -> syn::Result<HingeDeclaration> {
         );
         return Err(syn::Error::new(point.span(), text));
     }
+    if options::is_condition_ahead(input) {
+        // A point that bodies share has one place in the equations.
+        let text = format!(
+            "what shares a point does not come apart: give each body a point of its own there, `{point}` and `Q`, and hold `Q` by \
+             `drive(along(Q, BAR) = s, while(\"…\"))` and one `support` under it on either side of the bar, `bar(BAR)`, with the same condition"
+        );
+        return Err(syn::Error::new(point.span(), text));
+    }
     let mut options = Options::with_flags(input, &["friction", "static", "radius"], &[])?;
     let radius = options.take("radius");
     let law = friction(&mut options, false)?;
@@ -44,7 +53,7 @@ pub(super) fn parse(input: ParseStream) -> syn::Result<HingeDeclaration> {
     Ok(HingeDeclaration { point, friction, radius })
 }
 
-/// Refuses options behind the place of a pin: its friction is an attribute of its own.
+/// Refuses options behind the place of a pin but conditions: its friction is an attribute of its own.
 fn refuse_friction_of_place(input: ParseStream) -> syn::Result<()> {
     let ahead = input.fork();
     let place = ahead.parse::<Ident>().and_then(|point| options::assigned(&ahead).map(|_| point));
@@ -58,6 +67,7 @@ fn refuse_friction_of_place(input: ParseStream) -> syn::Result<()> {
             );
             Err(syn::Error::new(name.span(), text))
         }
+        _ if options::is_condition_ahead(&ahead) => Ok(()),
         _ => options::refuse_contact_options(&ahead),
     }
 }
@@ -68,5 +78,32 @@ pub(super) fn pin(input: ParseStream, description: &mut Description) -> syn::Res
         return parse(input).map(|hinge| description.hinges.push(hinge));
     }
     refuse_friction_of_place(input)?;
-    figure::positions(input).map(|pins| description.pins.extend(pins))
+    if input.is_empty() {
+        return Err(input.error("expected a point and its position"));
+    }
+    let mut pins = vec![figure::position(input)?];
+    while !input.is_empty() && !options::is_condition_ahead(input) {
+        input.parse::<Token![,]>()?;
+        if !input.is_empty() {
+            pins.push(figure::position(input)?);
+        }
+    }
+    let mut options = Options::parse(input, &CONDITIONS)?;
+    let (armed, breaks) = (options.take_switch(), options.take_break());
+    if armed.is_none() && breaks.is_none() {
+        description.pins.extend(pins);
+        return Ok(());
+    }
+    let drives = pins.iter().flat_map(|(point, place)| {
+        let values = place.iter().cloned().enumerate();
+        values.map(|(axis, value)| (Target::Position(point.clone(), axis), value))
+    });
+    description.drives.extend(drives.map(|(target, value)| DriveDeclaration {
+        target,
+        value,
+        armed: armed.clone(),
+        breaks: breaks.clone(),
+    }));
+    description.loose_pins.extend(pins);
+    Ok(())
 }

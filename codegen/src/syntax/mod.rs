@@ -143,6 +143,8 @@ pub struct Description {
     pub discs: Vec<DiscDeclaration>,
     /// `#[pin(…)]`.
     pub pins: Vec<(Ident, Pair)>,
+    /// Places of those that let go; drives hold them.
+    pub loose_pins: Vec<(Ident, Pair)>,
     /// `#[particle(…)]`.
     pub particles: Vec<PointMass>,
     /// `#[ground(…)]`.
@@ -263,6 +265,7 @@ impl Description {
             masses: Vec::new(),
             discs: Vec::new(),
             pins: Vec::new(),
+            loose_pins: Vec::new(),
             particles: Vec::new(),
             ground: Vec::new(),
             welds: Vec::new(),

@@ -16,9 +16,16 @@ const FRICTION: [&str; 5] = ["mu", "coulomb", "mu_s", "mu_k", "rough"];
 const UNIT: &str =
     "numbers of a declaration have no unit; a parameter may have one, `#[value(1, unit = \"kg\")]`";
 
+/// Options that are conditions.
+pub(super) const CONDITIONS: [&str; 2] = ["while", "breaks"];
+
 /// What is said of a `while` on what is always there.
 const SWITCHED: &str = "`while` is for what can be there or not: supports, threads, the `stops` of a slider, springs, torsions, forces, \
-                        couples and drives";
+                        couples, drives, pins to the ground and welds";
+
+/// What is said of a `breaks` on what does not.
+const BREAKING: &str = "`breaks` is for what bears a reaction: supports, threads, limits, the `stops` of a slider, drives, pins to the ground \
+                        and welds; what acts by a law of its own has `while`";
 
 /// What is said of friction where there is no contact force.
 const RUBBING: &str = "friction acts at supports, in sliders and in hinges; there is none here";
@@ -27,6 +34,7 @@ const RUBBING: &str = "friction acts at supports, in sliders and in hinges; ther
 fn misplaced(name: &str) -> Option<&'static str> {
     match name {
         "while" => Some(SWITCHED),
+        "breaks" => Some(BREAKING),
         "friction" | "static" => Some(RUBBING),
         _ => None,
     }
@@ -39,11 +47,22 @@ pub(super) fn refuse_contact_options(input: ParseStream) -> syn::Result<()> {
         return Ok(());
     }
     let Ok(name) = ahead.call(Ident::parse_any) else { return Ok(()) };
-    let is_option = ahead.peek(Token![=]) || ahead.peek(syn::token::Paren) && name == "while";
+    let is_option = ahead.peek(Token![=]) || ahead.peek(syn::token::Paren) && is_condition(&name);
     match misplaced(&name.to_string()).filter(|_| is_option) {
         Some(text) => Err(syn::Error::new(name.span(), text)),
         None => Ok(()),
     }
+}
+
+/// Whether the next option is a condition, or written as one.
+pub(super) fn is_condition_ahead(input: ParseStream) -> bool {
+    let ahead = input.fork();
+    let name = ahead.parse::<Token![,]>().and_then(|_| ahead.call(Ident::parse_any));
+    name.is_ok_and(|name| is_condition(&name) || ahead.peek(syn::token::Paren))
+}
+
+fn is_condition(name: &Ident) -> bool {
+    CONDITIONS.iter().any(|word| name == word)
 }
 
 /// Options in the order written; a flag has no value.
@@ -97,7 +116,7 @@ impl Options {
             }
             let value = match () {
                 () if flag => None,
-                () if name == "while" => Some(switch::switch(input)?),
+                () if is_condition(&name) => Some(switch::condition(&name.to_string(), input)?),
                 () => Some(assigned(input)?),
             };
             given.push((name, value));
@@ -124,6 +143,11 @@ impl Options {
     /// Takes the condition that something is there on.
     pub fn take_switch(&mut self) -> Option<SwitchDeclaration> {
         self.take("while").and_then(SwitchDeclaration::from_value)
+    }
+
+    /// Takes the condition that something breaks on.
+    pub fn take_break(&mut self) -> Option<SwitchDeclaration> {
+        self.take("breaks").and_then(SwitchDeclaration::from_value)
     }
 
     /// Takes the value of an option that `owner` cannot do without.
@@ -157,7 +181,7 @@ pub(super) fn arguments(input: ParseStream) -> syn::Result<Vec<Expr>> {
 /// `AB` or `AB, CD`, then perhaps options.
 pub(super) fn one_or_two_names(input: ParseStream) -> syn::Result<(Ident, Option<Ident>)> {
     let first = input.parse()?;
-    let option = input.peek2(Ident) && input.peek3(Token![=]);
+    let option = input.peek3(Token![=]) || input.peek3(syn::token::Paren);
     if !input.peek(Token![,]) || !input.peek2(Ident) || option {
         return Ok((first, None));
     }

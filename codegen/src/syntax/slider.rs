@@ -65,7 +65,7 @@ pub(super) fn parse(input: ParseStream) -> syn::Result<SliderDeclaration> {
             "only a bar has ends that stop; a support stops a point on a line of the ground",
         ));
     }
-    if !stops && law.armed.is_some() {
+    if !stops && (law.armed.is_some() || law.breaks.is_some()) {
         let text = format!(
             "a slider is always there, its `stops` may come and go; a point that is to leave a bar lies on one side of it: \
              `support({name} = {kind}({}), while(\"…\"))`",

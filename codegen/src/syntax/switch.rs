@@ -1,9 +1,10 @@
-//! `while("phi > 0")`: a contact, a spring or a load that is there while a condition holds.
+//! `while("phi > 0")`: a contact, a spring or a load that is there while a condition holds;
+//! `breaks("N(O) > f")`: a contact that is gone for good once one does.
 
 use syn::parse::ParseStream;
 use syn::{Expr, ExprLit, Lit, LitStr, parenthesized};
 
-/// The condition that something is there on.
+/// The condition that something is there on, or breaks on.
 #[derive(Clone, Debug)]
 pub struct SwitchDeclaration {
     /// As conditions of runs are written.
@@ -52,18 +53,22 @@ fn with_rates(text: &str) -> String {
 }
 
 /// The condition's text between the parentheses, written as conditions of runs are.
-pub(super) fn switch(input: ParseStream) -> syn::Result<Expr> {
+pub(super) fn condition(name: &str, input: ParseStream) -> syn::Result<Expr> {
+    let quoted = |error: syn::Error| {
+        syn::Error::new(error.span(), format!("write the condition in quotes: `{name}(\"phi > 0\")`"))
+    };
+    if !input.peek(syn::token::Paren) {
+        return Err(quoted(input.error("")));
+    }
     let content;
     parenthesized!(content in input);
-    let quoted: LitStr = content.parse().map_err(|error| {
-        syn::Error::new(error.span(), "write the condition in quotes: `while(\"phi > 0\")`")
-    })?;
+    let quoted: LitStr = content.parse().map_err(quoted)?;
     if !content.is_empty() {
         return Err(content.error("there is one condition"));
     }
     let text = quoted.value();
     if text.matches(['<', '>']).count() != 1 || text.contains('=') {
-        let text = "a switch compares two sides by `<` or `>`: `while(\"phi > 0\")`";
+        let text = format!("a switch compares two sides by `<` or `>`: `{name}(\"phi > 0\")`");
         return Err(syn::Error::new(quoted.span(), text));
     }
     Ok(Expr::Lit(ExprLit { attrs: Vec::new(), lit: Lit::Str(quoted) }))

@@ -7,7 +7,9 @@ use super::formula::Readable;
 use super::scope::Scope;
 use super::{Disc, Drive, Formula, Friction, Law, OneSided, Support};
 use crate::algebra::{Rational, Series};
-use crate::syntax::{ContactLaw, FrictionLaw, SupportDeclaration, SwitchDeclaration, plain};
+use crate::syntax::{
+    ContactLaw, DriveDeclaration, FrictionLaw, SupportDeclaration, SwitchDeclaration, plain,
+};
 
 /// One-sided constraints while they are resolved; no two have one name.
 #[derive(Default)]
@@ -41,11 +43,12 @@ impl Contacts {
             law: Law::Newton,
             stop: false,
             armed: None,
+            breaks: None,
         });
     }
 
     /// Adds a drive on a condition, which holds both ways; its index.
-    pub fn drive(&mut self, drive: &Drive, index: usize, armed: &SwitchDeclaration) {
+    pub fn drive(&mut self, drive: &Drive, index: usize, declared: &DriveDeclaration) {
         self.resolved.push(Support {
             name: format!("drive {}", drive.name),
             span: drive.span,
@@ -58,7 +61,8 @@ impl Contacts {
             restitution: None,
             law: Law::Newton,
             stop: false,
-            armed: Some(armed.condition.clone()),
+            armed: condition(declared.armed.as_ref()),
+            breaks: condition(declared.breaks.as_ref()),
         });
     }
 
@@ -89,15 +93,21 @@ impl Contacts {
             restitution,
             law: contact_law.law,
             stop: contact_law.stop,
-            armed: contact_law.armed.as_ref().map(|switch| switch.condition.clone()),
+            armed: condition(contact_law.armed.as_ref()),
+            breaks: condition(contact_law.breaks.as_ref()),
         });
     }
+}
+
+fn condition(declared: Option<&SwitchDeclaration>) -> Option<String> {
+    declared.map(|switch| switch.condition.clone())
 }
 
 /// The restitution of `owner`; that a literal lies outside [0, 1] is reported. What the condition
 /// that it is there on names counts as used.
 pub(super) fn restitution(scope: &mut Scope, owner: &Ident, contact_law: &ContactLaw) -> Option<Series> {
-    contact_law.armed.iter().for_each(|switch| scope.use_words(&switch.condition));
+    let conditions = contact_law.armed.iter().chain(&contact_law.breaks);
+    conditions.for_each(|switch| scope.use_words(&switch.condition));
     coefficient(scope, "restitution", owner, contact_law.restitution.as_ref()?)
 }
 

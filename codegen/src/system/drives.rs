@@ -27,10 +27,11 @@ pub(super) fn resolve(
                 let text = format!("`{}` is driven twice; remove one drive", drive.name);
                 scope.report.add_message(drive.span, text);
             }
-            if let Some(armed) = &declared.armed {
+            if drive.switched {
                 one_motion(scope, &drive);
-                scope.use_words(&armed.condition);
-                contacts.drive(&drive, resolved.len(), armed);
+                let conditions = declared.armed.iter().chain(&declared.breaks);
+                conditions.for_each(|switch| scope.use_words(&switch.condition));
+                contacts.drive(&drive, resolved.len(), declared);
             }
             resolved.push(drive);
         }
@@ -50,7 +51,8 @@ fn drive(
         distant(scope, &ends[0], &declared.value, value.as_ref());
     }
     let (name, driven) = driven(scope, readable, figure, ("drive", &declared.target));
-    let (switched, span) = (declared.armed.is_some(), declared.target.ident().span());
+    let switched = declared.armed.is_some() || declared.breaks.is_some();
+    let span = declared.target.ident().span();
     Some(Drive { name, driven: driven?, value: value?, switched, span })
 }
 

@@ -34,6 +34,8 @@ pub struct Support {
     pub stop: bool,
     /// The condition that it is there on, as conditions of runs are written; always if absent.
     pub armed: Option<String>,
+    /// The condition that ends it; never if absent.
+    pub breaks: Option<String>,
 }
 
 /// Coefficients of Coulomb friction.

@@ -59,7 +59,8 @@ impl Structure {
             return;
         };
         let span = name.span();
-        match self.pins.iter().any(|pin| pin.point == point) {
+        let is_loose = scope.description.loose_pins.iter().any(|(other, _)| other == name);
+        match is_loose || self.pins.iter().any(|pin| pin.point == point) {
             true => scope.report.add_message(span, format!("point `{name}` is pinned twice; remove one pin")),
             false => self.pins.push(Pin { point, at, span }),
         }

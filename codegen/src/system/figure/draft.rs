@@ -3,6 +3,7 @@
 use super::frame::Frame;
 use super::{Line, Place, Scope, Structure};
 use crate::algebra::Series;
+use crate::syntax::plain;
 
 /// Places found so far.
 pub(super) struct FigureDraft<'a> {
@@ -37,12 +38,19 @@ impl<'a> FigureDraft<'a> {
     }
 
     fn pinned(&mut self, scope: &mut Scope) {
-        let pins = self.structure.pins.iter().map(|pin| (pin.point, &pin.at, pin.span, "pinned"));
-        let points = self.structure.points.iter().enumerate();
-        let ground = points.filter_map(|(i, point)| Some((i, point.ground.as_ref()?, point.span, "fixed")));
-        for (point, at, span, held) in pins.chain(ground) {
+        let structure = self.structure;
+        let pins = structure.pins.iter().map(|pin| (pin.point, pin.at.clone(), pin.span, "pinned"));
+        let points = structure.points.iter().enumerate();
+        let ground = points.filter_map(|(i, point)| Some((i, point.ground.clone()?, point.span, "fixed")));
+        let mut given: Vec<_> = pins.chain(ground).collect();
+        for (name, at) in &scope.description.loose_pins {
+            let held = structure.points.iter().position(|point| point.name == plain(name));
+            let held = held.zip(scope.position(at).ok());
+            given.extend(held.map(|(point, at)| (point, at, name.span(), "pinned")));
+        }
+        for (point, at, span, held) in given {
             let known = self.places[point].replace(at.clone());
-            if known.is_some_and(|place| place != *at) {
+            if known.is_some_and(|place| place != at) {
                 let name = &self.structure.points[point].name;
                 let text = format!(
                     "`{name}` is {held} to another place than the figure says; leave it out of the figure"

@@ -46,6 +46,7 @@ fn manners(scope: &mut Scope, pairing: &Pairing, a: &Support, b: &Support) {
         (!pairing.same(&radius(a), &radius(b)), "the radius of their discs"),
         (a.stop != b.stop, "whether they stop the run"),
         (a.armed != b.armed, "when they are there"),
+        (a.breaks != b.breaks, "when they break"),
     ];
     for (_, what) in differences.into_iter().filter(|(differ, _)| *differ) {
         let text = format!("`{}` and `{}` are mirror images but differ in {what}", a.name, b.name);

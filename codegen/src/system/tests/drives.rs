@@ -1,6 +1,7 @@
 //! Drives of relative motions.
 
-use super::{messages, point, resolve, text};
+use super::{Series, messages, point, resolve, text};
+use crate::algebra::Symbol;
 use crate::system::Driven;
 
 const BARS: &str = "#[gravity(g)] #[bar(AB, mass = m, length = l)] #[bar(BC, mass = m, length = a)] #[particle(P, mass = m)] \
@@ -37,6 +38,10 @@ fn mistakes_are_reported() {
         ),
         (
             "#[drive(distance(P, C) = a, while = 1)]",
+            "write the condition in quotes: `while(\"phi > 0\")` (for example `#[drive(phi = omega * t)]`)",
+        ),
+        (
+            "#[drive(distance(P, C) = a, l)]",
             "one drive has one value; write another `#[drive(…)]` (for example `#[drive(phi = omega * t)]`)",
         ),
         (
@@ -63,6 +68,93 @@ fn mistakes_are_reported() {
         (
             "#[drive(distance(P) = a)]",
             "write `distance(POINT, POINT)` (for example `#[drive(phi = omega * t)]`)",
+        ),
+    ];
+    for (attributes, expected) in cases {
+        assert_eq!(messages(&format!("{BARS} {attributes} {STRUCT}")), [expected], "{attributes}");
+    }
+}
+
+/// A pin and a weld on conditions are the drives that one would write for them.
+#[test]
+fn joints_that_let_go_are_drives() {
+    let analyse = |joint: &str| {
+        let text = format!(
+            "#[bar(AB, mass = m, length = l)] #[bar(BC, mass = m, length = l)] {joint}
+             #[figure(B = (a + l, 0), C = (a + l, l))] struct Rods {{ m: f64, l: f64, f: f64, a: f64 }}"
+        );
+        let analysis =
+            crate::analyse(text.parse().unwrap()).unwrap_or_else(|error| panic!("{joint}: {error}"));
+        let supports = analysis.system.supports.iter();
+        let conditions: Vec<_> =
+            supports.map(|s| (s.name.clone(), s.armed.clone(), s.breaks.clone())).collect();
+        let gaps: Vec<Series> = analysis.motion.contacts.iter().map(|c| c.row.gap.clone()).collect();
+        let quantities = analysis.functions.quantities.iter().map(|quantity| quantity.name.clone());
+        (conditions, gaps, quantities.collect::<Vec<_>>())
+    };
+    for (joint, drives) in [
+        (
+            "#[pin(A = (a, 0), while(\"t < f\"))]",
+            "#[drive(x(A) = a, while(\"t < f\"))] #[drive(y(A) = 0, while(\"t < f\"))] #[coordinate(x_A = x(A))]",
+        ),
+        (
+            "#[pin(A = (a, 0), breaks(\"N(A) > f\"))]",
+            "#[drive(x(A) = a, breaks(\"N(A) > f\"))] #[drive(y(A) = 0, breaks(\"N(A) > f\"))] #[coordinate(x_A = x(A))]",
+        ),
+        (
+            "#[weld(AB, BC, angle = pi / 2, while(\"t < f\"), breaks(\"t > f\"))] #[drive(y(A) = a)]",
+            "#[drive(angle(AB, BC) = pi / 2, while(\"t < f\"), breaks(\"t > f\"))] #[drive(y(A) = a)]",
+        ),
+        (
+            "#[weld(AB, angle = 0, while(\"t < f\"))] #[drive(y(A) = a)]",
+            "#[drive(angle(AB) = 0, while(\"t < f\"))] #[drive(y(A) = a)]",
+        ),
+    ] {
+        assert_eq!(analyse(joint), analyse(drives));
+    }
+    let (conditions, gaps, quantities) = analyse("#[pin(A = (a, 0), breaks(\"N(A) > f\"))]");
+    let condition = Some("N(A) > f".to_owned());
+    let names = ["drive x(A)", "drive y(A)"];
+    assert_eq!(conditions, names.map(|name| (name.to_owned(), None, condition.clone())));
+    // A place that does not change is no function of time.
+    let is_opaque = |symbol: Symbol| matches!(symbol, Symbol::Opaque { .. });
+    assert!(gaps.iter().all(|gap| !gap.symbols().into_iter().any(is_opaque)), "{gaps:?}");
+    assert!(["fx(A)", "fy(A)"].iter().all(|name| quantities.iter().any(|q| q == name)), "{quantities:?}");
+}
+
+#[test]
+fn joints_that_cannot_let_go_say_what_can() {
+    let cases = [
+        (
+            "#[pin(B = (l, 0))] #[pin(B = (l, 0), while(\"t < a\"))]",
+            "point `B` is pinned twice; remove one pin",
+        ),
+        (
+            "#[pin(B = (a, 0), breaks(\"t > a\"))]",
+            "`B` is pinned to another place than the figure says; leave it out of the figure",
+        ),
+        (
+            "#[pin(C = (l, a), breaks = 3)]",
+            "write the condition in quotes: `breaks(\"phi > 0\")` (for example `#[pin(O = (0, 0))]`)",
+        ),
+        (
+            "#[pin(C = (l, a), until(\"t > 1\"))]",
+            "there is no option `until`; declared: `while`, `breaks` (for example `#[pin(O = (0, 0))]`)",
+        ),
+        (
+            "#[weld(AB, BC, breaks(\"t > 1\"))]",
+            "a weld of `AB` that lets go needs its angle, from the first to the second: `angle = a` (for example `#[weld(AB, BC)]`)",
+        ),
+        (
+            "#[hinge(B, while(\"t < 1\"))]",
+            "what shares a point does not come apart: give each body a point of its own there, `B` and `Q`, and hold `Q` by \
+             `drive(along(Q, BAR) = s, while(\"…\"))` and one `support` under it on either side of the bar, `bar(BAR)`, with the same \
+             condition (for example `#[hinge(A, friction = mu, radius = r)]`)",
+        ),
+        (
+            "#[spring(PC, stiffness = m, breaks(\"t > 1\"))]",
+            "`breaks` is for what bears a reaction: supports, threads, limits, the `stops` of a slider, drives, pins to the ground \
+             and welds; what acts by a law of its own has `while` (for example `#[spring(AB, stiffness = k, length = l)]`)",
         ),
     ];
     for (attributes, expected) in cases {

@@ -204,8 +204,8 @@ fn mistakes_in_loads_are_reported() {
         ),
         (
             "#[particle(D, mass = m, while(\"phi > 0\"))]",
-            "`while` is for what can be there or not: supports, threads, the `stops` of a slider, springs, torsions, forces, couples and \
-             drives (for example `#[particle(P, mass = m)]`)",
+            "`while` is for what can be there or not: supports, threads, the `stops` of a slider, springs, torsions, forces, couples, \
+             drives, pins to the ground and welds (for example `#[particle(P, mass = m)]`)",
         ),
         ("#[force(C = m)]", "expected a position `(x, y)` (for example `#[force(P = (fx, fy))]`)"),
         ("#[force(C = (phj, 0))]", "there is no parameter or coordinate `phj`; did you mean `phi`?"),

@@ -66,16 +66,12 @@ fn errors_show_an_example() {
             "declare the friction of a pin by a separate attribute: `#[pin(D, friction = mu, radius = r)]` (for example `#[pin(O = (0, 0))]`)",
         ),
         (
-            "#[pin(D = (0, 0), while(\"t < 1\"))]",
-            "`while` is for what can be there or not: supports, threads, the `stops` of a slider, springs, torsions, forces, couples and drives (for example `#[pin(O = (0, 0))]`)",
-        ),
-        (
             "#[mass(D, m, while(\"t < 1\"))]",
-            "`while` is for what can be there or not: supports, threads, the `stops` of a slider, springs, torsions, forces, couples and drives (for example `#[mass(A, m)]`)",
+            "`while` is for what can be there or not: supports, threads, the `stops` of a slider, springs, torsions, forces, couples, drives, pins to the ground and welds (for example `#[mass(A, m)]`)",
         ),
         (
             "#[gravity(g, while(\"t < 1\"))]",
-            "`while` is for what can be there or not: supports, threads, the `stops` of a slider, springs, torsions, forces, couples and drives (for example `#[gravity(g)]`)",
+            "`while` is for what can be there or not: supports, threads, the `stops` of a slider, springs, torsions, forces, couples, drives, pins to the ground and welds (for example `#[gravity(g)]`)",
         ),
         (
             "#[support(D = floor, jams)]",

@@ -84,6 +84,8 @@ pub struct Contact {
     pub stop: bool,
     /// The condition that it is there on, as conditions of runs are written; always if absent.
     pub armed: Option<&'static str>,
+    /// The condition that ends it; never if absent.
+    pub breaks: Option<&'static str>,
 }
 
 impl Contact {

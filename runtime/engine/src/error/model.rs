@@ -16,10 +16,19 @@ pub enum ModelError {
         /// What is wrong with it.
         source: OutputError,
     },
+    /// The condition on which a contact breaks.
+    #[error("the condition `breaks` of {of}: {source}")]
+    Break {
+        /// Its label.
+        of: String,
+        /// What is wrong with it.
+        source: OutputError,
+    },
     /// The condition on which a contact, a spring or a load is there reads a force that depends on
     /// whether it is.
     #[error(
-        "the condition `while` of {of} reads a reaction, friction or the force of a drive, which are decided after it; use the motion or the time"
+        "the condition `while` of {of} reads a reaction, friction or the force of a joint, which are decided after it; use the motion or the time; \
+         what lets go for good `breaks`"
     )]
     SwitchedByForce {
         /// Its label.

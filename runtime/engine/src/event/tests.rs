@@ -28,6 +28,7 @@ const fn contact(
         law,
         stop: false,
         armed,
+        breaks: armed,
     }
 }
 

@@ -156,7 +156,7 @@ impl Names {
     /// A function of points or supports.
     pub(super) fn call(&self, name: &str, arguments: &[String]) -> Result<Expression, OutputError> {
         match name {
-            "N" => return Ok(self.normal(arguments)?.expression()),
+            "N" => return self.reaction(arguments),
             "R" => return self.friction(arguments),
             "ratio" => {
                 let (friction, normal) = (self.friction(arguments)?, self.normal(arguments)?);
@@ -219,6 +219,15 @@ impl Names {
             Ok(Expression::Friction { contact, share })
         } else {
             Err(OutputError::Smooth { contact: layout.label.to_owned() })
+        }
+    }
+
+    /// The reaction of a support, or the magnitude of the force of a joint.
+    fn reaction(&self, arguments: &[String]) -> Result<Expression, OutputError> {
+        let [x, y] = ["fx", "fy"].map(|axis| self.quantity(axis, &arguments.join(",")));
+        match (self.normal(arguments), x, y) {
+            (Err(_), Ok(x), Ok(y)) => Ok(Expression::magnitude([x, y])),
+            (normal, ..) => normal.map(Share::expression),
         }
     }
 

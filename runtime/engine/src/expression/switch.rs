@@ -6,7 +6,7 @@ use super::{Condition, Variable};
 use crate::context::{RunContext, reduce};
 use crate::error::ModelError;
 use crate::integration::phase_point::PhasePoint;
-use crate::model::{ContactSet, Form, Layout, QuantityKind};
+use crate::model::{ContactSet, Form, Layout};
 
 /// What comes and goes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,12 +42,11 @@ impl Switch {
     }
 }
 
-/// Whether a variable is known only once it is decided which contacts and drives bear.
+/// Whether a variable is known only once it is decided which contacts bear.
 fn is_decided_after(layout: &Layout, variable: Variable) -> bool {
-    use QuantityKind::{DriveForce, DriveTorque};
     match variable {
         Variable::Reaction(_) | Variable::Friction(_) | Variable::Coefficient(_) => true,
-        Variable::Quantity(i) => matches!(layout.quantities[i].kind, DriveForce | DriveTorque),
+        Variable::Quantity(i) => !layout.quantities[i].kind.is_of_state(),
         _ => false,
     }
 }

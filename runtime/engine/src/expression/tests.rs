@@ -24,6 +24,7 @@ static LAYOUT: Layout = Layout::new("Sample")
             law: Law::Newton,
             stop: false,
             armed: None,
+            breaks: None,
         },
         Contact {
             label: "B, C, D",
@@ -37,6 +38,7 @@ static LAYOUT: Layout = Layout::new("Sample")
             law: Law::Newton,
             stop: false,
             armed: None,
+            breaks: None,
         },
         Contact {
             label: "P",
@@ -50,6 +52,7 @@ static LAYOUT: Layout = Layout::new("Sample")
             law: Law::Newton,
             stop: false,
             armed: None,
+            breaks: None,
         },
     ])
     .tangents(&[0, 2])

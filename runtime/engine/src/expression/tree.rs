@@ -168,11 +168,13 @@ impl Expression {
 
     /// √(vx² + vy²) of a point.
     pub(super) fn speed(point: usize) -> Self {
-        let square = |axis| {
-            let rate = Self::Point { index: point, axis, order: 1 };
-            Self::join(Operator::Power, rate, Self::Number(2.0))
-        };
-        Self::apply(Function::Sqrt, Self::join(Operator::Add, square(0), square(1)))
+        Self::magnitude([0, 1].map(|axis| Self::Point { index: point, axis, order: 1 }))
+    }
+
+    /// √(x² + y²).
+    pub(super) fn magnitude(vector: [Self; 2]) -> Self {
+        let [x, y] = vector.map(|part| Self::join(Operator::Power, part, Self::Number(2.0)));
+        Self::apply(Function::Sqrt, Self::join(Operator::Add, x, y))
     }
 
     /// Its derivative by time, of what is linear in coordinates and positions of points; none of

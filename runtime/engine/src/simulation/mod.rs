@@ -65,6 +65,7 @@ pub struct Simulation {
     pub(crate) begin: f64,
     pub(crate) held: ContactSet,
     pub(crate) restitution: Vec<f64>,
+    /// What breaks, then what the user plans.
     pub(crate) plan: Vec<Scheduled>,
     pub(crate) rules: Arc<Rules>,
     pub(crate) parts: Parts,
@@ -115,7 +116,7 @@ impl Simulation {
             begin: 0.0,
             held: ContactSet::EMPTY,
             restitution,
-            plan: Vec::new(),
+            plan: rules.breaks.clone(),
             rules: Arc::new(rules),
             parts,
             ends: Ends::default(),
@@ -266,7 +267,10 @@ impl Simulation {
         if !(at >= 0.0 && at.is_finite()) {
             return Err(SupportError::Time { support: support.to_owned(), at });
         }
-        self.plan.push(Scheduled { action: Action::Remove(contact), when: Trigger::At(at) });
+        self.plan.push(Scheduled {
+            action: Action::Remove(ContactSet::EMPTY.with(contact)),
+            when: Trigger::At(at),
+        });
         Ok(self)
     }
 
@@ -276,7 +280,7 @@ impl Simulation {
         let support = support.as_ref();
         let (contact, _) =
             contact_of(self.layout(), support).ok_or_else(|| unknown_support(self.layout(), support))?;
-        self.plan(Action::Remove(contact), condition)
+        self.plan(Action::Remove(ContactSet::EMPTY.with(contact)), condition)
     }
 
     /// Cuts a thread when a condition becomes true: `t = 0` starts a motion from a taut
@@ -287,7 +291,7 @@ impl Simulation {
         let names = threads.flat_map(|c| c.supports.iter().copied());
         match contact_of(self.layout(), thread) {
             Some((i, contact)) if contact.kind == ContactKind::Thread => {
-                self.plan(Action::Remove(i), condition)
+                self.plan(Action::Remove(ContactSet::EMPTY.with(i)), condition)
             }
             Some(_) => Err(ScheduleError::NoThread { support: thread.to_owned() }),
             None => Err(NameError::new("thread", thread, names).into()),

@@ -37,7 +37,7 @@ const fn has_rules(layout: &Layout) -> bool {
     let mut has = !layout.switches.is_empty() || !layout.signals.is_empty();
     let mut i = 0;
     while i < layout.contacts.len() {
-        has |= layout.contacts[i].armed.is_some();
+        has |= layout.contacts[i].armed.is_some() || layout.contacts[i].breaks.is_some();
         i += 1;
     }
     i = 0;

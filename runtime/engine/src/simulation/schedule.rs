@@ -2,6 +2,7 @@
 
 use crate::error::ScheduleError;
 use crate::expression::Condition;
+use crate::model::ContactSet;
 
 /// Something that is to happen once.
 #[derive(Debug, Clone)]
@@ -13,8 +14,8 @@ pub(crate) struct Scheduled {
 /// What is to happen.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Action {
-    /// A contact ceases to exist.
-    Remove(usize),
+    /// Contacts cease to exist.
+    Remove(ContactSet),
     /// An impulse at a point.
     Impulse { point: usize, impulse: [f64; 2] },
 }

@@ -49,5 +49,6 @@ fn contact(
         },
         stop: support.stop,
         armed: support.armed.as_ref().map(|condition| text(condition)),
+        breaks: support.breaks.as_ref().map(|condition| text(condition)),
     }
 }

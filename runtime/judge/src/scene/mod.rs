@@ -149,7 +149,7 @@ impl<S: Scalar> Scene<S> {
         if let Some(rubs) = system.supports.iter().find(|s| s.friction.is_some() || s.moving.is_some()) {
             return Err(SceneError::Friction(rubs.name.clone()));
         }
-        if let Some(switched) = system.supports.iter().find(|s| s.armed.is_some()) {
+        if let Some(switched) = system.supports.iter().find(|s| s.armed.is_some() || s.breaks.is_some()) {
             return Err(SceneError::Switch(switched.name.clone()));
         }
         if let Some(switch) = system.switches.first() {

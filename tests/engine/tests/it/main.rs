@@ -45,6 +45,7 @@ mod pivots;
 mod planks;
 mod random_loads;
 mod redundant_loops;
+mod releases;
 mod rocking;
 mod rocking_with_friction;
 mod settling;

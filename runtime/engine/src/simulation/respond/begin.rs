@@ -12,6 +12,7 @@ use crate::numerics::zero::SOLVED;
 use crate::simulation::RunCause;
 use crate::simulation::awaited::Role;
 use crate::simulation::decide::DecisionInput;
+use crate::simulation::schedule::{Action, Scheduled, Trigger};
 use crate::simulation::snapshot::Snapshot;
 use crate::trajectory::{LogEntry, LoggedDecision};
 
@@ -25,7 +26,30 @@ impl Snapshot<'_> {
         }
         self.log_met_conditions();
         self.do_due()?;
-        Ok(Next::Continue)
+        self.break_at_start()
+    }
+
+    /// Breaks what is beyond its strength at once, and drives that do not hold: they have broken
+    /// before.
+    fn break_at_start(&mut self) -> Result<Next, RunCause> {
+        let (setup, point, closed) = (self.setup, self.point(), self.closed());
+        let is_lost = |i: &usize| {
+            let contact = &self.layout().contacts[*i];
+            contact.kind.is_drive() && contact.armed.is_none() && !closed.contains(*i)
+        };
+        let breaks = |planned: &Scheduled| {
+            let Scheduled { action: Action::Remove(contacts), when: Trigger::If(condition) } = planned else {
+                return false;
+            };
+            condition.holds(&setup.context, &point) || contacts.iter().any(|i| is_lost(&i))
+        };
+        let broken: Vec<usize> = (0..setup.rules.breaks.len()).filter(|&k| breaks(&setup.plan[k])).collect();
+        if broken.is_empty() {
+            return Ok(Next::Continue);
+        }
+        let before = self.before_event();
+        self.execute(&broken)?;
+        self.follow_jumps(before, &[])
     }
 
     fn start(&mut self) -> Result<Next, RunCause> {

@@ -29,7 +29,7 @@ impl Snapshot<'_> {
         for &k in due {
             self.done[k] = true;
             match self.setup.plan[k].action {
-                Action::Remove(contact) => removed = removed.with(contact),
+                Action::Remove(contacts) => removed = removed.union(contacts),
                 Action::Impulse { point, impulse } => {
                     let load = self.generalised(point, impulse);
                     self.transition.impulses.push(AppliedImpulse { t: self.t, point, impulse });

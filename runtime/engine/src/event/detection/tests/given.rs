@@ -46,6 +46,7 @@ const fn contact(label: &'static str, kind: ContactKind, friction: Option<usize>
         law: Law::Newton,
         stop: false,
         armed: None,
+        breaks: None,
     }
 }
 
