@@ -56,7 +56,10 @@ pub fn exchange_lacks(layout: &Layout, spec: &RunSpec) -> Option<&'static str> {
     let reasons = [
         (layout.has_hinges(), "friction in hinges"),
         (!layout.switches.is_empty(), "springs or loads on conditions"),
-        (layout.contacts.iter().any(|contact| contact.armed.is_some()), "supports or drives on conditions"),
+        (
+            layout.contacts.iter().any(|contact| contact.armed.or(contact.breaks).is_some()),
+            "supports or drives on conditions",
+        ),
         (!spec.release.is_empty() || !spec.cut.is_empty(), "supports or threads that vanish"),
         (!spec.impulses.is_empty(), "impulses"),
         (!spec.hold.is_empty(), "supports that are held"),

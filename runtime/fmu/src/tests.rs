@@ -67,11 +67,13 @@ fn what_no_guard_tells_is_for_co_simulation() {
     assert_eq!(lacks(|spec| spec.release("P", 1.0)), Some("supports or threads that vanish"));
     assert_eq!(lacks(|spec| spec.hold(&["P"])), Some("supports that are held"));
     assert_eq!(lacks(|spec| spec.impulse("P", [0.0, 1.0], 1.0)), Some("impulses"));
-    let armed = model(&BELT.replace("moving = w)", "moving = w, while(\"t < 1\"))"));
-    assert_eq!(
-        exchange_lacks(armed.layout(), &armed.default_run()),
-        Some("supports or drives on conditions")
-    );
+    for condition in ["while(\"t < 1\")", "breaks(\"N(P) > 1\")"] {
+        let armed = model(&BELT.replace("moving = w)", &format!("moving = w, {condition})")));
+        assert_eq!(
+            exchange_lacks(armed.layout(), &armed.default_run()),
+            Some("supports or drives on conditions")
+        );
+    }
 }
 
 #[test]
