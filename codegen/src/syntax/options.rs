@@ -2,6 +2,8 @@
 
 use std::ops::RangeInclusive;
 
+use proc_macro2::TokenTree;
+use quote::ToTokens;
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
 use syn::{Expr, Ident, Lit, Token};
@@ -13,8 +15,7 @@ use super::{Pair, unknown};
 const FRICTION: [&str; 5] = ["mu", "coulomb", "mu_s", "mu_k", "rough"];
 
 /// What is said of a unit behind a number.
-const UNIT: &str =
-    "numbers of a declaration have no unit; a parameter may have one, `#[value(1, unit = \"kg\")]`";
+const UNIT: &str = "numbers of a declaration have no unit, an angle of 10° is `10 * pi / 180`; a parameter may have one, `#[value(1, unit = \"kg\")]`";
 
 /// Options that are conditions.
 pub(super) const CONDITIONS: [&str; 2] = ["while", "breaks"];
@@ -78,7 +79,11 @@ impl Options {
     pub fn with_flags(input: ParseStream, allowed: &[&str], flags: &[&str]) -> syn::Result<Self> {
         let mut given: Vec<(Ident, Option<Expr>)> = Vec::new();
         while !input.is_empty() {
-            if input.peek(Ident) && matches!(given.last(), Some((_, Some(Expr::Lit(_))))) {
+            // A name with `=` behind it, or a flag, is the next option: a comma is missing.
+            let is_flag =
+                flags.iter().any(|flag| input.fork().parse::<Ident>().is_ok_and(|name| name == flag));
+            let is_unit = input.peek(Ident) && !input.peek2(Token![=]) && !is_flag;
+            if is_unit && given.last().is_some_and(|(_, value)| value.as_ref().is_some_and(ends_in_number)) {
                 return Err(input.error(UNIT));
             }
             input.parse::<Token![,]>()?;
@@ -160,6 +165,10 @@ impl Options {
     pub fn take_name(&mut self, name: &str) -> syn::Result<Option<Ident>> {
         self.take(name).map(|value| identifier(&value)).transpose()
     }
+}
+
+fn ends_in_number(value: &Expr) -> bool {
+    matches!(value.to_token_stream().into_iter().last(), Some(TokenTree::Literal(_)))
 }
 
 /// `= value`.

@@ -7,8 +7,8 @@ use syn::{Expr, Ident, Token};
 
 use super::contact_law::{CONTACT_LAW, ContactLaw, FRICTION};
 use super::options::{self, Options};
-use super::plain;
 use super::shape::{ShapeDeclaration, shape};
+use super::{nearest, plain};
 
 /// A one-sided support.
 #[derive(Clone, Debug)]
@@ -104,9 +104,15 @@ fn moves_along(shape: &ShapeDeclaration, rubs: bool) -> Option<&'static str> {
 }
 
 fn facing(side: Ident) -> syn::Result<Facing> {
-    match side.to_string().as_str() {
+    let name = side.to_string();
+    match name.as_str() {
         "left" => Ok(Facing::Left),
         "right" => Ok(Facing::Right),
-        _ => Err(syn::Error::new(side.span(), "a wall, a bar or an edge faces `left` or `right`")),
+        _ => {
+            let near = nearest(&name, &["left", "right"]);
+            let hint = near.map_or_else(String::new, |near| format!("; did you mean `{near}`?"));
+            let text = format!("a wall, a bar or an edge faces `left` or `right`{hint}");
+            Err(syn::Error::new(side.span(), text))
+        }
     }
 }

@@ -18,6 +18,9 @@ pub enum Definition {
 /// double-double can hold.
 pub(super) const PI: (i128, i128) = (6_134_899_525_417_045, 1_952_799_169_684_491);
 
+/// The largest part of a fraction that is a coefficient.
+const LONGEST: i128 = 1_000_000_000;
+
 /// The derived constants met so far.
 #[derive(Clone, Debug)]
 pub(super) struct Constants {
@@ -54,6 +57,16 @@ impl Constants {
             }
         };
         self.symbol(index)
+    }
+
+    /// A number; one of many digits is a symbol, so that products of several do not overflow.
+    pub fn number(&mut self, value: Rational) -> Series {
+        let parts = [value.numerator(), value.denominator()];
+        if parts.iter().all(|part| part.abs() <= LONGEST) {
+            return Series::constant(value);
+        }
+        let [n, d] = parts.map(|part| Series::constant(Rational::integer(part)));
+        Series::symbol(self.define(Definition::Ratio(n, d)))
     }
 
     /// π.

@@ -8,12 +8,14 @@ use super::literal;
 use super::scope::Scope;
 use crate::algebra::{Angle, Series, work};
 use crate::limits;
-use crate::syntax;
+use crate::syntax::{self, nearest};
 
 const FORMS: &str =
     "expected a number, a parameter, `pi`, + − * /, `sqrt(…)`, `sin(…)`, `cos(…)`, `abs(…)` or `.powi(n)`";
 
-const POWER: &str = "a power is written `l.powi(2)`";
+const FUNCTIONS: [&str; 4] = ["sqrt", "sin", "cos", "abs"];
+
+pub(super) const POWER: &str = "a power is written `l.powi(2)`";
 
 impl Scope<'_> {
     /// The value of an expression.
@@ -32,7 +34,7 @@ impl Scope<'_> {
 
     fn computed(&mut self, expr: &Expr) -> syn::Result<Series> {
         match expr {
-            Expr::Lit(number) => Ok(Series::constant(literal::exact(&number.lit)?)),
+            Expr::Lit(number) => literal::exact(&number.lit).map(|value| self.constants.number(value)),
             Expr::Paren(inner) => self.value(&inner.expr),
             Expr::Group(inner) => self.value(&inner.expr),
             Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => self.value(&unary.expr).map(|v| -v),
@@ -43,11 +45,11 @@ impl Scope<'_> {
             Expr::Binary(binary) => self.binary(&binary.left, &binary.op, &binary.right),
             Expr::Path(path) => match path.path.get_ident() {
                 Some(name) => self.named(name),
-                None => Err(self.refuse(path, path)),
+                None => Err(self.refuse(path, path, FORMS)),
             },
             Expr::Call(call) => self.call(call),
             Expr::MethodCall(call) => self.method(call),
-            other => Err(self.refuse(other, other)),
+            other => Err(self.refuse(other, other, FORMS)),
         }
     }
 
@@ -83,7 +85,7 @@ impl Scope<'_> {
         };
         match (&call.args.first(), call.args.len()) {
             (Some(argument), 1) => self.apply(&name, argument, &call.func),
-            _ => Err(self.refuse(call, call)),
+            _ => Err(self.refuse(call, call, FORMS)),
         }
     }
 
@@ -95,7 +97,7 @@ impl Scope<'_> {
                 self.power(&base, exponent).ok_or_else(zero)
             }
             (false, None, 0) => self.apply(&call.method.to_string(), &call.receiver, &call.method),
-            _ => Err(self.refuse(call, &call.method)),
+            _ => Err(self.refuse(call, &call.method, FORMS)),
         }
     }
 
@@ -114,13 +116,13 @@ impl Scope<'_> {
                 let negative = || syn::Error::new_spanned(argument, "the root of a negative number");
                 self.constants.sqrt(&square).ok_or_else(negative)
             }
-            _ => Err(self.refuse(argument, at)),
+            _ => Err(self.refuse(argument, at, &describe_function(function, &FUNCTIONS, FORMS))),
         }
     }
 
-    fn refuse(&mut self, tokens: &impl ToTokens, at: &impl ToTokens) -> syn::Error {
+    fn refuse(&mut self, tokens: &impl ToTokens, at: &impl ToTokens, text: &str) -> syn::Error {
         self.mention(tokens);
-        syn::Error::new_spanned(at, FORMS)
+        syn::Error::new_spanned(at, text)
     }
 
     /// A whole power; `None` for a division by zero.
@@ -131,6 +133,14 @@ impl Scope<'_> {
             true => self.constants.divide(&Series::one(), &product),
             false => Some(product),
         }
+    }
+}
+
+/// What is said of a function that is none: the one that was probably meant, or all that there is.
+pub(super) fn describe_function(name: &str, known: &[&str], forms: &str) -> String {
+    match nearest(name, known).filter(|near| *near != name) {
+        Some(near) => format!("there is no function `{name}`; did you mean `{near}`?"),
+        None => forms.to_owned(),
     }
 }
 

@@ -6,7 +6,7 @@ use quote::ToTokens;
 use syn::{BinOp, Expr, ExprBinary, ExprCall, ExprMethodCall, Ident, UnOp};
 
 use super::bodies::Structure;
-use super::expression::whole;
+use super::expression::{POWER, describe_function, whole};
 use super::scope::Scope;
 use super::signals;
 use super::{Declared, Formula, Function, Operator, Reading, Signal};
@@ -21,6 +21,12 @@ const FORMS: &str = "expected a number, a parameter, `t`, a coordinate, `rate(ph
                      `atan(…)`, `atan2(y, x)`, `abs(…)`, `sign(…)`, `min(a, b)`, `max(a, b)`, `clamp(x, low, high)`, \
                      `if(a > b, x, y)`, \
                      `table(x, [x0, x1], [y0, y1])` or `.powi(n)`";
+
+/// Functions by the names that may be misspelt.
+const FUNCTIONS: [&str; 20] = [
+    "sqrt", "sin", "cos", "tan", "exp", "log", "tanh", "atan", "atan2", "abs", "sign", "min", "max", "clamp",
+    "if", "table", "rate", "vx", "vy", "powi",
+];
 
 /// A table has no more places: each is a kink that steps are looked through for.
 const MOST_PLACES: usize = 512;
@@ -109,21 +115,26 @@ impl FormulaReader<'_, '_, '_> {
                 let inner = self.parse(&unary.expr)?;
                 self.apply(Function::Negate, inner, expr)
             }
+            Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => {
+                self.scope.report.over(unary, POWER);
+                return None;
+            }
             Expr::Binary(binary) => {
                 let (left, right) = (self.parse(&binary.left), self.parse(&binary.right));
                 let Some(operator) = operator(&binary.op) else {
-                    self.scope.report.over(&binary.op, FORMS);
+                    let is_power = matches!(binary.op, BinOp::BitXor(_));
+                    self.scope.report.over(&binary.op, if is_power { POWER } else { FORMS });
                     return None;
                 };
                 self.join(operator, left?, right?, &binary.right)
             }
             Expr::Path(path) => match path.path.get_ident() {
                 Some(name) => self.name(name),
-                None => self.refuse(expr, expr),
+                None => self.refuse(expr, expr, FORMS),
             },
             Expr::Call(call) => self.call(call),
             Expr::MethodCall(call) => self.method(call),
-            other => self.refuse(other, other),
+            other => self.refuse(other, other, FORMS),
         }?;
         if work::is_spent() {
             self.scope.report.over(expr, limits::TOO_MUCH);
@@ -200,7 +211,7 @@ impl FormulaReader<'_, '_, '_> {
                 self.scope.report.over(call, format!("`{name}` takes {count} arguments"));
                 return None;
             }
-            return self.refuse(call, call);
+            return self.refuse(call, call, &describe_function(&name, &FUNCTIONS, FORMS));
         };
         match name.as_str() {
             "if" => return self.choice(call),
@@ -246,7 +257,7 @@ impl FormulaReader<'_, '_, '_> {
                 self.apply(Function::Power(exponent?), base, call)
             }
             (false, None, 0) => self.function(&call.method.to_string(), &call.receiver, call, &call.method),
-            _ => self.refuse(call, &call.method),
+            _ => self.refuse(call, &call.method, FORMS),
         }
     }
 
@@ -268,7 +279,10 @@ impl FormulaReader<'_, '_, '_> {
             }
             _ => match Elementary::ALL.into_iter().find(|function| function.name() == name) {
                 Some(function) => Function::Elementary(function),
-                None => return self.refuse(argument, at),
+                None => {
+                    let text = describe_function(name, &FUNCTIONS, FORMS);
+                    return self.refuse(argument, at, &text);
+                }
             },
         };
         let argument = self.parse(argument)?;
@@ -513,9 +527,9 @@ impl FormulaReader<'_, '_, '_> {
         result.map_err(|text| self.scope.report.over(at, text)).ok()
     }
 
-    fn refuse(&mut self, tokens: &impl ToTokens, at: &impl ToTokens) -> Option<Formula> {
+    fn refuse(&mut self, tokens: &impl ToTokens, at: &impl ToTokens, text: &str) -> Option<Formula> {
         self.scope.mention(tokens);
-        self.scope.report.over(at, FORMS);
+        self.scope.report.over(at, text);
         None
     }
 }

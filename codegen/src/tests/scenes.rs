@@ -112,6 +112,19 @@ fn angles_that_are_equal_already_or_never_are_reported() {
     );
 }
 
+/// Coefficients are fractions of 128 bits, which three such numbers would overflow.
+#[test]
+fn numbers_of_many_digits_do_not_overflow() {
+    let (a, b) = ("0.30000000000000004", "0.6123724356957945");
+    let bars = format!(
+        "#[bar(OA, mass = {a}, length = {b})] #[bar(AB, mass = {b}, length = {a})] #[bar(BC, mass = {a} * {b}, length = {b})]"
+    );
+    let figure =
+        format!("#[pin(O = (0, 0))] #[figure(A = (0, -{b}), B = (0, -{b} - {a}), C = (0, -2 * {b} - {a}))]");
+    let item = format!("#[gravity(9.80665123456789)] {bars} {figure} struct S {{}}");
+    assert_eq!(super::find_mistakes(&item), [""; 0]);
+}
+
 /// A contact set tells the sides of the first 64 contacts, and guides are the first, whatever is
 /// declared before them.
 #[test]

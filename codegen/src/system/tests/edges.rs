@@ -72,6 +72,10 @@ fn mistakes_are_reported() {
             "a wall, a bar or an edge faces `left` or `right` (for example `#[support(A = floor)]`)",
         ),
         (
+            "#[support(C = bar(AB), facing = rihgt)]",
+            "a wall, a bar or an edge faces `left` or `right`; did you mean `right`? (for example `#[support(A = floor)]`)",
+        ),
+        (
             "#[support(C = bar(AB), over = AB)]",
             "only a corner can be `over` something (for example `#[support(A = floor)]`)",
         ),

@@ -176,8 +176,8 @@ fn mistakes_of_every_stage_are_reported_together() {
 #[test]
 fn overflow_is_reported_at_the_longest_number() {
     let item = "#[gravity(g)] #[bar(AB, mass = m, length = l)] #[pin(A = (0, 0))]
-                #[bar(long = B -> C, mass = 0.123456789012345678901 * m, length = 1.234567890123456789 * l)]
-                #[figure(A = (0, 0), B = (l, 0), C = (l + 1.234567890123456789 * l, 0))]
+                #[bar(long = B -> C, mass = 0.123456789 * 0.123456787 * m, length = 1.23456789 * 1.23456787 * l)]
+                #[figure(A = (0, 0), B = (l, 0), C = (l + 1.5 * l, 0))]
                 struct S { m: f64, l: f64, g: f64 }";
     let error = crate::analyse(item.parse().unwrap()).unwrap_err();
     assert!(error.to_string().contains("overflow"), "{error}");

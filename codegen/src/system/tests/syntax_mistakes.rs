@@ -11,6 +11,16 @@ fn find_mistakes(attribute: &str) -> Vec<String> {
 fn errors_show_an_example() {
     let cases = [
         ("#[bar(DC mass = m)]", "expected `,` (for example `#[bar(AD, mass = m, length = l)]`)"),
+        ("#[bar(DC, mass = 2 length = l)]", "expected `,` (for example `#[bar(AD, mass = m, length = l)]`)"),
+        (
+            "#[limit(phi, low = 1 stop)]",
+            "expected `,` (for example `#[limit(angle(AB, BC), low = 0, high = pi / 2)]`)",
+        ),
+        (
+            "#[limit(phi, low = -10 deg)]",
+            "numbers of a declaration have no unit, an angle of 10° is `10 * pi / 180`; a parameter may have one, \
+             `#[value(1, unit = \"kg\")]` (for example `#[limit(angle(AB, BC), low = 0, high = pi / 2)]`)",
+        ),
         (
             "#[bar(DC, mas = m, length = l)]",
             "there is no option `mas`; did you mean `mass`? (for example `#[bar(AD, mass = m, length = l)]`)",
