@@ -21,7 +21,7 @@ const FIRST: f64 = 0.1;
 /// Whether the run can have no event before its end, would use Taylor's method by itself too, and
 /// nothing else may end it.
 pub(super) fn is_smooth(simulation: &Simulation) -> bool {
-    let Simulation { context, plan, ends, form, method, tolerance, budget, cancel, .. } = simulation;
+    let Simulation { context, plan, ends, begin, form, method, tolerance, budget, cancel, .. } = simulation;
     let layout = context.layout();
     layout.contacts.is_empty()
         && layout.joints.is_empty()
@@ -29,6 +29,7 @@ pub(super) fn is_smooth(simulation: &Simulation) -> bool {
         && plan.is_empty()
         && ends.conditions.is_empty()
         && ends.events.is_empty()
+        && *begin == 0.0
         && *budget == Budget::default()
         && cancel.is_none()
         && *form == Form::Reduced
@@ -80,10 +81,10 @@ impl MemberGroup {
         let Some(lane) = self.lanes.free() else { return Err(MemberError::NotRun) };
         let state = simulation.started()?.state;
         let context = &*simulation.context;
-        if is_equilibrium(context, &*context.phase(ContactSet::EMPTY, Form::Reduced), &state) {
+        let phase = context.phase(ContactSet::EMPTY, Form::Reduced);
+        if !simulation.ends_at_a_time() && is_equilibrium(context, &*phase, &state) {
             return Err(StartError::Equilibrium.into());
         }
-        let phase = context.phase(ContactSet::EMPTY, Form::Reduced);
         let start = LaneStart {
             parameters: &context.model.parameters,
             state: &state,

@@ -119,7 +119,9 @@ fn errors_are_kept_in_their_places() {
         match i {
             3 => Ok(simulation.start(Pose::new("psi", 1.0))?),
             5 => Ok(simulation.tolerance(2.0)),
-            7 => Ok(simulation.start(Pose::nominal())?),
+            7 => Ok(Simulation::new(&MODEL)?),
+            9 => Ok(simulation.start(Pose::nominal())?),
+            10 => Ok(simulation.start_at(0.5, Pose::new("phi_1", 1.0).with("phi_2", 1.0))?),
             _ => Ok(simulation),
         }
     })
@@ -128,6 +130,13 @@ fn errors_are_kept_in_their_places() {
         match (i, end) {
             (3 | 7, Err(MemberError::Start(_) | MemberError::Run(_))) | (5, Err(MemberError::Run(_))) => {}
             (3 | 5 | 7, _) => panic!("{i}: {end:?}"),
+            // Hangs until its limit; begins later.
+            (9, Ok(end)) => assert_eq!(end.state, [0.0; 4]),
+            (10, Ok(end)) => {
+                let later = Pose::new("phi_1", 1.0).with("phi_2", 1.0);
+                let alone = member(10).unwrap().start_at(0.5, later).unwrap().run().unwrap();
+                assert_eq!((end.t, &end.state), (alone.end_time(), &alone.final_state()));
+            }
             _ => assert!(end.is_ok(), "{i}: {end:?}"),
         }
     }

@@ -168,8 +168,13 @@ impl<'a> Parser<'a> {
                 if self.take_word("deg") {
                     return Ok(Expression::Number(x.to_radians()));
                 }
-                self.take_word("rad");
-                Ok(Expression::Number(x))
+                let has_unit = self.take_word("rad") || self.take_word("s");
+                match self.token() {
+                    Token::Name(name, _) if !has_unit && !matches!(&**name, "and" | "or") => {
+                        Err(self.expected("an operator, or one of the units `deg`, `rad` and `s` (else numbers are in SI units)"))
+                    }
+                    _ => Ok(Expression::Number(x)),
+                }
             }
             Token::Name(name, primes) => {
                 self.at += 1;

@@ -115,6 +115,9 @@ fn names_are_those_of_the_model() {
     }
     assert_eq!(parse("m").unwrap(), Expression::Parameter(0));
     assert_eq!(parse("m ** 2").unwrap(), parse("m^2").unwrap());
+    assert_eq!(parse("2 s + 30 deg").unwrap(), parse("2 + pi/6").unwrap());
+    assert_eq!(Condition::parse(&LAYOUT, "t = 0.1 s and m > 1").unwrap().time(&[2.0, 1.0]), None);
+    assert_eq!(Condition::parse(&LAYOUT, "t = 0.1 s").unwrap().time(&[1.0, 1.0]), Some(0.1));
     assert_eq!(parse("gap(C)").unwrap(), Expression::Gap(1));
 }
 
@@ -124,6 +127,10 @@ fn mistakes_are_reported_at_their_place() {
         ("", "expected a number, a name or `(`, found the end at column 1"),
         ("1 +* 2", "expected a number, a name or `(`, found `*` at column 4"),
         ("phi phi", "expected an operator or the end, found `phi` at column 5"),
+        (
+            "phi / 2 mm",
+            "expected an operator, or one of the units `deg`, `rad` and `s` (else numbers are in SI units), found `mm` at column 9",
+        ),
         ("sin(1", "expected `)`, found the end at column 6"),
         ("x(1)", "expected a point or a support, found `1` at column 3"),
         ("1.2.3", "expected a number, found `1.2.3` at column 1"),

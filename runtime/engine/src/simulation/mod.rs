@@ -180,6 +180,14 @@ impl Simulation {
         Ok(self)
     }
 
+    /// The same at this time instead of t = 0. What is planned for times before is done then.
+    ///
+    /// # Errors
+    /// As for [`Self::start`].
+    pub fn start_at(self, t: f64, pose: Pose) -> Result<Self, StartError> {
+        Self { begin: t, ..self }.start(pose)
+    }
+
     /// The same from a pose at a time: in the natural units of this simulation, however small what
     /// is left of the motion; with [`Pose::of_state`] from where a run was left. What is planned
     /// for times before is done at that time.
@@ -345,7 +353,10 @@ impl Simulation {
     /// joins `<` and `>`, `or` any conditions. Text or a [`Condition`] is taken.
     pub fn until(mut self, condition: impl IntoConditions) -> Result<Self, OutputError> {
         for condition in condition.into_conditions(self.layout())? {
-            if condition.time(&self.context.model.parameters).is_some_and(|at| at.is_nan() || at <= 0.0) {
+            if condition
+                .time(&self.context.model.parameters)
+                .is_some_and(|at| at.is_nan() || at <= self.begin)
+            {
                 return Err(OutputError::Constant { condition: condition.to_string() });
             }
             self.ends.conditions.push(condition);
@@ -362,8 +373,9 @@ impl Simulation {
     }
 
     /// Ends the run at this time at the latest. The default is 1000 natural times, √(length /
-    /// gravity) or shorter where speeds or impulses are high; so much after the last planned
-    /// impulse or removal if that is later; and no sooner than a time that ends the run.
+    /// gravity) or shorter where speeds or impulses are high, after the start; so much after the
+    /// last planned impulse or removal if that is later; and no sooner than a time that ends the
+    /// run. Where a time is given a start in equilibrium stays there until then.
     #[must_use]
     pub fn limit(mut self, time: f64) -> Self {
         self.ends.limit = Some(time);
@@ -378,10 +390,15 @@ impl Simulation {
                 Trigger::At(at) => Some(at),
                 Trigger::If(_) => None,
             });
-            let last = planned.fold(0.0, f64::max);
-            let begin = if last < natural { 0.0 } else { last };
+            let last = planned.fold(self.begin, f64::max);
+            let begin = if last - self.begin < natural { self.begin } else { last };
             self.stops().filter(|at| at.is_finite()).fold(begin + natural, f64::max)
         })
+    }
+
+    /// Whether a time is given that ends the run.
+    pub(crate) fn ends_at_a_time(&self) -> bool {
+        self.ends.limit.is_some() || self.stops().any(f64::is_finite)
     }
 
     /// The given times that end the run.

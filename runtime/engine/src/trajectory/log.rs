@@ -27,9 +27,13 @@ pub enum LoggedDecision {
     /// are closed to within the tolerance: more than that, since it is near a pose in which its
     /// gaps hardly depend on it.
     StartMoves(f64),
+    /// The start is an equilibrium.
+    StartRests,
     /// A condition that is to end the run holds at its start: it is met where it comes to hold
     /// again.
     ConditionHolds(Condition),
+    /// A condition that was to end the run is not met in it.
+    ConditionNotMet(Condition),
     /// A pivot of the closed form is small: the phase is integrated with multipliers.
     SmallPivot,
     /// The contacts are closed on another branch than that of the closed form: the phase is
@@ -106,6 +110,10 @@ impl fmt::Display for LoggedDecision {
             }
             Self::StartMoves(by) => {
                 return write!(f, "the start moves by {by:.1e} of its size onto contacts whose gaps hardly depend on it");
+            }
+            Self::StartRests => "the start is an equilibrium: it stays there, unless it is unstable and roundoff grows",
+            Self::ConditionNotMet(condition) => {
+                return write!(f, "the run ends here, and `{condition}` was not met");
             }
             Self::ConditionHolds(condition) => {
                 return write!(

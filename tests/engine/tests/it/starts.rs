@@ -262,3 +262,47 @@ fn a_state_round_the_end_of_an_edge_is_a_start_once_that_is_said() {
     let refused = simulation().start(pose.with("below(Q)", 1.0)).err().unwrap();
     assert!(refused.to_string().starts_with("no support `Q`"), "{refused}");
 }
+
+/// A cart with a motor.
+#[derive(BarSystem)]
+#[particle(P, mass = m)]
+#[slider(P = horizontal(0))]
+#[force(P = (f * cos(t), 0))]
+#[figure(P = (1, 0))]
+struct Cart {
+    m: f64,
+    f: f64,
+}
+
+/// x = 1 + cos T − cos t − (t − T) sin T from rest at T; without a limit as long as from zero.
+#[test]
+fn a_run_begins_at_its_time() {
+    let cart = || Simulation::new(&Cart { m: 2.0, f: 2.0 }).unwrap();
+    let start = || Pose::new("x_P", 1.0).with("x_P'", 0.0);
+    let begun = |t: f64| cart().start_at(t, start()).unwrap();
+    let run = begun(0.3).limit(2.0).run().unwrap();
+    assert_eq!((run.interval(), run.events()[0].t), ([0.3, 2.0], 0.3));
+    let x = 1.0 + 0.3_f64.cos() - 2.0_f64.cos() - 1.7 * 0.3_f64.sin();
+    assert!((run.final_state()[0] - x).abs() < 1e-11, "{:?}", run.final_state());
+    assert_eq!(begun(7.0).time_limit() - 7.0, begun(0.0).time_limit());
+    assert!(begun(2.0).limit(2.0).run().is_err());
+    assert!(begun(2.0).until("t = 1").is_err());
+}
+
+/// A condition that no event of the run has met is told at its end, and none where one is met.
+#[test]
+fn conditions_that_are_not_met_are_told() {
+    let not_met = |conditions: &[&str]| {
+        let cart = Simulation::new(&Cart { m: 2.0, f: 2.0 })
+            .unwrap()
+            .start(Pose::new("x_P", 1.0))
+            .unwrap()
+            .limit(1.0);
+        let run =
+            conditions.iter().fold(cart, |cart, condition| cart.until(*condition).unwrap()).run().unwrap();
+        run.log().iter().map(|entry| entry.decision.to_string()).collect::<Vec<_>>()
+    };
+    assert_eq!(not_met(&["x_P = 5"]), ["the run ends here, and `x_P = 5` was not met"]);
+    assert_eq!(not_met(&["x_P = 5", "t = 0.5"]), [""; 0]);
+    assert_eq!(not_met(&[]), [""; 0]);
+}

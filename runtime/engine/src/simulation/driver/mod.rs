@@ -259,6 +259,10 @@ impl<'a> Driver<'a> {
         }
         self.respond(|now| {
             now.record(EventKind::End, ContactSet::EMPTY, None);
+            let setup = now.setup;
+            for condition in &setup.ends.conditions {
+                now.log(LoggedDecision::ConditionNotMet(condition.clone()));
+            }
             Ok(())
         })?;
         Ok(Next::Finished)

@@ -150,9 +150,10 @@ impl Snapshot<'_> {
     }
 
     /// Refuses a start in equilibrium unless something is planned: nothing would ever set it in
-    /// motion. What an impact without collision has brought to rest did move, and where friction
-    /// allows another motion too, rest is one that was taken.
-    fn refuse_equilibrium(&self) -> Result<(), RunCause> {
+    /// motion. Where a time is given at which the run ends, it stays there, which is logged. What
+    /// an impact without collision has brought to rest did move, and where friction allows another
+    /// motion too, rest is one that was taken.
+    fn refuse_equilibrium(&mut self) -> Result<(), RunCause> {
         let is_one_of_several =
             |entry: &LogEntry| matches!(entry.decision, LoggedDecision::SeveralMotions { .. });
         let moves = !self.transition.events.is_empty()
@@ -160,7 +161,10 @@ impl Snapshot<'_> {
             || self.transition.log.iter().any(is_one_of_several)
             || !self.setup.rules.switches.is_empty();
         if !moves && is_equilibrium(&self.setup.context, &*self.phase, &self.state) {
-            return Err(StartError::Equilibrium.into());
+            if !self.setup.ends_at_a_time() {
+                return Err(StartError::Equilibrium.into());
+            }
+            self.log(LoggedDecision::StartRests);
         }
         Ok(())
     }

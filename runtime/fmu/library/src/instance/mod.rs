@@ -10,14 +10,14 @@ use crate::experiment::Experiment;
 use crate::motion::Motion;
 use crate::place::{Instant, Readings};
 use crate::settings::{Settings, variable};
-use liftoff::{Pose, Simulation};
+use liftoff::Simulation;
 use liftoff_fmu::{Interface, Resources};
 use liftoff_studio::RunSpec;
 use liftoff_studio::registry::Entry;
 use stage::Stage;
 use std::path::Path;
 
-/// When what is planned so that a model may rest would happen: never.
+/// When a motion ends whose end is not given: never.
 const NEVER: f64 = f64::MAX;
 
 /// The tolerance of event indicators where none is given, relative to natural units.
@@ -177,22 +177,9 @@ impl Instance {
     fn simulation(&self, spec: &RunSpec) -> Result<Simulation, String> {
         let Experiment { start, tolerance, .. } = self.experiment;
         let finer = tolerance.filter(|_| self.kind != Kind::Exchange).unwrap_or(spec.tolerance);
-        let spec = RunSpec { tolerance: spec.tolerance.min(finer), ..spec.clone() };
-        let mut simulation = self.model.simulation(&spec).map_err(|error| error.to_string())?;
-        simulation = may_rest(simulation)?;
-        if start > 0.0 {
-            let pose = match spec.energy_of.is_empty() {
-                true => {
-                    spec.start.iter().fold(Pose::nominal(), |pose, (name, value)| pose.with(name, *value))
-                }
-                false => Pose::of_state(
-                    simulation.layout(),
-                    &simulation.start_state().map_err(|error| error.to_string())?,
-                ),
-            };
-            simulation = simulation.continued(start, &pose).map_err(|error| error.to_string())?;
-        }
-        Ok(simulation)
+        let mut spec = RunSpec { tolerance: spec.tolerance.min(finer), ..spec.clone() };
+        spec.start.push(("t".to_owned(), start));
+        self.model.simulation(&spec).map_err(|error| error.to_string())
     }
 
     /// Where the motion is.
@@ -201,17 +188,5 @@ impl Instance {
             Begun::Exchange(exchange) => Some((exchange.simulation(), exchange.seen())),
             Begun::Motion(motion) => Some((motion.simulation(), motion.instant())),
         }
-    }
-}
-
-/// The same with something planned that never comes: a start at rest is refused where nothing is.
-fn may_rest(simulation: Simulation) -> Result<Simulation, String> {
-    let layout = simulation.layout();
-    match layout.contacts.iter().find(|contact| contact.kind.is_one_sided()) {
-        Some(contact) => simulation.release(contact.supports[0], NEVER).map_err(|error| error.to_string()),
-        None => match layout.points.first().filter(|_| !layout.has_hinges()) {
-            Some(point) => simulation.impulse(*point, [0.0; 2], NEVER).map_err(|error| error.to_string()),
-            None => Ok(simulation),
-        },
     }
 }

@@ -11,7 +11,7 @@ mod tolerances;
 
 use crate::registry::{Entry, MethodId, MotionError};
 use crate::run_spec::RunSpec;
-use liftoff::{RunCause, RunError, StartError, Trajectory};
+use liftoff::{LogEntry, LoggedDecision, Trajectory};
 use liftoff_verification::cases::Case;
 use liftoff_verification::cases::Effort;
 use liftoff_verification::cases::event_summary::last;
@@ -161,12 +161,12 @@ fn runs(model: &Entry) -> bool {
     has_default_run(model) && !rests(model)
 }
 
-/// Whether the default start is refused as an equilibrium.
+/// Whether the default start is an equilibrium.
 fn rests(model: &Entry) -> bool {
     let Ok(simulation) = model.simulation(&model.default_run()) else { return false };
     let end = INSTANT * simulation.scales().time;
-    let is_equilibrium = |error: RunError| matches!(error.cause(), RunCause::Start(StartError::Equilibrium));
-    simulation.limit(end).run().is_err_and(is_equilibrium)
+    let is_equilibrium = |entry: &LogEntry| entry.decision == LoggedDecision::StartRests;
+    simulation.limit(end).run().is_ok_and(|run| run.log().iter().any(is_equilibrium))
 }
 
 /// Whether all parameters have values.

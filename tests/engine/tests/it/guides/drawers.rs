@@ -30,11 +30,15 @@ fn a_drawer_locks_beyond_the_angle_of_friction() {
     for f in [-50.0, 0.1, 3.0, 1e4] {
         let start = || Pose::new("x", 0.0).with("x'", 0.0);
         let locked = Drawer { m, j, l, h, b, mu: 0.3001, f };
-        let error = Simulation::new(&locked).unwrap().start(start()).unwrap().limit(1.0).run().unwrap_err();
+        let simulation = Simulation::new(&locked).unwrap().start(start()).unwrap();
+        let error = simulation.clone().run().unwrap_err();
         assert!(
             matches!(error.cause(), liftoff::RunCause::Start(liftoff::StartError::Equilibrium)),
             "{error}"
         );
+        let rests = run(simulation.limit(1.0));
+        assert!(rests.log().iter().any(|entry| entry.decision == liftoff::LoggedDecision::StartRests));
+        assert_eq!((rests.end_time(), rests.final_state()), (1.0, rests.events()[0].state.clone()));
         let free = Drawer { m, j, l, h, b, mu: 0.2, f };
         let record = run(Simulation::new(&free).unwrap().start(start()).unwrap().limit(1.0));
         let a = (f - f.signum() * 2.0 * 0.2 * (f * h / l).abs()) / m;
