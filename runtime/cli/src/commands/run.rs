@@ -10,7 +10,7 @@ use crate::options::sampling::{Sampling, head};
 use crate::output::file::{Form, check_form, is_output, print_beside, tell_written};
 use crate::output::json;
 use crate::output::motion_file::{MotionFile, Subject};
-use crate::output::notes::{decisions, note};
+use crate::output::notes::note;
 use crate::output::print::print;
 use crate::output::progress::Progress;
 use crate::output::style::{EVENT, styled};
@@ -18,7 +18,7 @@ use clap::Args;
 use liftoff::__private::expression::significant;
 use liftoff::{Observer, Output, Trajectory};
 use liftoff_core::model::Layout;
-use liftoff_studio::registry::{Entry, MethodId, Models, RunOptions, as_far, start_notes};
+use liftoff_studio::registry::{Entry, MethodId, Models, RunOptions, as_far, run_notes, start_notes};
 use liftoff_studio::run_spec::RunSpec;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -62,8 +62,8 @@ impl Run {
     /// Runs the model; a run that stopped short or was interrupted is printed as far as it came.
     pub fn execute(self, models: &Models) -> Result<(), CommandError> {
         let model = models.find(&self.model)?;
-        self.sampling.check(model)?;
         let spec = self.run_args.spec(model)?;
+        self.sampling.check(model, &spec)?;
         start_notes(model, &spec).iter().for_each(|text| note(text));
         let mut samples = self.samples(model.layout())?;
         let file = self.file()?;
@@ -81,7 +81,7 @@ impl Run {
         };
         self.show(&spec, &ran, samples)?;
         self.completed(&ran.record).iter().for_each(|text| note(text));
-        decisions(&ran.record).iter().for_each(|text| note(text));
+        run_notes(&ran.record).iter().for_each(|text| note(text));
         self.run_args.note_end(&ran.record);
         written?;
         file.iter().for_each(|file| tell_written(file.path));

@@ -20,6 +20,8 @@ pub struct Given {
 /// Multiples of a time, 1 or 2 times a power of ten, that grows with the run: of a run of unknown length some thousand.
 #[derive(Default)]
 pub struct Even {
+    /// When the run begins.
+    begin: f64,
     grid: Option<Grid>,
     multiples: u64,
 }
@@ -41,7 +43,7 @@ impl Clock {
     pub fn next(&self) -> Option<f64> {
         match self {
             Self::Given(given) => given.next(),
-            Self::Even(Even { grid, multiples }) => grid.map(|grid| grid.time(*multiples)),
+            Self::Even(even) => even.grid.map(|grid| even.begin + grid.time(even.multiples)),
         }
     }
 
@@ -52,23 +54,40 @@ impl Clock {
         }
     }
 
+    /// Leaves out the times before a run begins; what grows with the run grows from there.
+    pub fn begin(&mut self, t: f64) {
+        match self {
+            Self::Given(given) => given.begin(t),
+            Self::Even(even) => even.begin = t,
+        }
+    }
+
     /// Goes on behind a time.
     pub fn pass(&mut self, t: f64) {
         match self {
             Self::Given(given) => given.pass(t),
             Self::Even(even) => {
-                even.multiples += u64::from(even.grid.is_some_and(|grid| grid.time(even.multiples) <= t));
+                let next = even.grid.map(|grid| even.begin + grid.time(even.multiples));
+                even.multiples += u64::from(next.is_some_and(|next| next <= t));
             }
         }
     }
 
     /// Takes note that the run is as long as this; of the times so far every so many-th is to be kept.
     pub fn reach(&mut self, t: f64) -> u64 {
-        if let Self::Even(even) = self { even.reach(t) } else { 1 }
+        if let Self::Even(even) = self { even.reach(t - even.begin) } else { 1 }
     }
 }
 
 impl Given {
+    fn begin(&mut self, t: f64) {
+        while self.at.as_slice().first().is_some_and(|first| *first < t) {
+            self.at.next();
+        }
+        let multiples = self.every.map_or(0.0, |every| (t / every).ceil());
+        self.multiples = self.multiples.max(multiples as u64);
+    }
+
     fn next(&self) -> Option<f64> {
         let multiple = self.every.map(|every| self.multiples as f64 * every);
         let given = self.at.as_slice().first().copied();
@@ -163,5 +182,16 @@ mod tests {
             clock.pass(t);
         }
         assert_eq!(times, [0.0, 0.5, 1.0, 2.0, 3.0]);
+        let after = |mut clock: Clock, begin: f64| {
+            clock.begin(begin);
+            clock.reach(begin + 1.0);
+            let first = clock.next().unwrap();
+            clock.pass(first);
+            [first, clock.next().unwrap()]
+        };
+        assert_eq!(after(Clock::given(vec![2.5, 0.5], Some(1.0), 5), 1.5), [2.0, 2.5]);
+        for begin in [0.1, 1e6] {
+            assert_eq!(after(Clock::Even(Even::default()), begin), [begin, begin + 1e-3]);
+        }
     }
 }

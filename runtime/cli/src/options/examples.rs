@@ -137,8 +137,7 @@ const EXAMPLES: [(&str, &str, &str); 55] = [
     ("report", "{program} report {model} --out pages", "the same in another folder"),
     (
         "completions",
-        "mkdir -p ~/.local/share/bash-completion/completions && \
-         {program} completions bash >~/.local/share/bash-completion/completions/{program}",
+        "D=~/.local/share/bash-completion/completions; mkdir -p $D; {program} completions bash >$D/{program}",
         "for bash",
     ),
     ("completions", "mkdir -p ~/.zfunc && {program} completions zsh >~/.zfunc/_{program}", "for zsh"),

@@ -12,7 +12,7 @@ pub struct PoseArgs {
     /// A parameter
     #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
     pub set: Vec<Assignment>,
-    /// A coordinate or rate (`phi'`) at the start; replaces the default start
+    /// A coordinate or rate (`phi'`) at the start, or its time, `t`; replaces the default start
     #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
     pub start: Vec<Assignment>,
 }

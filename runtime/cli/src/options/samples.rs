@@ -22,6 +22,8 @@ pub struct Row {
 pub struct Samples<'a> {
     outputs: Vec<Output>,
     clock: Clock,
+    /// Whether the run has begun.
+    begun: bool,
     /// Times of events that are still to be shown.
     events: VecDeque<f64>,
     /// Times at which velocities jump; the last one alone unless all rows are taken at the end.
@@ -39,6 +41,7 @@ impl Samples<'_> {
         Self {
             outputs,
             clock,
+            begun: false,
             events: VecDeque::new(),
             jumps: Vec::new(),
             rows: Vec::new(),
@@ -49,8 +52,8 @@ impl Samples<'_> {
 
     /// Gives the rows to a function instead of keeping them; the clock must not be one that grows.
     pub fn into_sink(self, sink: &mut dyn FnMut(&Row)) -> Samples<'_> {
-        let Self { outputs, clock, events, jumps, rows, waits, .. } = self;
-        Samples { outputs, clock, events, jumps, rows, waits, sink: Some(sink) }
+        let Self { outputs, clock, begun, events, jumps, rows, waits, .. } = self;
+        Samples { outputs, clock, begun, events, jumps, rows, waits, sink: Some(sink) }
     }
 
     /// All rows of a run that has ended.
@@ -118,6 +121,9 @@ impl Observer for Samples<'_> {
     }
 
     fn event(&mut self, t: f64) {
+        if !core::mem::replace(&mut self.begun, true) {
+            self.clock.begin(t);
+        }
         if self.events.back() != Some(&t) {
             self.events.push_back(t);
         }

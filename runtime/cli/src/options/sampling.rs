@@ -10,6 +10,7 @@ use liftoff::__private::expression::{significant, unrounded};
 use liftoff::Trajectory;
 use liftoff_core::model::Layout;
 use liftoff_studio::registry::Entry;
+use liftoff_studio::run_spec::RunSpec;
 use liftoff_studio::sweep::Columns;
 
 /// Significant digits in the table.
@@ -55,12 +56,13 @@ impl Sampling {
     }
 
     /// Refuses what could only be refused after the run.
-    pub fn check(&self, model: &Entry) -> Result<(), CommandError> {
+    pub fn check(&self, model: &Entry, spec: &RunSpec) -> Result<(), CommandError> {
+        let begin = spec.begin();
         if let Some(every) = self.every.filter(|every| !(*every > 0.0 && every.is_finite())) {
             return Err(CommandError::Usage(format!("--every {every}: expected a time > 0")));
         }
-        if let Some(at) = self.at.iter().find(|at| !(**at >= 0.0 && at.is_finite())) {
-            return Err(CommandError::Usage(format!("--at {at}: a run begins at t = 0")));
+        if let Some(at) = self.at.iter().find(|at| !(**at >= begin && at.is_finite())) {
+            return Err(CommandError::Usage(format!("--at {at}: the run begins at t = {begin}")));
         }
         Ok(self.output.iter().try_for_each(|output| model.check(output))?)
     }
@@ -68,7 +70,7 @@ impl Sampling {
     /// Refuses more times than can be meant.
     pub fn check_rows(&self, record: &Trajectory) -> Result<(), CommandError> {
         let Some(every) = self.every else { return Ok(()) };
-        match record.end_time() / every {
+        match (record.end_time() - record.start_time()) / every {
             rows if rows > MOST as f64 => Err(CommandError::Usage(format!(
                 "every {every} would be {rows:.0e} rows: {MOST} are the most"
             ))),

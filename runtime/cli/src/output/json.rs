@@ -3,11 +3,11 @@
 use crate::CommandError;
 use crate::options::samples::Row;
 use crate::options::sampling::{Sampling, precedes_jump, values_at};
-use crate::output::notes::decisions;
 use liftoff::__private::expression::unrounded;
 use liftoff::Trajectory;
 use liftoff::{Event, Reaction};
 use liftoff_core::model::{Energy, Layout};
+use liftoff_studio::registry::run_notes;
 use liftoff_studio::run_spec::RunSpec;
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -107,7 +107,7 @@ pub fn text(
         parameters: spec.parameters.iter().map(|(name, value)| (name.clone(), Value::from(*value))).collect(),
         events: record.events().iter().enumerate().map(event).collect(),
         final_state: state(record, &record.final_state(), record.end_time()),
-        notes: decisions(record),
+        notes: run_notes(record),
         samples: rows.iter().filter(|row| row.is_requested).map(sample).collect(),
         error,
     };

@@ -3,6 +3,7 @@
 use super::dimension::{Dimension, of_parameters};
 use super::energy_rate::energy_rate;
 use super::origin::{Derived, Origin};
+use super::run_spec::TIME;
 use super::{Configuration, MethodId, MotionError, PrecisionSpec, RunOptions};
 use super::{chain, input, stopped};
 use crate::run_spec::{PointImpulse, RunSpec, Values};
@@ -262,7 +263,7 @@ fn simulation(model: Model, spec: &RunSpec) -> Result<Simulation, MotionError> {
     let mut run = Simulation::new(model)
         .map_err(input)?
         .tolerance(spec.tolerance)
-        .start(pose(&spec.start))
+        .start_at(spec.begin(), pose(&spec.start))
         .map_err(input)?;
     if !spec.energy_of.is_empty() {
         run = run.on_energy_of(pose(&spec.energy_of)).map_err(input)?;
@@ -334,7 +335,8 @@ fn check_angles(layout: &Layout, values: &Values) -> Result<(), MotionError> {
 }
 
 fn pose(values: &Values) -> Pose {
-    values.iter().fold(Pose::nominal(), |pose, (name, value)| pose.with(name, *value))
+    let given = values.iter().filter(|(name, _)| name != TIME);
+    given.fold(Pose::nominal(), |pose, (name, value)| pose.with(name, *value))
 }
 
 /// `StepLadder` as `step-ladder`.

@@ -28,10 +28,17 @@ impl Models {
     /// The model of this name.
     ///
     /// # Errors
-    /// No such model; the error suggests the nearest name.
+    /// No such model; the error suggests the nearest name, or a model whose summary has this one:
+    /// `fig-1a` of "(Fig. 1a)".
     pub fn find(&self, name: &str) -> Result<&Entry, MotionError> {
-        let known = self.iter().map(Entry::name);
-        let unknown = || MotionError::Input(NameError::new("model", name, known).to_string());
+        let plain = |text: &str| text.to_lowercase().replace(|c: char| !c.is_alphanumeric(), "");
+        let unknown = || {
+            let mut error = NameError::new("model", name, self.iter().map(Entry::name));
+            let is_told = |model: &&Entry| plain(model.summary()).contains(&plain(name));
+            let told = || self.iter().find(is_told).filter(|_| plain(name).len() > 3);
+            error.nearest = error.nearest.or_else(|| told().map(|model| model.name().to_owned()));
+            MotionError::Input(error.to_string())
+        };
         self.iter().find(|model| model.name() == name).ok_or_else(unknown)
     }
 }
@@ -58,6 +65,8 @@ impl Models {
 ///
 /// let models = liftoff_studio::models![SwingingBar];
 /// assert_eq!(models.find("swinging-bar")?.summary(), "A bar that swings.");
+/// let unknown = models.find("that-swings").err().map(|error| error.to_string());
+/// assert_eq!(unknown.as_deref(), Some("no model `that-swings`; did you mean `swinging-bar`?"));
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[macro_export]

@@ -3,6 +3,9 @@
 use liftoff_core::model::Layout;
 use serde::{Deserialize, Serialize};
 
+/// The name of the time, among the values at the start.
+pub(super) const TIME: &str = "t";
+
 /// Named values in the order given.
 pub type Values = Vec<(String, f64)>;
 
@@ -11,7 +14,8 @@ pub type Values = Vec<(String, f64)>;
 pub struct RunSpec {
     /// Values of the parameters.
     pub parameters: Values,
-    /// Coordinates and rates (`phi'`) given at the start; the others follow.
+    /// Coordinates and rates (`phi'`) given at the start; the others follow. `t` is the time of the
+    /// start, zero where it is not given.
     pub start: Values,
     /// The pose at rest on whose energy level the motion starts; empty: the start's rates hold.
     pub energy_of: Values,
@@ -73,6 +77,11 @@ impl RunSpec {
             limit: defaults.limit,
             ..Self::with(&parameters).start(defaults.start)
         }
+    }
+
+    /// The time of the start.
+    pub fn begin(&self) -> f64 {
+        self.start.iter().rev().find(|(name, _)| name == TIME).map_or(0.0, |(_, t)| *t)
     }
 
     /// The same, started here.

@@ -14,11 +14,11 @@ pub fn start_notes(model: &Entry, spec: &RunSpec) -> Vec<String> {
         return Vec::new();
     };
     let behind = line_violation(&start, &nominal).map(|behind| behind.to_string());
-    turned(model.layout(), &spec.start).chain(behind).chain(crossed_outline(&start)).collect()
+    angle_notes(model.layout(), &spec.start).chain(behind).chain(crossed_outline(&start)).collect()
 }
 
 /// Angles of more than a turn, which may be degrees.
-fn turned(layout: &Layout, start: &Values) -> impl Iterator<Item = String> {
+pub fn angle_notes(layout: &Layout, start: &Values) -> impl Iterator<Item = String> {
     let angles = start.iter().filter(|(name, value)| value.abs() > TAU && layout.is_angle(name));
     angles.map(|(name, value)| {
         let turns = value.abs() / TAU;

@@ -41,28 +41,6 @@ impl Assignment {
     }
 }
 
-impl Place {
-    /// Names that can be assigned.
-    pub(super) fn names(self, layout: &Layout) -> Vec<String> {
-        match self {
-            Self::Parameter => layout.parameters.iter().map(|name| (*name).to_owned()).collect(),
-            Self::Start | Self::EnergyOf => layout.names_of_motion().collect(),
-            Self::Release => {
-                let supports = layout.contacts.iter().flat_map(|contact| contact.supports);
-                supports.map(|support| (*support).to_owned()).collect()
-            }
-        }
-    }
-
-    pub(super) const fn kind(self) -> &'static str {
-        match self {
-            Self::Parameter => "parameter",
-            Self::Start | Self::EnergyOf => "coordinate",
-            Self::Release => "support",
-        }
-    }
-}
-
 /// A value of a member's spec as a formula of the varied names.
 pub(super) struct Setting {
     target: Place,

@@ -57,7 +57,7 @@ fn impossible_input_is_refused() {
         (&["run", model, "--set", "l=2kg"], "--set l: measured in m, not in kg"),
         (&["run", model, "--set", "g=9.81 N"], "--set g: measured in m/s², not in N"),
         (&["run", model, "--limit", "3 mm"], "`3 mm` is measured in m, not in s"),
-        (&["run", model, "--at", "-1"], "--at -1: a run begins at t = 0"),
+        (&["run", model, "--at", "-1"], "--at -1: the run begins at t = 0"),
         (&["run", model, "--tol", "1e-300"], "the least is 1e-18"),
         (&["run", model, "--tol", "1e-9 m"], "measured in m"),
         (&["plot", model, "--width", "12"], "`12` is no whole number from 240 to 10000"),
@@ -124,7 +124,9 @@ fn long_or_deep_input_is_refused() {
 fn a_time_that_the_run_does_not_reach_is_an_error_behind_the_table() {
     let output = run(&["run", "trestle", "--limit", "0.1", "--at", "0.05", "--at", "3", "--output", "E"]);
     assert_eq!(output.status.code(), Some(1));
-    assert_eq!(errors(&output), "error: t = 3 is not within the run, which ended at t = 0.1\n");
+    let told = "note: at t = 0.1000: the run ends here, and `y(C) = 0` was not met\n\
+                error: t = 3 is not within the run, which ended at t = 0.1\n";
+    assert_eq!(errors(&output), told);
     let table = String::from_utf8_lossy(&output.stdout).into_owned();
     assert!(table.lines().count() == 4 && table.contains("0.05000000"), "{table}");
 }

@@ -57,7 +57,10 @@ fn on_a_full_disk_nothing_stands_under_the_final_name() {
         let output = on_a_full_disk(&folder, &arguments);
         let error = errors(&output);
         assert_eq!(output.status.code(), Some(1), "{arguments:?}: {error}");
-        let lines = error.lines().filter(|line| !line.starts_with("warning: ")).count();
+        let lines = error
+            .lines()
+            .filter(|line| !["warning: ", "note: "].iter().any(|head| line.starts_with(head)))
+            .count();
         assert!(error.contains("cannot write ") && lines == 1, "{arguments:?}: {error}");
         assert!(names(&folder).is_empty(), "{arguments:?}: {:?}", names(&folder));
         fs::write(folder.join(name), "before").expect("a file");

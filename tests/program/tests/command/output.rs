@@ -222,7 +222,9 @@ fn what_is_hardly_meant_is_noted() {
     // The trestle is symmetrical and stays so.
     let always = noted(&["--until", "x = 0", "--limit", "0.1"]);
     assert!(always.contains("`x = 0` holds at the start: it is met when it becomes true again"), "{always}");
-    assert_eq!(noted(&["--limit", "0.1"]), "");
+    let not_met = "note: at t = 0.1000: the run ends here, and `y(C) = 0` was not met\n";
+    assert_eq!(noted(&["--limit", "0.1"]), not_met);
+    assert_eq!(noted(&["--until", "t = 0.1 s"]), "");
     let ended = noted(&["--limit", "50"]);
     assert!(
         ended.contains("the model's default condition `y(C) = 0` has ended the run before t = 50"),
@@ -260,4 +262,17 @@ fn a_small_sweep_shows_its_members() {
     let large =
         run_program(&["sweep", "trestle", "--vary", "p=1:70:30", "--observe", "end", "--limit", "0.01"]);
     assert_eq!(large.lines().count(), 3, "{large}");
+}
+
+/// Rows are at multiples from there, and a time before is refused.
+#[test]
+fn a_run_begins_at_its_time() {
+    let begun = ["run", "trestle", "--start", "t=0.25", "--until", "t = 1", "--every", "0.5", "--csv", "-"];
+    let output = run(&begun);
+    let table = String::from_utf8_lossy(&output.stdout).into_owned();
+    let times: Vec<&str> = table.lines().skip(1).filter_map(|line| line.split(',').next()).collect();
+    assert_eq!(times, ["0.25", "0.5", "1"], "{table}");
+    assert!(errors(&output).contains("0.2500000  start"), "{}", errors(&output));
+    let early = run(&[&begun[..], &["--at", "0.1"]].concat());
+    assert!(errors(&early).contains("--at 0.1: the run begins at t = 0.25"), "{}", errors(&early));
 }
