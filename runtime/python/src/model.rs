@@ -138,7 +138,7 @@ impl Model {
     /// interrupts.
     ///
     /// start: coordinates and rates at the start, `{"phi": 0.1}` or `{"phi": "85deg"}`; what is
-    /// left open follows.
+    /// left open follows; `{"t": 0.3}` is the time of the start, by default 0.
     /// until: a condition to stop at, `"phi = pi/2"`, or several.
     /// set: values of parameters.
     /// energy_of: a pose at rest on whose energy level the motion starts.

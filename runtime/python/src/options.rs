@@ -13,13 +13,18 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyMapping};
 
 /// What others call arguments, the argument that serves here, and how it is written.
-const ELSEWHERE: [(&[&str], &str, &str); 6] = [
+const ELSEWHERE: [(&[&str], &str, &str); 7] = [
     (
         &["t_final", "t_end", "t_span", "tspan", "tf", "duration"],
         "limit",
         "`limit=10` is the latest end, `until=\"t = 10\"` a condition",
     ),
     (&["parameters", "params", "args", "p"], "set", "`set={\"m\": 1}` has the parameters"),
+    (
+        &["t0", "t_start", "t_begin", "begin"],
+        "start",
+        "`start={\"t\": 0.3, \"phi\": 0.1}` has the time of the start",
+    ),
     (&["x0", "y0", "q0", "initial", "initial_state"], "start", "`start={\"phi\": 0.1}` has the start"),
     (
         &["dt", "step", "max_step", "t_eval", "times"],

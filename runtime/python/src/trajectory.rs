@@ -9,6 +9,7 @@ use crate::request::Request;
 use crate::values::numbers;
 use liftoff::{Instant, Output, Trajectory as Motion};
 use liftoff_studio::picture::{ChartCurve, ChartNumbers};
+use liftoff_studio::registry::run_notes;
 use numpy::ndarray::Array2;
 use numpy::{
     IntoPyArray, PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods,
@@ -62,7 +63,9 @@ impl Trajectory {
         let times = numbers(t)?.cast_into::<PyArrayDyn<f64>>()?.readonly();
         let [start, end] = self.motion.interval();
         match times.as_array().iter().find(|t| !(start..=end).contains(*t)) {
-            Some(t) => Err(invalid(format!("t = {t} is not within the run, which ended at t = {end}"))),
+            Some(t) => Err(invalid(format!(
+                "t = {t} is not within the run, which began at t = {start} and ended at t = {end}"
+            ))),
             None => Ok(times),
         }
     }
@@ -118,6 +121,13 @@ impl Trajectory {
     #[getter]
     fn stopped(&self) -> Option<&str> {
         self.stopped.as_deref()
+    }
+
+    /// What was decided beside the events, with the time: that a condition was not met, that the
+    /// start is an equilibrium, where several motions were possible.
+    #[getter]
+    fn notes(&self) -> Vec<String> {
+        run_notes(&self.motion)
     }
 
     /// The arguments of `simulate` that ask for this run.
@@ -192,7 +202,7 @@ impl Trajectory {
         let t = match (t, every) {
             (Some(_), Some(_)) => return Err(invalid("every: the times are given by `t` already")),
             (None, Some(every)) => {
-                let times = multiples(seconds("every", every)?, self.motion.end_time())?;
+                let times = multiples(seconds("every", every)?, self.motion.interval())?;
                 Some(times.into_pyarray(py).into_any())
             }
             (t, None) => t,
@@ -275,10 +285,10 @@ impl Trajectory {
 
     fn __repr__(&self) -> String {
         let (name, events) = (self.motion.layout().name, self.motion.events());
-        let end = self.motion.end_time();
+        let [start, end] = self.motion.interval();
         let last =
             events.last().map_or_else(|| "nothing computed".to_owned(), |event| event.kind.to_string());
-        format!("<Trajectory of {name}: {} events, t = 0 … {end:.6}, {last}>", events.len())
+        format!("<Trajectory of {name}: {} events, t = {start} … {end:.6}, {last}>", events.len())
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
@@ -288,16 +298,19 @@ impl Trajectory {
     }
 }
 
-/// The multiples of a time up to the end of a run.
-fn multiples(every: f64, end: f64) -> PyResult<Vec<f64>> {
+/// The multiples of a time from the start to the end of a run.
+fn multiples(every: f64, [start, end]: [f64; 2]) -> PyResult<Vec<f64>> {
     if !(every > 0.0 && every.is_finite()) {
         return Err(invalid(format!("every: {every}: expected a time > 0")));
     }
-    match end / every {
+    match (end - start) / every {
         rows if rows > MOST_ROWS => {
             Err(invalid(format!("every {every} would be {rows:.0e} rows: {MOST_ROWS:.0e} are the most")))
         }
-        _ => Ok((0..).map(|k| f64::from(k) * every).take_while(|t| *t <= end).collect()),
+        _ => Ok((0..)
+            .map(|k| ((start / every).ceil() + f64::from(k)) * every)
+            .take_while(|t| *t <= end)
+            .collect()),
     }
 }
 

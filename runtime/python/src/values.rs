@@ -111,15 +111,15 @@ pub fn refused(what: &str, text: &str, error: &OutputError) -> PyErr {
 }
 
 fn check_name(place: Place, layout: &'static Layout, name: &str) -> PyResult<()> {
-    let (kind, known): (_, Vec<String>) = match place {
+    match place {
         Place::Release => return check_support(layout, name),
         // What is said of a support is checked where it is read.
         Place::Start if name.starts_with("below(") => return Ok(()),
-        Place::Parameter => ("parameter", layout.parameters.iter().map(|name| (*name).to_owned()).collect()),
-        Place::Start | Place::EnergyOf => ("coordinate", layout.names_of_motion().collect()),
-    };
+        _ => {}
+    }
+    let known = place.names(layout);
     let found = known.iter().any(|known| known == name);
-    let missing = || unknown(&NameError::new(kind, name, known.iter().map(String::as_str)));
+    let missing = || unknown(&NameError::new(place.kind(), name, known.iter().map(String::as_str)));
     if found { Ok(()) } else { Err(missing()) }
 }
 

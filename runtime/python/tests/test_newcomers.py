@@ -1,5 +1,6 @@
 """Mistakes of users who come from Drake, SymPy and SciPy: each message names the cause and a cure."""
 
+import math
 import warnings
 
 import numpy as np
@@ -57,6 +58,12 @@ def swing(start, **arguments):
     return liftoff.Model(PENDULUM).simulate(start, **{"set": ONE, "limit": 0.1, **arguments})
 
 
+def spread(start=1.0, **arguments):
+    return liftoff.Model(PENDULUM).sweep(
+        "end phi", start={"phi": start}, **{"set": {**ONE, "l": [1.0, 2.0]}, "limit": 0.1, **arguments}
+    )
+
+
 def lean(**arguments):
     return liftoff.Model(LADDER).simulate(**arguments)
 
@@ -75,9 +82,16 @@ CALLS = [
     (lambda: swing({"phi": 1}, set={"m": 1, "l": 1}), ValueError, "parameter `g` is not given", "set it, `g = 1`"),
     (lambda: swing({"phi": 1}, set={**ONE, "mass": 1}), KeyError, "no parameter `mass`", "known: m, l, g"),
     (lambda: swing({"phi": 1}, set={**ONE, "m": -1}), ValueError, "mass of bar OA is negative", "-1"),
-    (lambda: swing({"phi": 0}), ValueError, "it never moves", "start it elsewhere, or with a rate"),
+    (lambda: swing({"phi": 0}, limit=None), ValueError, "it never moves", "start it elsewhere, or with a rate"),
     (lambda: swing({"phi": 1}, t_span=(0, 1)), TypeError, "no argument `t_span`", "`limit=10`"),
     (lambda: swing({"phi": 1}, t_final=1), TypeError, "no argument `t_final`", "`limit=10`"),
+    (lambda: liftoff.Model.built_in("fig_1a"), KeyError, "no model `fig_1a`", "did you mean `falling-pair`?"),
+    (lambda: swing({"phi": 1}, t0=0.5), TypeError, "no argument `t0`", '`start={"t": 0.3, "phi": 0.1}`'),
+    (lambda: swing({"phi": 1}, until="t = 3 ms"), ValueError, "found `ms`", "`s` (else numbers are in SI units)"),
+    (lambda: swing({"phi": 1, "t": "3 m"}), ValueError, "t: measured in s", "not in m"),
+    (lambda: spread(threads=-1), ValueError, "threads: a whole number from 1", "not -1"),
+    (lambda: spread(threads=1.5), ValueError, "threads: a whole number from 1", "not 1.5"),
+    (lambda: liftoff.Declaration("P").parameters(m=("kg", 1)), TypeError, "m: expected a number with its unit", '`(200, "mm")`'),
     (lambda: swing({"phi": 1}, params=ONE), TypeError, "no argument `params`", '`set={"m": 1}`'),
     (lambda: swing({"phi": 1}, dt=0.01), TypeError, "no argument `dt`", "`to_frame(every=0.01)`"),
     (lambda: swing({"phi": 1}, rtol=1e-6), TypeError, "no argument `rtol`", "`tolerance=1e-10`"),
@@ -93,7 +107,7 @@ CALLS = [
     (lambda: lean(start={"phi": 1.0, "y_A": -0.5}), ValueError, "support A is penetrated", "5.000e-1"),
     (lambda: lean()["np.sin(phi)"], ValueError, "found `.` at column 3", "`sin(x)`"),
     (lambda: lean()["F(A)"], KeyError, "no function `F`", "known: x, y, vx, vy"),
-    (lambda: lean().output("phi", 99.0), ValueError, "t = 99 is not within the run", "which ended at t = 0.93"),
+    (lambda: lean().output("phi", 99.0), ValueError, "t = 99 is not within the run", "ended at t = 0.93"),
     (lambda: lean().plot("phi", ax="phi"), TypeError, "not 'phi'", "expected axes of Matplotlib"),
     (lambda: liftoff.Model(LADDER).sweep("end phi", start={"phi": 1.0}), ValueError, "nothing is varied", "give an array or a list"),
     (lambda: liftoff.Model(LADDER).sweep("final phi", start={"phi": [1.0]}), ValueError, "no observation `final`", "known: first, last"),
@@ -123,8 +137,45 @@ def test_degrees_without_their_unit_are_told():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         swing({"phi": "85deg", "phi'": 85})
+        spread("85deg")
+        texts = spread(["85deg", "5 rad"], set=ONE)
+    assert list(texts["phi"]) == [math.radians(85), 5.0]
+    for start in (85, [0.1, 85], np.array([85, 3])):
+        with pytest.warns(UserWarning, match="phi starts at 85 rad, 13.5 turns; degrees have their unit, `85deg`"):
+            spread(start)
 
 
 def test_powers_are_written_as_in_python():
     run = lean()
     assert np.array_equal(run["phi ** 2"], run["phi^2"])
+
+
+def test_a_run_begins_at_its_time():
+    text = PENDULUM.replace("#[pin(O", "#[couple(OA = cos(t))]\n#[pin(O")
+    model = liftoff.Model(text)
+    whole = model.simulate({"phi": 0.5}, "t = 2 s", set=ONE)
+    state = dict(zip(whole.names, whole.at(0.75)))
+    rest = model.simulate({"t": "750 ms", **state}, "t = 2", set=ONE)
+    assert rest.t[0] == 0.75 and rest.state[-1] == pytest.approx(whole.state[-1], rel=1e-9)
+    assert list(rest.to_frame(every=0.5)["t"] if "t" in rest.to_frame(every=0.5) else rest.to_frame(every=0.5).index) == [1.0, 1.5, 2.0]
+    table = model.sweep("end phi", start={"t": [0.0, 0.75], "phi": 0.5}, set=ONE, until="t = 2")
+    assert table["end phi"][0] == whole["phi"][-1] != table["end phi"][1]
+    with pytest.raises(ValueError, match="began at t = 0.75"):
+        rest.at(0.5)
+
+
+def test_arrays_and_floats_are_numbers_of_a_declaration():
+    def build(number):
+        return (
+            liftoff.Declaration("Chain")
+            .gravity(number(9.81))
+            .bar("OA", mass=number(0.1 + 0.2), length=number(1 / 3))
+            .bar("AB", mass=number(1 / 7), length=number(0.1 * 0.7))
+            .pin(O=np.zeros(2))
+            .figure(A=np.array([0, -1 / 3]), B=(0, number(-1 / 3 - 0.1 * 0.7)))
+        )
+
+    texts = [build(number).text for number in (float, np.float64, np.array)]
+    assert texts[1:] == texts[:1] * 2 and "mass = 0.30000000000000004" in texts[0]
+    run = build(float).model().simulate({"theta_OA": 1.0}, limit=0.1)
+    assert run["E"][-1] == pytest.approx(run["E"][0], abs=1e-12)

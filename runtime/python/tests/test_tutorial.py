@@ -2,6 +2,7 @@
 
 import re
 
+import numpy as np
 import pytest
 
 import liftoff
@@ -28,4 +29,10 @@ def test_the_events_are_those_that_the_tutorial_prints(step_ladder):
 
 def test_without_a_cut_it_stands(step_ladder):
     with pytest.raises(ValueError, match="the start is an equilibrium: it never moves"):
-        step_ladder.simulate(set=VALUES, limit=3)
+        step_ladder.simulate(set=VALUES, until=[])
+    run = step_ladder.simulate(set=VALUES, until="phi = 0", limit=3)
+    assert run.t[-1] == 3 and np.array_equal(run.state[0], run.state[-1])
+    assert run.notes == [
+        "at t = 0.0000: the start is an equilibrium: it stays there, unless it is unstable and roundoff grows",
+        "at t = 3.0000: the run ends here, and `phi = 0` was not met",
+    ]

@@ -106,6 +106,9 @@ def _entry(name: str, value: Any) -> str:
 
 
 def _text(value: Any) -> str:
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+        return _text(tuple(value) if isinstance(value, list) else value)
     if isinstance(value, str):
         return value
     if isinstance(value, bool):
@@ -122,7 +125,11 @@ def _text(value: Any) -> str:
 def _field(name: str, value: Union[None, str, float, tuple[float, str]]) -> str:
     if value is None:
         return f"    {name}: f64,"
-    items = [_text(value[0]), f"unit = {_quoted(value[1])}"] if isinstance(value, tuple) else [_text(value)]
+    items = [_text(value)]
+    if isinstance(value, tuple):
+        if len(value) != 2 or not isinstance(value[1], str):
+            raise TypeError(f"{name}: expected a number with its unit, `(200, \"mm\")`, not {value!r}")
+        items = [_text(value[0]), f"unit = {_quoted(value[1])}"]
     return f"    #[{_call('value', items)}]\n    {name}: f64,"
 
 

@@ -3,6 +3,7 @@
 use crate::errors::invalid;
 use crate::options::Options;
 use crate::values::{entries, keyword, measured, texts};
+use liftoff_core::model::Layout;
 use liftoff_studio::registry::{Entry, Place};
 use liftoff_studio::run_spec::{RunSpec, Values, overridden};
 use pyo3::prelude::*;
@@ -59,10 +60,10 @@ impl<'py> Given<'py> {
                 self.formulas.push((place, format!("{name}={text}")));
             } else if value.len().is_ok() {
                 let own = match place {
-                    Place::Parameter | Place::Start => name,
+                    Place::Parameter | Place::Start => name.clone(),
                     Place::EnergyOf | Place::Release => self.renamed(place, &name),
                 };
-                self.arrays.push((own, value));
+                self.arrays.push((own, without_units(place, entry.layout(), &name, value)?));
             } else {
                 numbers.push((name.clone(), measured(place, entry.layout(), &name, &value)?));
             }
@@ -88,4 +89,16 @@ impl<'py> Given<'py> {
         self.formulas.push((place, format!("{name}={own}")));
         own
     }
+}
+
+/// The values of a list of texts, `["60deg", "70deg"]`; anything else as it is.
+fn without_units<'py>(
+    place: Place,
+    layout: &'static Layout,
+    name: &str,
+    given: Bound<'py, PyAny>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let Ok(texts) = given.extract::<Vec<Bound<'py, PyString>>>() else { return Ok(given) };
+    let values = texts.iter().map(|text| measured(place, layout, name, text));
+    Ok(values.collect::<PyResult<Vec<f64>>>()?.into_pyobject(given.py())?.into_any())
 }

@@ -13,8 +13,9 @@ use crate::options::Options;
 use crate::values::texts;
 use given::Given;
 use inputs::Inputs;
-use liftoff_studio::registry::{Entry, Place};
-use liftoff_studio::sweep::{MOST_THREADS, Observation, Sweep, SweepError, Varied};
+use liftoff_studio::registry::{Entry, Place, angle_notes};
+use liftoff_studio::run_spec::Values;
+use liftoff_studio::sweep::{MOST_THREADS, Observation, Spread, Sweep, SweepError, Varied};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::{Mutex, PoisonError};
@@ -37,6 +38,8 @@ pub fn run<'py>(
     let given = Given::from_options(entry, vary, &mut options)?;
     options.finish()?;
     let Inputs { shape, varied, arrays } = Inputs::from_arrays(py, &given.arrays)?;
+    let starts: Values = given.spec.start.iter().cloned().chain(varied.iter().map(largest)).collect();
+    angle_notes(entry.layout(), &starts).try_for_each(|text| errors::warn(py, &text))?;
     let sweep =
         prepared(entry, given, varied, &observed).map_err(|error| errors::sweep(&error))?.threads(threads);
     let layout = entry.layout();
@@ -68,15 +71,19 @@ pub fn run<'py>(
     ))
 }
 
+/// The value of the largest size.
+fn largest(varied: &Varied) -> (String, f64) {
+    let values = if let Spread::Listed(values) = &varied.spread { &values[..] } else { &[] };
+    let value = values.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs()));
+    (varied.name.clone(), value.unwrap_or(0.0))
+}
+
 fn threads(options: &mut Options<'_>) -> PyResult<usize> {
     let Some(threads) = options.take("threads")? else {
         return Ok(available_parallelism().map_or(1, usize::from));
     };
-    let threads: usize = threads.extract()?;
-    match threads {
-        1..=MOST_THREADS => Ok(threads),
-        _ => Err(invalid(format!("threads: a number from 1 to {MOST_THREADS}, not {threads}"))),
-    }
+    let whole = threads.extract().ok().filter(|count| (1..=MOST_THREADS).contains(count));
+    whole.ok_or_else(|| invalid(format!("threads: a whole number from 1 to {MOST_THREADS}, not {threads}")))
 }
 
 fn prepared<'a>(
