@@ -19,7 +19,7 @@ pub enum Definition {
 pub(super) const PI: (i128, i128) = (6_134_899_525_417_045, 1_952_799_169_684_491);
 
 /// The largest part of a fraction that is a coefficient.
-const LONGEST: i128 = 1_000_000_000;
+const LONGEST: i128 = 1_000_000_000_000;
 
 /// The derived constants met so far.
 #[derive(Clone, Debug)]

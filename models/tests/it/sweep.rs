@@ -97,7 +97,8 @@ fn a_file_says_what_options_say() {
     let file = "model = 'zigzag'\nobserve = ['first open', 'first open phi_inner']\ncsv = 'file.csv'\nsvg = 'file.svg'\n\
                 [vary]\nlambda = '0.1:0.9:5'\n[set]\nm1 = '1-lambda'\nm2 = 'lambda'\n";
     fs::write(folder.join("runs.toml"), file).expect("a file");
-    let output = done(folder.parent().expect("a parent"), &["sweep-file/runs.toml"]);
+    let file = Path::new(folder.file_name().expect("a name")).join("runs.toml");
+    let output = done(folder.parent().expect("a parent"), &[&file.to_string_lossy()]);
     assert!(output.status.success(), "{}", text(&output.stderr));
     let options =
         ["zigzag", "--vary=lambda=0.1:0.9:5", "--set=m1=1-lambda", "--set=m2=lambda", "--observe=first open"];

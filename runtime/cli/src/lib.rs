@@ -34,7 +34,7 @@ use std::process::exit;
 
 /// Planar bar systems with one-sided supports
 #[derive(Parser, Debug)]
-#[command(about, after_help = EXIT_CODES, max_term_width = 100)]
+#[command(about, after_help = EXIT_CODES)]
 struct Cli<O: ExtraCommand> {
     /// Whether to colour the output
     #[arg(long, value_name = "WHEN", global = true, default_value_t = ColorChoice::Auto)]
