@@ -116,7 +116,7 @@ fn names_are_those_of_the_model() {
     assert_eq!(parse("m").unwrap(), Expression::Parameter(0));
     assert_eq!(parse("m ** 2").unwrap(), parse("m^2").unwrap());
     assert_eq!(parse("2 s + 30 deg").unwrap(), parse("2 + 0.5235987755982988").unwrap());
-    assert_eq!(Condition::parse(&LAYOUT, "t = 0.1 s and m > 1").unwrap().time(&[2.0, 1.0]), None);
+    assert!(Condition::parse(&LAYOUT, "t > 0.1 s and phi > 2 deg").is_ok());
     assert_eq!(Condition::parse(&LAYOUT, "t = 0.1 s").unwrap().time(&[1.0, 1.0]), Some(0.1));
     assert_eq!(parse("gap(C)").unwrap(), Expression::Gap(1));
 }
