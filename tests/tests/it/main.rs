@@ -1,4 +1,5 @@
-//! Equations, oracle, physics and the house's rules, in one program: each program is linked with all models.
+//! Equations, oracle, physics and the house's rules, in one program: each program is linked with
+//! all models.
 
 mod catalogue;
 mod chain;

@@ -11,6 +11,8 @@
 //! with a line search (Qi and Sun, *A nonsmooth version of Newton's method*, Math. Programming 58,
 //! 1993). What it does not reach is found face by face ([`faces`]).
 
+use std::cell::LazyCell;
+
 use nalgebra::{DMatrix, DVector};
 
 use super::closed_rows::ClosedRows;
@@ -92,20 +94,18 @@ pub(super) fn share(
     negative: &[usize],
     (reactions, dual): (&mut [f64], &mut Option<DVector<f64>>),
 ) {
-    let undetermined = closed.undetermined();
-    let ClosedRows { rows, mut jacobian, mut levers } = closed;
-    // A couple that the motion determines is shared with none, and at a small lever it would be lost.
-    levers
-        .iter_mut()
-        .zip(&undetermined)
-        .filter(|(_, is_free)| !**is_free)
-        .for_each(|(lever, _)| *lever = 1.0);
+    let sign = |k: usize| if negative.contains(&closed.rows[k]) { -1.0 } else { 1.0 };
+    let undetermined = LazyCell::new(|| closed.undetermined());
     // A determined reaction that pulls, by rounding, presses nothing.
-    let pulls = |k: usize| {
-        let sign = if negative.contains(&rows[k]) { -1.0 } else { 1.0 };
-        !undetermined[k] && sign * reactions[rows[k]] < 0.0
+    let pulls = |k: &usize| sign(*k) * reactions[closed.rows[*k]] < 0.0 && !undetermined[*k];
+    let kept: Vec<usize> = factors.iter().map(Factor::pressing).filter(pulls).collect();
+    // A couple that the motion determines is shared with none, and at a small lever it would be lost.
+    let lever = |k: usize| {
+        let own = closed.levers[k];
+        if own != 1.0 && !undetermined[k] { 1.0 } else { own }
     };
-    let kept: Vec<usize> = factors.iter().map(Factor::pressing).filter(|k| pulls(*k)).collect();
+    let levers: Vec<f64> = (0..closed.rows.len()).map(lever).collect();
+    let ClosedRows { rows, mut jacobian, .. } = closed;
     let held = |k: usize| if kept.contains(&k) { 0.0 } else { reactions[rows[k]] };
     let load = jacobian.tr_mul(&DVector::from_fn(rows.len(), |k, _| held(k)));
     for (k, _) in rows.iter().enumerate().filter(|(_, row)| negative.contains(row)) {
